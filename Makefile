@@ -1,0 +1,81 @@
+# ms: five single-header C libraries. Plain make and a C compiler build the examples and make their pictures.
+#   make            the examples, into build/
+#   make demo       runs them: pictures and tables in build/demo/
+#   make deps       installs what `make test` needs (OpenImageIO, Embree) with the system's package manager
+#   make check      tests that need a C compiler only, a minute or two
+#   make test       all tests
+#   make bench      speed against error: tables and plots in build/bench/, peers where they are installed
+#   make sanitize, check-style, thread, valgrind, fuzz     other ways to run the tests
+#   make common     copies the block that all headers share from ms_mcml.h into the rest
+.POSIX:
+
+CC = cc
+CXX = c++
+CFLAGS = -O2
+LDLIBS = -lm
+
+TOOLS = build/mcml build/mcml_split build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
+	build/recommend build/latent build/nn_info build/nn_run
+DEMOS = build/demo_sss
+IMAGE = examples/image.h
+PLOT = examples/plot.h
+BUILD = mkdir -p build && $(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -I. $(LDFLAGS) -o $@
+
+all: $(TOOLS) $(DEMOS)
+
+build/mcml: examples/mcml.c ms_mcml.h
+	$(BUILD) examples/mcml.c $(LDLIBS)
+build/mcml_split: examples/mcml_split.c ms_mcml.h
+	$(BUILD) examples/mcml_split.c $(LDLIBS)
+build/profile: examples/profile.c ms_mcml.h
+	$(BUILD) examples/profile.c $(LDLIBS)
+build/sss_kernel: examples/sss_kernel.c ms_sss.h ms_mcml.h
+	$(BUILD) examples/sss_kernel.c $(LDLIBS)
+build/sss_filter: examples/sss_filter.c ms_sss.h ms_mcml.h $(IMAGE)
+	$(BUILD) examples/sss_filter.c $(LDLIBS)
+build/postprocess: examples/postprocess.c ms_sss.h $(IMAGE)
+	$(BUILD) examples/postprocess.c $(LDLIBS)
+build/lightmap: examples/lightmap.c ms_sss.h $(IMAGE)
+	$(BUILD) examples/lightmap.c $(LDLIBS)
+build/demo_sss: examples/demo_sss.c examples/scene.h ms_sss.h ms_mcml.h $(IMAGE) $(PLOT)
+	$(BUILD) examples/demo_sss.c $(LDLIBS)
+build/recommend: examples/recommend.c ms_gpr.h
+	$(BUILD) examples/recommend.c $(LDLIBS)
+build/latent: examples/latent.c ms_gpr.h $(IMAGE)
+	$(BUILD) examples/latent.c $(LDLIBS)
+build/nn_info: examples/nn_info.c ms_nn.h
+	$(BUILD) examples/nn_info.c $(LDLIBS)
+build/nn_run: examples/nn_run.c ms_nn.h
+	$(BUILD) examples/nn_run.c $(LDLIBS)
+
+demo: all
+	@sh examples/demo.sh
+
+deps:
+	@sh tests/deps.sh
+
+RUN = CC="$(CC)" CXX="$(CXX)" CFLAGS="$(CFLAGS)" sh tests/run.sh
+check: all
+	@$(RUN) check
+test: all
+	@$(RUN) test
+check-style:
+	@$(RUN) style
+sanitize:
+	@$(RUN) sanitize
+thread:
+	@$(RUN) thread
+valgrind:
+	@$(RUN) valgrind
+fuzz:
+	@$(RUN) fuzz
+bench: all
+	@CC="$(CC)" CFLAGS="$(CFLAGS)" sh tests/bench/run.sh
+
+common:
+	@sh tests/common.sh copy
+
+clean:
+	rm -rf build
+
+.PHONY: all demo deps check test check-style sanitize thread valgrind fuzz bench common clean

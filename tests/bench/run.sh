@@ -1,0 +1,19 @@
+#!/bin/sh
+# make bench: runs tests/bench/bench_*.c one after another (FILTER: part of a name), each writes its CSV, SVG and table
+# to build/bench/, then puts the tables into README.md between the marks <!-- bench:NAME --> and <!-- end -->.
+set -u
+mkdir -p build/bench
+for f in tests/bench/bench_*.c; do
+    n=$(basename "$f" .c)
+    case $n in *"${FILTER:-}"*) ;; *) continue ;; esac
+    echo "== $n"
+    libraries=""
+    for library in $(sed -n 's/.*peer libraries: *\(-l.*[a-zA-Z0-9]\).*/\1/p' "$f" | head -1); do
+        echo 'int main(void) { return 0; }' >build/bench/probe.c
+        ${CC:-cc} build/bench/probe.c -o build/bench/probe "$library" >/dev/null 2>&1 &&
+            libraries="$libraries $library -DHAVE_$(echo "$library" | sed 's/^-l//' | tr 'a-z-' 'A-Z_')"
+    done
+    ${CC:-cc} -std=c99 ${CFLAGS:--O2} -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples -Itests/bench "$f" -o "build/bench/$n" $libraries -lm -lpthread &&
+        "build/bench/$n" || echo "$n failed"
+done
+sh tests/bench/readme.sh

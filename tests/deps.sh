@@ -1,0 +1,51 @@
+#!/bin/sh
+# Installs what `make test` needs besides a C compiler: a C++ compiler, OpenImageIO, Embree. Does nothing when they
+# are there.
+set -u
+mkdir -p build/deps
+probe() { # NAME, then the program's text on standard input, then libraries
+    name=$1
+    shift
+    cat >build/deps/$name.cpp
+    ${CXX:-c++} -std=c++17 build/deps/$name.cpp -o build/deps/$name "$@" >build/deps/$name.log 2>&1
+}
+missing() {
+    echo 'int main() { return 0; }' | probe cxx || return 0
+    echo '#include <OpenImageIO/imageio.h>
+int main() { return OIIO::openimageio_version() == 0; }' | probe oiio -lOpenImageIO -lOpenImageIO_Util || return 0
+    { echo '#include <embree4/rtcore.h>
+int main() { rtcReleaseDevice(rtcNewDevice(nullptr)); }' | probe embree -lembree4; } ||
+    { echo '#include <embree3/rtcore.h>
+int main() { rtcReleaseDevice(rtcNewDevice(nullptr)); }' | probe embree -lembree3; } || return 0
+    return 1
+}
+if ! missing; then
+    echo "deps: C++ compiler, OpenImageIO and Embree are there"
+    exit 0
+fi
+root=""
+[ "$(id -u)" = 0 ] || root=sudo
+if command -v apt-get >/dev/null 2>&1; then
+    DEBIAN_FRONTEND=noninteractive
+    export DEBIAN_FRONTEND
+    $root apt-get update -q && $root apt-get install -y -q --no-install-recommends g++ libopenimageio-dev libembree-dev
+elif command -v dnf >/dev/null 2>&1; then
+    $root dnf install -y gcc-c++ OpenImageIO-devel embree-devel
+elif command -v zypper >/dev/null 2>&1; then
+    $root zypper --non-interactive install gcc-c++ OpenImageIO-devel embree-devel
+elif command -v pacman >/dev/null 2>&1; then
+    $root pacman -S --needed --noconfirm gcc openimageio embree
+elif command -v apk >/dev/null 2>&1; then
+    $root apk add g++ openimageio-dev embree-dev
+elif command -v brew >/dev/null 2>&1; then
+    brew install openimageio embree
+else
+    echo "deps: no package manager that this script knows; install a C++17 compiler, OpenImageIO (2.x) and Embree (3 or 4) by hand" >&2
+    exit 1
+fi
+if missing; then
+    echo "deps: still missing after the installation; what the compiler said:" >&2
+    cat build/deps/*.log >&2
+    exit 1
+fi
+echo "deps: installed"

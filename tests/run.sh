@@ -1,0 +1,189 @@
+#!/bin/sh
+# Runs a group of tests, two programs at a time, and ends with "N passed, N failed, N skipped".
+#   sh tests/run.sh check      what needs a C compiler only: a minute or two
+#   sh tests/run.sh test       check, the long versions, C++, scalar and other builds, OpenImageIO and Embree
+#   sh tests/run.sh style      warnings as errors: GCC and Clang, C99 and C++11, -O0 and -O3, 32-bit where there is one
+#   sh tests/run.sh sanitize   address and undefined-behaviour sanitizers
+#   sh tests/run.sh thread     thread sanitizer;   valgrind, fuzz: as they say
+# Called by make from the repository's root. CC, CXX, CFLAGS, JOBS (2), FILTER (part of a job's name), FUZZ_SECONDS (20).
+# Each job writes build/run/GROUP/NAME.log; the log of a failed one is shown.
+set -u
+
+# --- one job (called through xargs): run it, count what it says, keep its log -------------------------------------
+if [ "${1:-}" = --one ]; then
+    job=$2
+    log=${job%.job}.log
+    sh "$job" >"$log" 2>&1
+    rc=$?
+    line=$(grep -E '^[0-9]+ passed, [0-9]+ failed' "$log" | tail -1)
+    if [ $rc -eq 77 ]; then counts="0 0 1" # a job that can't run here exits with 77 after a line that says why
+    elif [ -n "$line" ]; then
+        counts=$(echo "$line" | awk '{print $1, $3, $5 + 0}')
+        [ $rc -eq 0 ] || [ "$(echo "$counts" | cut -d' ' -f2)" != 0 ] || counts="$(echo "$counts" | awk '{print $1, $2 + 1, $3}')"
+    elif [ $rc -eq 0 ]; then counts="1 0 0"
+    else counts="0 1 0"
+    fi
+    echo "$counts" >"${job%.job}.counts"
+    name=$(basename "$job" .job | cut -d- -f2-)
+    set -- $counts
+    if [ "$2" != 0 ]; then
+        echo "FAIL $name (exit $rc)"
+        grep -v -E '^ok  ' "$log" | tail -40 | sed 's/^/    /'
+    elif [ "$3" != 0 ] && [ "$1" = 0 ]; then echo "skip $name: $(tail -1 "$log")"
+    else echo "ok   $name: $1 passed$([ "$3" = 0 ] || echo ", $3 skipped")"
+    fi
+    exit 0
+fi
+
+group=${1:?usage: sh tests/run.sh check|test|style|sanitize|thread|valgrind|fuzz}
+CC=${CC:-cc}
+CXX=${CXX:-c++}
+CFLAGS=${CFLAGS:--O2}
+JOBS=${JOBS:-2}
+out=build/run/$group
+rm -rf "$out"
+mkdir -p "$out"
+number=1000
+
+warn="-Wall -Wextra -pedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Wvla -Wcast-align -Wundef -Werror"
+warn_c="$warn -Wstrict-prototypes -Wmissing-prototypes"
+posix="-D_POSIX_C_SOURCE=200809L"
+paths="-I. -Itests -Iexamples -Itests/bench"
+headers=$(ls ms_*.h)
+
+# job NAME COMMAND: a line of shell
+job() {
+    case $1 in *"${FILTER:-}"*) ;; *) return ;; esac
+    number=$((number + 1))
+    printf '%s\n' "$2" >"$out/$number-$1.job"
+}
+
+have() { command -v "$1" >/dev/null 2>&1; }
+
+# compiles FLAGS: can this compiler build and link an empty program with them?
+compiles() {
+    echo 'int main(void) { return 0; }' >"$out/probe.c"
+    "$@" "$out/probe.c" -o "$out/probe" >/dev/null 2>&1
+}
+
+# test_jobs PREFIX COMPILER LANGUAGE-FLAGS ARGUMENTS: every tests/test_*.c, built and run
+test_jobs() {
+    for t in tests/test_*.c; do
+        n=$(basename "$t" .c)
+        job "$1$n" "$2 $posix $paths $3 $t -o $out/$1$n -lm -lpthread && $4 $out/$1$n $5"
+    done
+}
+
+# --- groups --------------------------------------------------------------------------------------------------------
+
+check_jobs() {
+    test_jobs "" "$CC" "-std=c99 $CFLAGS" "" ""
+    job common "sh tests/common.sh check"
+    for h in $headers; do
+        n=${h%.h}
+        job "manual_$n" "sh tests/compile/manual.sh $h $out/manual_$n"
+        job "symbols_$n" "sh tests/compile/symbols.sh $h $out/symbols_$n"
+    done
+    job compile "sh tests/compile/compile.sh $out/compile"
+    for f in tests/fuzz/fuzz_*.c; do
+        [ -f "$f" ] || continue
+        n=$(basename "$f" .c)
+        job "replay_$n" "$CC $posix $paths -std=c99 $CFLAGS $f tests/fuzz/replay.c -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}"
+    done
+    [ ! -f tests/examples.sh ] || job examples "sh tests/examples.sh $out/examples"
+}
+
+oiio="-lOpenImageIO -lOpenImageIO_Util"
+if [ -f /usr/include/embree4/rtcore.h ] || [ -f /usr/local/include/embree4/rtcore.h ]; then embree=-lembree4; else embree=-lembree3; fi
+
+test_group() {
+    check_jobs
+    test_jobs "full_" "$CC" "-std=c99 -O3" "" "--full"
+    test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS" "" ""
+    test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" ""
+    ! have clang || test_jobs "clang_" clang "-std=c99 $CFLAGS" "" ""
+    for t in tests/pkg_*.c; do
+        [ -f "$t" ] || continue
+        n=$(basename "$t" .c)
+        job "$n" "sh tests/package.sh $t $out/$n && $out/$n"
+    done
+    for t in tests/test_*.py; do
+        [ -f "$t" ] || continue
+        n=$(basename "$t" .py)
+        job "$n" "sh tests/python.sh $t"
+    done
+}
+
+style_jobs() {
+    for compiler in gcc clang; do
+        have $compiler || { job "style_$compiler" "echo 'no $compiler on this machine'; exit 77"; continue; }
+        cxx=$(echo $compiler | sed 's/gcc/g++/; s/clang/clang++/')
+        for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c; do
+            [ -f "$f" ] || continue
+            n=$(basename "$f" .c)
+            job "${compiler}_$n" "for o in -O0 -O3; do $compiler -std=c99 $o $posix $paths $warn_c \$o -c $f -o $out/${compiler}_$n.o || exit 1; done
+$cxx -x c++ -std=c++11 $posix $paths $warn -O2 -c $f -o $out/${compiler}_$n.o"
+        done
+        for h in $headers; do
+            n=${h%.h}
+            upper=$(echo "$n" | tr a-z A-Z)
+            c="$out/${compiler}_$n.c"
+            printf '#define %s_IMPLEMENTATION\n#include "%s"\n' "$upper" "$h" >"$c"
+            for flags in "" "-DMS_NO_SIMD" "-D${upper}_NO_STDIO" "-DMS_DEF=static"; do
+                job "${compiler}_${n}$(echo "$flags" | tr -d ' ')" "for o in -O0 -O2 -O3; do $compiler -std=c99 -I. $warn_c $flags \$o -c $c -o $c.o || exit 1; done
+for s in c++11 c++17 c++20; do $cxx -x c++ -std=\$s -I. $warn $flags -O2 -c $c -o $c.o || exit 1; done"
+            done
+            if compiles $compiler -m32; then
+                job "${compiler}_${n}_32bit" "$compiler -m32 -std=c99 -I. $warn_c -O2 -c $c -o $c.32.o"
+            else
+                job "${compiler}_${n}_32bit" "echo '$compiler cannot build for 32 bits here'; exit 77"
+            fi
+        done
+    done
+}
+
+sanitize_jobs() {
+    flags="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
+    if ! compiles $CC $flags; then
+        job sanitize "echo '$CC has no address and undefined-behaviour sanitizers'; exit 77"
+        return
+    fi
+    test_jobs "" "$CC" "-std=c99 $flags" "ASAN_OPTIONS=detect_leaks=1" ""
+    for f in tests/fuzz/fuzz_*.c; do
+        [ -f "$f" ] || continue
+        n=$(basename "$f" .c)
+        job "replay_$n" "$CC $posix $paths -std=c99 $flags $f tests/fuzz/replay.c -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}"
+    done
+}
+
+fuzz_jobs() {
+    if ! have clang || ! compiles clang -fsanitize=fuzzer-no-link; then
+        job fuzz "echo 'no clang with libFuzzer on this machine'; exit 77"
+        return
+    fi
+    for f in tests/fuzz/fuzz_*.c; do
+        n=$(basename "$f" .c)
+        job "$n" "mkdir -p build/fuzz/$n && clang $posix $paths -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $f -o $out/$n -lm &&
+$out/$n -max_total_time=${FUZZ_SECONDS:-20} -timeout=10 -rss_limit_mb=2048 -artifact_prefix=build/fuzz/$n- -print_final_stats=1 build/fuzz/$n tests/fuzz/corpus_${n#fuzz_}"
+    done
+}
+
+case $group in
+check) check_jobs ;;
+test) test_group ;;
+style) style_jobs ;;
+sanitize) sanitize_jobs ;;
+thread) test_jobs "" "$CC" "-std=c99 -g -O1 -fsanitize=thread" "" "" ;;
+valgrind)
+    if have valgrind; then
+        test_jobs "" "$CC" "-std=c99 -g -O1" "valgrind -q --error-exitcode=9 --leak-check=full" ""
+    else
+        job valgrind "echo 'no valgrind on this machine'; exit 77"
+    fi ;;
+fuzz) fuzz_jobs ;;
+*) echo "unknown group '$group'" >&2; exit 2 ;;
+esac
+
+ls "$out"/*.job 2>/dev/null | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
+cat "$out"/*.counts 2>/dev/null | awk -v group="$group" '{p += $1; f += $2; s += $3}
+    END {printf "%s: %d passed, %d failed, %d skipped\n", group, p, f, s; exit f > 0 || p == 0}'
