@@ -150,6 +150,100 @@ typedef struct ms_sss_kernel {
 
 /* ---------------------------------------------------------------- FILTER */
 
+/* Pixels in the caller's memory: three channels, or one value a pixel (depth, strength) in channel[0]. All zero: none.
+   No alignment is asked beyond the element's own. The filter writes to its output alone. */
+typedef struct ms_sss_image {
+    void *channel[3];       /* red, green and blue of the first pixel: float, or uint16_t that hold IEEE binary16 */
+    ptrdiff_t pixel_stride; /* elements from a pixel to the next: planar 1, RGB 3, RGBA and RGB + depth 4; 0: 1 */
+    ptrdiff_t row_stride;   /* elements from a row to the next, negative for bottom-up; 0: width * pixel_stride */
+    int half;               /* 0: float, 1: binary16 */
+} ms_sss_image;
+
+/* Views: pixels of `channels` interleaved elements of which the first three are colour (3: RGB, 4: RGBA or RGB and
+   depth); three planes; one value a pixel, every stride elements (depth in RGB + depth: values = pixels + 3, stride 4).
+   Rows are tightly packed; set row_stride where they are not. `half` is 0 or 1 as in ms_sss_image. */
+MS_SSS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half);
+MS_SSS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half);
+MS_SSS_API ms_sss_image ms_sss_map(const void *values, int stride, int half);
+
+/* What is filtered. The input is light that entered the surface, linear, before the albedo unless the albedo is baked
+   in; it must not hold specular reflection, which never went below the surface. */
+typedef struct ms_sss_frame {
+    int width, height;       /* 1 to 65536 each */
+    ms_sss_image input;      /* linear RGB */
+    ms_sss_image output;     /* every pixel is written; may be the input's own memory, but must not overlap it otherwise */
+    ms_sss_image depth;      /* optional with pixels_per_mm: distance along the view axis (not along the ray), scene units */
+    ms_sss_image strength;   /* optional, 0 to 1: a fraction of the effect; 0 and NaN: another material (see ms_sss_filter) */
+    ms_sss_image albedo;     /* optional RGB >= 0: the output is then multiplied by it, as albedo_mode says */
+    ms_sss_image specular;   /* optional RGB: added to the output, never filtered */
+    const uint8_t *profile;  /* optional: index of each pixel's kernel; an index without a kernel: another material */
+    ptrdiff_t profile_pixel_stride, profile_row_stride; /* in elements; 0: 1, and tightly packed */
+} ms_sss_frame;
+
+/* How a tap whose surface lies dz in front of or behind the pixel counts. */
+typedef enum ms_sss_depth_mode {
+    MS_SSS_DEPTH_AWARE = 0,  /* weight * exp(-dz^2 / (2 sigma^2)), 0 beyond the kernel's radius; the rest is renormalised */
+    MS_SSS_DEPTH_FOLLOW = 1, /* older engines: the tap's colour fades to the pixel's own over follow_mm */
+    MS_SSS_DEPTH_SCALE = 2   /* depth sets the kernel's size in pixels only; light leaks across silhouettes */
+} ms_sss_depth_mode;
+
+/* Where the surface's colour acts: light crosses it when it leaves, when it enters, or half and half. */
+typedef enum ms_sss_albedo_mode {
+    MS_SSS_ALBEDO_POST = 0, /* albedo * filter(input): keeps texture sharp */
+    MS_SSS_ALBEDO_PRE = 1,  /* filter(albedo * input): blurs texture as well */
+    MS_SSS_ALBEDO_BOTH = 2  /* sqrt(albedo) * filter(sqrt(albedo) * input) */
+} ms_sss_albedo_mode;
+
+/* Zero, as from ms_sss_filter_defaults(), is the default of every field but one of the three that give the size of a
+   pixel: set exactly one of pixels_per_mm[0], fov_degrees and ortho_height. */
+typedef struct ms_sss_filter_options {
+    float pixels_per_mm[2];  /* texture space: pixels a millimetre along x and y; [1] 0: as [0] */
+    float fov_degrees;       /* perspective: the picture's full angle along y, in (0, 180) */
+    float ortho_height;      /* orthographic: scene units from the picture's top to its bottom */
+    float mm_per_unit;       /* millimetres in a scene unit; 0: 1 (the scene is in mm) */
+    int uv_steps;            /* 0: square pixels, kernel round; 1: older engines' steps in uv, wider by width / height along x */
+    ms_sss_depth_mode depth_mode;
+    float depth_sigma_mm;    /* sigma of MS_SSS_DEPTH_AWARE; 0: a third of the kernel's radius */
+    float follow_mm;         /* of MS_SSS_DEPTH_FOLLOW: |dz| at which nothing of the tap is left; 0: the kernel's radius */
+    ms_sss_albedo_mode albedo_mode;
+    float fade;              /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
+    float rotation;          /* radians from +x towards +y: the axes of both passes (a kernel designed for it, or 0) */
+    float jitter;            /* 0 to 1: turns each pixel's axes by up to this part of 90 degrees (interleaved noise); the
+                                error gets no lower: noise hides structure */
+    ms_simd simd;            /* cap of the instruction set */
+    ms_parallel parallel;
+} ms_sss_filter_options;
+
+MS_SSS_API ms_sss_filter_options ms_sss_filter_defaults(void);
+
+/* Bytes that ms_sss_filter needs for frames of this size: about 20 a pixel, 32 with kernels of several terms, 48 with
+   rotation or jitter. Depends on width, height, kernels and options only; SIZE_MAX: more than this machine can address. */
+MS_SSS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+                                          const ms_sss_filter_options *options);
+
+/* Subsurface scattering of a picture or a texture: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y, then
+   (1 - strength) E + strength out, once after both passes. E is the input (times albedo, see albedo_mode).
+   frame           see there; width x height
+   kernels         [kernel_count], 1 to 256
+   options         NULL: not possible, one of the three sizes is needed
+   workspace       ms_sss_filter_workspace(...) bytes, any alignment and content
+   - A tap reads the two pixels beside its position (four with rotation or jitter), each weighted by its own depth.
+   - Pixels take no part, and are returned as they are (times albedo, plus specular), where a channel is not finite, the
+     depth is not finite or not positive, the strength is 0 or NaN, or the profile has no kernel. Their colour never
+     reaches another pixel. Nor does light cross between profiles.
+   - What of a kernel falls outside the picture or on such pixels is made up for by the rest: a constant stays constant.
+     A kernel whose terms have weights of both signs gives what is missing to the pixel's own colour instead.
+   - Where the kernel's radius is under half a pixel, and where strength is 0, the input is returned bit for bit (without
+     albedo and specular). A radius above the larger side of the picture is reduced to it.
+   - Depth edges wider than the kernel's radius let nothing through.
+   Bit-equal for any thread count at one level; across levels within 2e-6 of the largest input near the pixel.
+   Work is in proportion to the pixels that take part. No allocation. Calls may overlap if workspace and output differ.
+   MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range (nothing written). Thesis 5.5, 5.8.2, 5.10;
+   Jimenez et al. 2009, "Screen-space perceptual rendering of human skin". */
+MS_SSS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
+                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                   ms_error *error);
+
 /* --------------------------------------------------------------- PYRAMID */
 
 /* -------------------------------------------------------------- GPU TEXT */
