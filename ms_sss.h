@@ -128,7 +128,7 @@ static inline const char *ms_simd_string(ms_simd level)
 
 /* --------------------------------------------------------------- KERNELS */
 
-#define MS_SSS_TAPS_MAX 129 /* taps of one 1D pass, centre included */
+#define MS_SSS_TAPS_MAX 257 /* taps of one 1D pass, centre included */
 #define MS_SSS_TERMS_MAX 6  /* separable terms */
 
 /* A separable kernel, ready to be applied: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y.
