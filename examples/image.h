@@ -238,7 +238,7 @@ static inline void image__flush_block(image__deflate *d, image__bytes *out, int 
     uint32_t frequency[image__literals] = {0}, distance_frequency[image__distances] = {0}, meta_frequency[19] = {0};
     unsigned char length[image__literals + image__distances], meta_length[19], meta[320], meta_extra[320];
     uint16_t code[image__literals], distance_code[image__distances], meta_code[19];
-    int i, k, extra, value, run, n_meta = 0, n_order = 19, all = image__literals + image__distances;
+    int i, k, extra = 0, value = 0, run, n_meta = 0, n_order = 19, all = image__literals + image__distances;
     for (i = 0; i < d->count; ++i) {
         int match = (int)(d->token[i] >> 16);
         if (match) {
