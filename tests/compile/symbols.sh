@@ -11,7 +11,7 @@ printf '#define %s_IMPLEMENTATION\n#include "%s"\n' "$upper" "$1" >"$2.c"
 $CC -std=c99 -O2 -I. -c "$2.c" -o "$2.o"
 globals=$(nm "$2.o" | awk 'NF == 3 && $2 ~ /[A-Z]/ && $2 != "U" && $3 !~ /^_?ms_/ {print $3}')
 [ -z "$globals" ] || fail "$1" "symbols without the prefix: $globals"
-writable=$(nm "$2.o" | awk 'NF == 3 && $2 ~ /[bBdDC]/ && $3 !~ /\.rel\.ro|^\.L/ {print $3}')
+writable=$(nm -f sysv "$2.o" | awk -F'|' '$3 ~ /[bBdDC]/ && $7 !~ /rel\.ro/ {print $1}') # .data.rel.ro: constant tables of pointers
 [ -z "$writable" ] || fail "$1" "writable globals: $writable"
 printf '#define %s_NO_STDIO\n#define %s_IMPLEMENTATION\n#include "%s"\n' "$upper" "$upper" "$1" >"$2.nostdio.c"
 $CC -std=c99 -O2 -I. -c "$2.nostdio.c" -o "$2.nostdio.o"

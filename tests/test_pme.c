@@ -1,0 +1,1051 @@
+/* ms_pme.h: every optimiser on the problems of More, Garbow and Hillstrom (1981) free and with bounds, on functions that
+   are noisy or not finite, and the match of a picture by a small renderer made up here. */
+#define MS_PME_IMPLEMENTATION
+#include "ms_pme.h"
+#include "test.h"
+#include "json.h"
+
+/* --- the problems of More, Garbow and Hillstrom (1981), with differences for Jacobians checked against closed forms --- */
+
+typedef struct problem {
+    const char *name;
+    int n, m, calls;
+    void (*residuals)(const struct problem *p, const double *x, double *r);
+    int noise;      /* relative noise of 1e-k on the values, 0: none */
+    uint64_t state;
+} problem;
+
+static double nan_value(void) { return strtod("nan", NULL); }
+static float nan_f(void) { return (float)nan_value(); }
+
+static const double bard_y[] = {.14, .18, .22, .25, .29, .32, .35, .39, .37, .58, .73, .96, 1.34, 2.10, 4.39};
+
+static void rosenbrock(const problem *p, const double *x, double *r) { (void)p; r[0] = 10 * (x[1] - x[0] * x[0]); r[1] = 1 - x[0]; }
+static void freudenstein_roth(const problem *p, const double *x, double *r)
+{
+    (void)p;
+    r[0] = -13 + x[0] + ((5 - x[1]) * x[1] - 2) * x[1];
+    r[1] = -29 + x[0] + ((x[1] + 1) * x[1] - 14) * x[1];
+}
+static void powell_badly_scaled(const problem *p, const double *x, double *r)
+{
+    (void)p;
+    r[0] = 1e4 * x[0] * x[1] - 1;
+    r[1] = exp(-x[0]) + exp(-x[1]) - 1.0001;
+}
+static void beale(const problem *p, const double *x, double *r)
+{
+    static const double y[3] = {1.5, 2.25, 2.625};
+    int i;
+    (void)p;
+    for (i = 0; i < 3; ++i) r[i] = y[i] - x[0] * (1 - pow(x[1], i + 1));
+}
+static void jennrich_sampson(const problem *p, const double *x, double *r)
+{
+    int i;
+    (void)p;
+    for (i = 1; i <= 10; ++i) r[i - 1] = 2 + 2 * i - (exp(i * x[0]) + exp(i * x[1]));
+}
+static void bard(const problem *p, const double *x, double *r)
+{
+    int i;
+    (void)p;
+    for (i = 1; i <= 15; ++i) {
+        double u = i, v = 16 - i, w = u < v ? u : v;
+        r[i - 1] = bard_y[i - 1] - (x[0] + u / (v * x[1] + w * x[2]));
+    }
+}
+static void box3d(const problem *p, const double *x, double *r)
+{
+    int i;
+    (void)p;
+    for (i = 1; i <= 10; ++i) {
+        double t = 0.1 * i;
+        r[i - 1] = exp(-t * x[0]) - exp(-t * x[1]) - x[2] * (exp(-t) - exp(-10 * t));
+    }
+}
+static void wood(const problem *p, const double *x, double *r)
+{
+    (void)p;
+    r[0] = 10 * (x[1] - x[0] * x[0]);
+    r[1] = 1 - x[0];
+    r[2] = sqrt(90.0) * (x[3] - x[2] * x[2]);
+    r[3] = 1 - x[2];
+    r[4] = sqrt(10.0) * (x[1] + x[3] - 2);
+    r[5] = (x[1] - x[3]) / sqrt(10.0);
+}
+static void brown_dennis(const problem *p, const double *x, double *r)
+{
+    int i;
+    (void)p;
+    for (i = 1; i <= 20; ++i) {
+        double t = i / 5.0, a = x[0] + t * x[1] - exp(t), b = x[2] + x[3] * sin(t) - cos(t);
+        r[i - 1] = a * a + b * b;
+    }
+}
+static void biggs_exp6(const problem *p, const double *x, double *r)
+{
+    int i;
+    (void)p;
+    for (i = 1; i <= 13; ++i) {
+        double t = 0.1 * i, y = exp(-t) - 5 * exp(-10 * t) + 3 * exp(-4 * t);
+        r[i - 1] = x[2] * exp(-t * x[0]) - x[3] * exp(-t * x[1]) + x[5] * exp(-t * x[4]) - y;
+    }
+}
+static void watson(const problem *p, const double *x, double *r)
+{
+    int i, j;
+    for (i = 1; i <= 29; ++i) {
+        double t = i / 29.0, a = 0, b = 0, power = 1;
+        for (j = 0; j < p->n; ++j) {
+            b += x[j] * power;
+            if (j + 1 < p->n) a += (j + 1) * x[j + 1] * power;
+            power *= t;
+        }
+        r[i - 1] = a - b * b - 1;
+    }
+    r[29] = x[0];
+    r[30] = x[1] - x[0] * x[0] - 1;
+}
+static void variably_dimensioned(const problem *p, const double *x, double *r)
+{
+    int j;
+    double sum = 0;
+    for (j = 0; j < p->n; ++j) {
+        r[j] = x[j] - 1;
+        sum += (j + 1) * (x[j] - 1);
+    }
+    r[p->n] = sum;
+    r[p->n + 1] = sum * sum;
+}
+static void brown_almost_linear(const problem *p, const double *x, double *r)
+{
+    int j;
+    double sum = 0, product = 1;
+    for (j = 0; j < p->n; ++j) {
+        sum += x[j];
+        product *= x[j];
+    }
+    for (j = 0; j < p->n; ++j) r[j] = x[j] + sum - (p->n + 1);
+    r[p->n - 1] = product - 1;
+}
+static void linear_rank1(const problem *p, const double *x, double *r)
+{
+    int i, j;
+    double sum = 0;
+    for (j = 0; j < p->n; ++j) sum += (j + 1) * x[j];
+    for (i = 0; i < p->m; ++i) r[i] = (i + 1) * sum - 1;
+}
+static void helical_valley(const problem *p, const double *x, double *r)
+{
+    double theta = x[0] > 0 ? atan(x[1] / x[0]) / 6.283185307179586 : x[0] < 0 ? atan(x[1] / x[0]) / 6.283185307179586 + 0.5 : x[1] >= 0 ? 0.25 : -0.25;
+    (void)p;
+    r[0] = 10 * (x[2] - 10 * theta);
+    r[1] = 10 * (sqrt(x[0] * x[0] + x[1] * x[1]) - 1);
+    r[2] = x[2];
+}
+static void powell_singular(const problem *p, const double *x, double *r)
+{
+    (void)p;
+    r[0] = x[0] + 10 * x[1];
+    r[1] = sqrt(5.0) * (x[2] - x[3]);
+    r[2] = (x[1] - 2 * x[2]) * (x[1] - 2 * x[2]);
+    r[3] = sqrt(10.0) * (x[0] - x[3]) * (x[0] - x[3]);
+}
+static void kowalik_osborne(const problem *p, const double *x, double *r)
+{
+    static const double y[] = {.1957, .1947, .1735, .1600, .0844, .0627, .0456, .0342, .0323, .0235, .0246};
+    static const double u[] = {4, 2, 1, .5, .25, .167, .125, .1, .0833, .0714, .0625};
+    int i;
+    (void)p;
+    for (i = 0; i < 11; ++i) r[i] = y[i] - x[0] * (u[i] * u[i] + u[i] * x[1]) / (u[i] * u[i] + u[i] * x[2] + x[3]);
+}
+static void meyer(const problem *p, const double *x, double *r)
+{
+    static const double y[] = {34780, 28610, 23650, 19630, 16370, 13720, 11540, 9744, 8261, 7030, 6005, 5147, 4427, 3820, 3307, 2872};
+    int i;
+    (void)p;
+    for (i = 0; i < 16; ++i) r[i] = x[0] * exp(x[1] / (45 + 5 * (i + 1) + x[2])) - y[i];
+}
+static void gaussian(const problem *p, const double *x, double *r)
+{
+    static const double y[] = {.0009, .0044, .0175, .0540, .1295, .2420, .3521, .3989, .3521, .2420, .1295, .0540, .0175, .0044, .0009};
+    int i;
+    (void)p;
+    for (i = 0; i < 15; ++i) {
+        double t = (8 - (i + 1)) / 2.0;
+        r[i] = x[0] * exp(-x[1] * (t - x[2]) * (t - x[2]) / 2) - y[i];
+    }
+}
+static void brown_badly_scaled(const problem *p, const double *x, double *r)
+{
+    (void)p;
+    r[0] = x[0] - 1e6;
+    r[1] = x[1] - 2e-6;
+    r[2] = x[0] * x[1] - 2;
+}
+static void osborne1(const problem *p, const double *x, double *r)
+{
+    static const double y[] = {.844, .908, .932, .936, .925, .908, .881, .850, .818, .784, .751, .718, .685, .658, .628, .603, .580,
+                               .558, .538, .522, .506, .490, .478, .467, .457, .448, .438, .431, .424, .420, .414, .411, .406};
+    int i;
+    (void)p;
+    for (i = 0; i < 33; ++i) r[i] = y[i] - (x[0] + x[1] * exp(-10 * i * x[3]) + x[2] * exp(-10 * i * x[4]));
+}
+static void trigonometric(const problem *p, const double *x, double *r)
+{
+    int i, j;
+    double sum = 0;
+    for (j = 0; j < p->n; ++j) sum += cos(x[j]);
+    for (i = 0; i < p->n; ++i) r[i] = p->n - sum + (i + 1) * (1 - cos(x[i])) - sin(x[i]);
+}
+static void broyden_tridiagonal(const problem *p, const double *x, double *r)
+{
+    int i;
+    for (i = 0; i < p->n; ++i)
+        r[i] = (3 - 2 * x[i]) * x[i] - (i > 0 ? x[i - 1] : 0) - 2 * (i + 1 < p->n ? x[i + 1] : 0) + 1;
+}
+static void chebyquad(const problem *p, const double *x, double *r)
+{
+    int i, j;
+    for (i = 0; i < p->m; ++i) r[i] = 0;
+    for (j = 0; j < p->n; ++j) {
+        double t0 = 1, t1 = 2 * x[j] - 1, y = 2 * t1;
+        for (i = 0; i < p->m; ++i) {
+            double t2 = y * t1 - t0;
+            r[i] += t1;
+            t0 = t1;
+            t1 = t2;
+        }
+    }
+    for (i = 0; i < p->m; ++i) {
+        r[i] /= p->n;
+        if (i % 2 == 1) r[i] += 1.0 / ((i + 1.0) * (i + 1.0) - 1);
+    }
+}
+
+static ms_status evaluate(void *user, const double *x, double *r, double *jacobian)
+{
+    problem *p = (problem *)user;
+    int i, j;
+    (void)jacobian;
+    p->calls++;
+    p->residuals(p, x, r);
+    if (p->noise)
+        for (i = 0; i < p->m; ++i) r[i] *= 1 + pow(10.0, -p->noise) * (2 * test_uniform(&p->state) - 1);
+    if (jacobian) { /* complex steps are not to be had in C++: fourth-order differences, good to about 1e-11 */
+        double moved[64], a[64], b[64], c[64], d[64];
+        memcpy(moved, x, (size_t)p->n * sizeof(double));
+        for (j = 0; j < p->n; ++j) {
+            double h = 1e-3 * (fabs(x[j]) > 1e-2 ? fabs(x[j]) : 1e-2);
+            moved[j] = x[j] + h; p->residuals(p, moved, a);
+            moved[j] = x[j] - h; p->residuals(p, moved, b);
+            moved[j] = x[j] + 2 * h; p->residuals(p, moved, c);
+            moved[j] = x[j] - 2 * h; p->residuals(p, moved, d);
+            moved[j] = x[j];
+            for (i = 0; i < p->m; ++i)
+                jacobian[i * p->n + j] = (8 * (a[i] - b[i]) - (c[i] - d[i])) / (12 * h);
+        }
+    }
+    return MS_OK;
+}
+
+
+/* Sets x to its start and f to the problem; returns what MGH print as the minimum (of the sum of squares). */
+typedef struct published {
+    const char *name;
+    int n, m;
+    void (*residuals)(const problem *, const double *, double *);
+    double start[10]; /* repeated cyclically */
+    int starts;
+    double minimum, tolerance; /* absolute; published digits, or what rounding leaves of 0 */
+} published;
+
+static const published extra[] = {
+    {"rosenbrock", 2, 2, rosenbrock, {-1.2, 1}, 2, 0, 1e-20},
+    {"beale", 2, 3, beale, {1, 1}, 2, 0, 1e-20},
+    {"powell_badly_scaled", 2, 2, powell_badly_scaled, {0, 1}, 2, 0, 1e-20},
+    {"brown_badly_scaled", 2, 3, brown_badly_scaled, {1, 1}, 2, 0, 1e-12},
+    {"jennrich_sampson", 2, 10, jennrich_sampson, {0.3, 0.4}, 2, 124.362, 6e-4},
+    {"helical_valley", 3, 3, helical_valley, {-1, 0, 0}, 3, 0, 1e-20},
+    {"bard", 3, 15, bard, {1, 1, 1}, 3, 8.21487e-3, 1e-8}, /* printed digits are cut, not rounded */
+    {"gaussian", 3, 15, gaussian, {0.4, 1, 0}, 3, 1.12793e-8, 6e-14},
+    {"meyer", 3, 16, meyer, {0.02, 4000, 250}, 3, 87.9458, 6e-5},
+    {"powell_singular", 4, 4, powell_singular, {3, -1, 0, 1}, 4, 0, 1e-15}, /* singular Jacobian at 0: linear convergence */
+    {"wood", 4, 6, wood, {-3, -1, -3, -1}, 4, 0, 1e-20},
+    {"kowalik_osborne", 4, 11, kowalik_osborne, {0.25, 0.39, 0.415, 0.39}, 4, 3.07505e-4, 1e-9},
+    {"brown_dennis", 4, 20, brown_dennis, {25, 5, -5, -1}, 4, 85822.2, 6e-2},
+    {"osborne1", 5, 33, osborne1, {0.5, 1.5, -1, 0.01, 0.02}, 5, 5.46489e-5, 6e-11},
+    {"watson6", 6, 31, watson, {0}, 1, 2.28767e-3, 6e-9},
+    {"watson9", 9, 31, watson, {0}, 1, 1.39976e-6, 6e-12},
+    {"trigonometric", 10, 10, trigonometric, {0.1}, 1, 2.79506e-5, 1e-10}, /* this or 0 */
+    {"broyden_tridiagonal", 10, 10, broyden_tridiagonal, {-1}, 1, 0, 1e-20},
+    {"broyden_tridiagonal_60", 60, 60, broyden_tridiagonal, {-1}, 1, 0, 1e-20},
+    {"chebyquad8", 8, 8, chebyquad, {1 / 9., 2 / 9., 3 / 9., 4 / 9., 5 / 9., 6 / 9., 7 / 9., 8 / 9.}, 8, 3.51687e-3, 6e-9},
+    {"variably_dimensioned_1", 1, 3, variably_dimensioned, {0}, 1, 0, 1e-20},
+    {"linear_rank1_10", 10, 20, linear_rank1, {1}, 1, 20. * 19 / (2 * 41), 1e-8}, /* m(m-1)/(2(2m+1)), rank deficient */
+};
+
+static ms_pme_function function_of(problem *p, int n, int m, void (*residuals)(const problem *, const double *, double *))
+{
+    ms_pme_function f;
+    memset(&f, 0, sizeof f);
+    memset(p, 0, sizeof *p);
+    p->n = n;
+    p->m = m;
+    p->residuals = residuals;
+    f.user = p;
+    f.parameter_count = n;
+    f.residual_count = (size_t)m;
+    f.residuals = evaluate;
+    return f;
+}
+
+static void test_published(void)
+{
+    size_t k, i;
+    double most = 0;
+    for (k = 0; k < sizeof extra / sizeof extra[0]; ++k) {
+        int differences;
+        for (differences = 0; differences < 2; ++differences) {
+            problem p;
+            ms_pme_function f = function_of(&p, extra[k].n, extra[k].m, extra[k].residuals);
+            ms_pme_options o = ms_pme_defaults();
+            ms_pme_result result;
+            double x[64], slack = extra[k].tolerance;
+            f.residuals_only = differences;
+            o.max_cost = 1e5;
+            o.tolerance = 1e-12;
+            for (i = 0; i < (size_t)extra[k].n; ++i) x[i] = extra[k].start[i % (size_t)extra[k].starts];
+            CHECK_INT(ms_pme_minimize(&f, &o, x, &result, NULL), MS_OK);
+            /* forward differences leave a Jacobian good to 1e-8: minima that are 0 are reached to about its square */
+            if (differences && slack < 1e-13) slack = 1e-13;
+            if (!(result.value <= extra[k].minimum + slack))
+                TEST_FAIL("%s%s: %.9g, published %.9g", extra[k].name, differences ? " by differences" : "", result.value, extra[k].minimum);
+            most = result.cost > most ? result.cost : most;
+        }
+    }
+    TEST_NOTE("%d problems, with Jacobian and by differences; at most %.0f evaluations", (int)k, most);
+}
+
+static const struct {
+    const char *name;
+    void (*residuals)(const problem *, const double *, double *);
+} named[] = {{"rosenbrock", rosenbrock}, {"freudenstein_roth", freudenstein_roth}, {"powell_badly_scaled", powell_badly_scaled},
+             {"beale", beale}, {"jennrich_sampson", jennrich_sampson}, {"bard", bard}, {"box3d", box3d}, {"wood", wood},
+             {"brown_dennis", brown_dennis}, {"biggs_exp6", biggs_exp6}, {"watson", watson}, {"variably_dim", variably_dimensioned},
+             {"brown_almost_linear", brown_almost_linear}, {"linear_rank1", linear_rank1}};
+
+/* tests/data/pme_problems.json with one method: how many problems end within `slack` of the minimum that a trust-region
+   solver reached from the same start. Every answer must lie in the box and not above the start. */
+static int solved(int method, double slack, const char **unsolved)
+{
+    json *file = json_load("tests/data/pme_problems.json"), *list = json_get(file, "problems");
+    int k, j, count = 0;
+    size_t t;
+    *unsolved = "";
+    for (k = 0; k < list->count; ++k) {
+        json *e = &list->child[k];
+        const char *name = json_get(e, "name")->text;
+        double *start = json_numbers(json_get(e, "start"), NULL), *low = NULL, *high = NULL, x[64];
+        double reached = json_number(json_get(e, "sum_sq_reached_from_start"));
+        problem p;
+        ms_pme_options o = ms_pme_defaults();
+        ms_pme_result result;
+        ms_pme_function f = function_of(&p, (int)json_number(json_get(e, "n")), (int)json_number(json_get(e, "m")), NULL);
+        for (t = 0; t < sizeof named / sizeof named[0]; ++t)
+            if (strncmp(name, named[t].name, strlen(named[t].name)) == 0) p.residuals = named[t].residuals;
+        if (json_get(e, "lower")->kind == 'a') {
+            low = json_numbers(json_get(e, "lower"), NULL);
+            high = json_numbers(json_get(e, "upper"), NULL);
+        }
+        f.lower = low;
+        f.upper = high;
+        o.method = method;
+        o.max_cost = method == MS_PME_BASIN_HOPPING ? 3000 : 20000;
+        memcpy(x, start, (size_t)p.n * sizeof *x);
+        CHECK_INT(ms_pme_minimize(&f, &o, x, &result, NULL), MS_OK);
+        CHECK_LE(result.value, json_number(json_get(e, "start_sum_sq")) * (1 + 1e-12));
+        CHECK_LE(result.cost, o.max_cost);
+        for (j = 0; j < p.n && low; ++j)
+            if (x[j] < low[j] || x[j] > high[j]) TEST_FAIL("%s: x%d = %.17g is outside its bounds", name, j, x[j]);
+        if (result.value <= reached * (1 + slack) + 1e-9 * slack) ++count;
+        else if (!**unsolved) *unsolved = strcmp(name, "watson12") == 0 ? "watson12" : "another";
+        free(start);
+        free(low);
+        free(high);
+    }
+    json_free(file);
+    return count;
+}
+
+static void test_reference_lm(void)
+{
+    const char *unsolved;
+    int count = solved(MS_PME_LEVENBERG_MARQUARDT, 1e-7, &unsolved);
+    CHECK_INT(count, 14);
+    TEST_NOTE("14 problems within 1e-7 of the trust-region solver's minima");
+}
+
+static void test_reference_rest(void)
+{
+    /* What each can be asked for. A local minimum other than the solver's (wood's from the same start), and watson12,
+       where the Hessian's condition is 1e13, are beyond gradient methods; simplices of 19 dimensions die on bounds. */
+    static const struct { int method, at_least; } expected[] = {
+        {MS_PME_LBFGS, 12}, {MS_PME_CONJUGATE_GRADIENT, 12}, {MS_PME_SQP, 12}, {MS_PME_NELDER_MEAD, 8},
+        {MS_PME_NELDER_MEAD_BARRIER, 4}, {MS_PME_BASIN_HOPPING, 14}};
+    size_t k;
+    for (k = 0; k < sizeof expected / sizeof expected[0]; ++k) {
+        const char *unsolved;
+        int count = solved(expected[k].method, 1e-5, &unsolved);
+        if (count < expected[k].at_least) TEST_FAIL("%s solves %d", ms_pme_method_string(expected[k].method), count);
+        TEST_NOTE("%s %d/14", ms_pme_method_string(expected[k].method), count);
+    }
+}
+
+/* --- functions that misbehave --- */
+
+typedef struct odd {
+    int kind;   /* 0: x'x shifted; 1: NaN for x0 > 0.6; 2: noise; 3: fails at a call; 4: NaN everywhere; 5: infinite Jacobian */
+    int calls, fail_at;
+    uint64_t state;
+} odd;
+
+static ms_status odd_value(void *user, const double *x, double *f)
+{
+    odd *o = (odd *)user;
+    double a = x[0] - 0.7, b = x[1] + 0.2;
+    if (++o->calls == o->fail_at) return MS_IO;
+    *f = 3 * a * a + b * b + 1;
+    if (o->kind == 1 && x[0] > 0.6) *f = nan_value();
+    if (o->kind == 2) *f += 1e-3 * test_uniform(&o->state);
+    if (o->kind == 4) *f = nan_value();
+    return MS_OK;
+}
+
+static ms_status odd_residuals(void *user, const double *x, double *r, double *jacobian)
+{
+    odd *o = (odd *)user;
+    if (++o->calls == o->fail_at) return MS_IO;
+    r[0] = sqrt(3.0) * (x[0] - 0.7);
+    r[1] = x[1] + 0.2;
+    r[2] = 1;
+    if (o->kind == 1 && x[0] > 0.6) r[0] = nan_value();
+    if (o->kind == 4) r[2] = nan_value();
+    if (jacobian) {
+        memset(jacobian, 0, 6 * sizeof *jacobian);
+        jacobian[0] = o->kind == 5 ? (double)HUGE_VAL : sqrt(3.0);
+        jacobian[3] = 1;
+    }
+    return MS_OK;
+}
+
+static ms_pme_function odd_function(odd *o, int kind, int scalar, const double *low, const double *high)
+{
+    ms_pme_function f;
+    memset(&f, 0, sizeof f);
+    memset(o, 0, sizeof *o);
+    o->kind = kind;
+    f.user = o;
+    f.parameter_count = 2;
+    f.residual_count = 3;
+    if (scalar) f.value = odd_value;
+    else f.residuals = odd_residuals;
+    f.lower = low;
+    f.upper = high;
+    return f;
+}
+
+static void test_misbehaviour(void)
+{
+    static const double low[2] = {-1, -1}, high[2] = {1, 1};
+    int method, scalar;
+    odd o;
+    for (method = 0; method <= MS_PME_BASIN_HOPPING; ++method) {
+        for (scalar = 0; scalar < 2; ++scalar) {
+            ms_pme_function f = odd_function(&o, 0, scalar, low, high);
+            ms_pme_options options = ms_pme_defaults();
+            ms_pme_result result;
+            double x[2] = {0.1, 0.1};
+            options.method = method;
+            options.max_cost = 600;
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
+            CHECK_NEAR(result.value, 1, 1e-9); /* the tolerance of the method, relative 1e-10, on a value of 1 */
+            /* NaN beyond x0 = 0.6: the edge is the best there is; a quadratic is lost there, so 0.05 is asked for */
+            f = odd_function(&o, 1, scalar, low, high);
+            x[0] = x[1] = 0.1;
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
+            CHECK(result.value < 1 + 3 * 0.15 * 0.15 + 0.05 && x[0] <= 0.6);
+            /* noise of 1e-3 */
+            f = odd_function(&o, 2, 1, low, high);
+            x[0] = x[1] = 0.1;
+            options.difference_step = 0.05;
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
+            CHECK_LE(result.value, 1 + 5e-3); /* within a few noise amplitudes */
+            /* never finite, and a Jacobian that is not */
+            f = odd_function(&o, 4, scalar, low, high);
+            x[0] = x[1] = 0.1;
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_INVALID_ARGUMENT);
+            f = odd_function(&o, 5, 0, low, high);
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
+        }
+    }
+}
+
+static void test_failing_callback(void)
+{
+    static const double low[2] = {-1, -1}, high[2] = {1, 1};
+    int method, k;
+    for (method = 0; method <= MS_PME_BASIN_HOPPING; ++method)
+        for (k = 1; k < 6; ++k) {
+            odd o;
+            ms_pme_function f = odd_function(&o, 0, k % 2, low, high);
+            ms_pme_options options = ms_pme_defaults();
+            test_memory memory;
+            ms_error error;
+            double x[2] = {0.1, 0.1};
+            memset(&memory, 0, sizeof memory);
+            options.allocator.user = &memory;
+            options.allocator.alloc = test_memory_alloc;
+            options.allocator.release = test_memory_release;
+            options.method = method;
+            o.fail_at = k;
+            CHECK_INT(ms_pme_minimize(&f, &options, x, NULL, &error), MS_IO);
+            CHECK_INT(error.status, MS_IO);
+            CHECK(x[0] == 0.1 && x[1] == 0.1);
+            CHECK_INT(memory.blocks, 0);
+        }
+}
+
+static int cancel_after(void *user, double fraction)
+{
+    int *left = (int *)user;
+    CHECK(fraction >= 0 && fraction <= 1);
+    return --*left < 0;
+}
+
+static double tick(void *user)
+{
+    double *now = (double *)user;
+    return *now += 1;
+}
+
+static void test_budgets(void)
+{
+    int method;
+    for (method = 0; method <= MS_PME_BASIN_HOPPING; ++method) {
+        problem p;
+        ms_pme_function f = function_of(&p, 4, 6, wood);
+        ms_pme_options options = ms_pme_defaults();
+        ms_pme_result result;
+        double x[4] = {-3, -1, -3, -1}, now = 0, budget;
+        int left = 7;
+        memset(&result, 0, sizeof result);
+        options.method = method;
+        for (budget = 1; budget < 40; budget += 6.5) {
+            options.max_cost = budget;
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), budget < 2 && method != MS_PME_NELDER_MEAD && method != MS_PME_NELDER_MEAD_BARRIER ? MS_INVALID_ARGUMENT : MS_OK);
+            CHECK(result.cost <= budget || (budget < 2 && result.cost == 0));
+        }
+        options.max_cost = 1e4;
+        options.max_seconds = 10;
+        options.clock = tick;
+        options.clock_user = &now;
+        x[0] = x[2] = -3;
+        CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
+        CHECK_INT(result.stop, MS_PME_STOP_SECONDS);
+        CHECK(result.evaluations + result.jacobians <= 10);
+        options.max_seconds = 0;
+        options.target_value = 100;
+        x[0] = x[2] = -3;
+        x[1] = x[3] = -1;
+        CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
+        CHECK_INT(result.stop, MS_PME_STOP_TARGET);
+        CHECK_LE(result.value, 100);
+        options.target_value = 0;
+        options.progress.report = cancel_after;
+        options.progress.user = &left;
+        x[0] = -3;
+        CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_CANCELLED);
+        CHECK(x[0] == -3);
+    }
+}
+
+static void test_starts(void)
+{
+    /* outside the box, on its corner, a parameter that cannot move, one side open */
+    static const double low[4] = {0, 0, 2, -1e9}, high[4] = {0.5, 0.9, 2, 1.5};
+    static const double start[3][4] = {{-100, 50, 7, 3}, {0, 0.9, 2, 1.5}, {0.5, 0, 2, -5}};
+    int method, k, j;
+    double value[3];
+    for (method = 0; method <= MS_PME_BASIN_HOPPING; ++method)
+        for (k = 0; k < 3; ++k) {
+            problem p;
+            ms_pme_function f = function_of(&p, 4, 6, wood);
+            ms_pme_options options = ms_pme_defaults();
+            ms_pme_result result;
+            double x[4];
+            f.lower = low;
+            f.upper = high;
+            options.method = method;
+            options.max_cost = 4000;
+            memcpy(x, start[k], sizeof x);
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
+            for (j = 0; j < 4; ++j) CHECK(x[j] >= low[j] && x[j] <= high[j]);
+            if (method == MS_PME_LEVENBERG_MARQUARDT) value[k] = result.value;
+            if (method == MS_PME_LBFGS || method == MS_PME_SQP) CHECK_NEAR(result.value, value[k], 1e-6 * value[k]);
+        }
+    CHECK_NEAR(value[1], value[0], 1e-9 * value[0]);
+    CHECK_NEAR(value[2], value[0], 1e-9 * value[0]);
+    TEST_NOTE("minimum %.9g on a face, from three starts", value[0]);
+}
+
+static void test_arguments(void)
+{
+    double x[2] = {0.5, 0.5}, low[2] = {0, 0}, high[2] = {1, 1};
+    odd o;
+    ms_pme_function f = odd_function(&o, 0, 1, low, high), bad;
+    ms_pme_options options = ms_pme_defaults();
+    ms_error error;
+    CHECK_INT(ms_pme_minimize(NULL, NULL, x, NULL, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_pme_minimize(&f, NULL, NULL, NULL, NULL), MS_INVALID_ARGUMENT);
+    bad = f; bad.value = NULL;
+    CHECK_INT(ms_pme_minimize(&bad, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
+    bad = f; bad.parameter_count = 0;
+    CHECK_INT(ms_pme_minimize(&bad, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
+    bad.parameter_count = MS_PME_PARAMETERS_MAX + 1;
+    CHECK_INT(ms_pme_minimize(&bad, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
+    low[1] = 2; /* an empty box */
+    CHECK_INT(ms_pme_minimize(&f, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(error.position, 1);
+    CHECK(strstr(error.message, "bounds of parameter 1 are 2 and 1") != NULL);
+    low[1] = nan_value();
+    CHECK_INT(ms_pme_minimize(&f, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
+    low[1] = 0;
+    x[1] = nan_value();
+    CHECK_INT(ms_pme_minimize(&f, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(error.position, 1);
+    x[1] = 0.5;
+    options.method = 99;
+    CHECK_INT(ms_pme_minimize(&f, &options, x, NULL, &error), MS_INVALID_ARGUMENT);
+    options.method = 0;
+    options.tolerance = nan_value();
+    CHECK_INT(ms_pme_minimize(&f, &options, x, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK(strcmp(ms_pme_method_string(-1), "unknown") == 0 && strcmp(ms_pme_method_string(6), "basin-hopping") == 0);
+}
+
+/* --- a renderer: 6 parameters -> 48 float pixels through a fixed smooth network; its last layer is linear --- */
+
+enum { N = 6, H = 20, P = 48 };
+typedef struct renderer_state {
+    double w1[H][N + 1], w2[P][H + 1];
+    int renders, jacobians, fail_at;
+    const double *truth; /* of the predictions */
+} renderer_state;
+
+static void renderer_make(renderer_state *s)
+{
+    uint64_t state = 7 + test_seed;
+    int i, j;
+    memset(s, 0, sizeof *s);
+    for (i = 0; i < H; ++i)
+        for (j = 0; j <= N; ++j) s->w1[i][j] = 1.2 * test_normal(&state);
+    for (i = 0; i < P; ++i)
+        for (j = 0; j <= H; ++j) s->w2[i][j] = 0.3 * test_normal(&state);
+}
+
+static void renderer_features(const renderer_state *s, const double *x, double *h, double dh[][N])
+{
+    int i, j;
+    for (i = 0; i < H; ++i) {
+        double a = s->w1[i][N];
+        for (j = 0; j < N; ++j) a += s->w1[i][j] * x[j];
+        h[i] = tanh(a);
+        for (j = 0; j < N && dh; ++j) dh[i][j] = (1 - h[i] * h[i]) * s->w1[i][j];
+    }
+}
+
+static ms_status render(void *user, const double *x, float *image)
+{
+    renderer_state *s = (renderer_state *)user;
+    double h[H];
+    int i, k;
+    if (++s->renders == s->fail_at) return MS_UNSUPPORTED;
+    renderer_features(s, x, h, NULL);
+    for (i = 0; i < P; ++i) {
+        double y = s->w2[i][H];
+        for (k = 0; k < H; ++k) y += s->w2[i][k] * h[k];
+        image[i] = (float)y;
+    }
+    return MS_OK;
+}
+
+static ms_status render_jacobian(void *user, const double *x, float *image, float *jacobian)
+{
+    renderer_state *s = (renderer_state *)user;
+    double h[H], dh[H][N];
+    int i, j, k;
+    ms_status status = render(user, x, image);
+    s->jacobians++;
+    renderer_features(s, x, h, dh);
+    for (i = 0; i < P; ++i)
+        for (j = 0; j < N; ++j) {
+            double t = 0;
+            for (k = 0; k < H; ++k) t += s->w2[i][k] * dh[k][j];
+            jacobian[i * N + j] = (float)t;
+        }
+    return status;
+}
+
+static ms_status predict(void *user, int i, const float *target, double *x)
+{
+    const renderer_state *s = (const renderer_state *)user;
+    int j;
+    (void)target;
+    for (j = 0; j < N; ++j) x[j] = i == 0 ? 0.9 : i == 1 ? s->truth[j] + (j % 2 ? 0.15 : -0.15) : nan_value();
+    return MS_OK;
+}
+
+static ms_pme_renderer renderer_of(renderer_state *s)
+{
+    ms_pme_renderer r;
+    memset(&r, 0, sizeof r);
+    r.user = s;
+    r.parameter_count = N;
+    r.image_size = P;
+    r.render = render;
+    r.jacobian = render_jacobian;
+    return r;
+}
+
+static const double truth[N] = {0.3, 0.8, 0.55, 0.1, 0.65, 0.4};
+
+static void test_match(void)
+{
+    renderer_state s;
+    ms_pme_renderer r;
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result result;
+    float target[P], image[P], weight[P];
+    double x[N];
+    int i, j;
+    renderer_make(&s);
+    r = renderer_of(&s);
+    s.truth = truth;
+    r.predict = predict;
+    r.prediction_count = 3;
+    render(&s, truth, target);
+    /* from the predictions: the third is refused, the second is best */
+    CHECK_INT(ms_pme_match(&r, target, NULL, NULL, x, image, &result, NULL), MS_OK);
+    CHECK_INT(result.best_candidate, 1);
+    CHECK_INT(result.candidates_refused, 1);
+    CHECK_LE(result.rmse, 1e-6); /* the picture is float32 of size 1 */
+    for (j = 0; j < N; ++j) CHECK_NEAR(x[j], truth[j], 1e-4);
+    CHECK_LE(result.refine.cost, 50);
+    TEST_NOTE("rmse %.2g -> %.2g in %.0f renders", result.rmse_initial, result.rmse, result.cost);
+    /* the answer of the frame before beats them; its result is what a sequence carries over */
+    options.candidates = x;
+    options.candidate_count = 1;
+    options.initial_only = 1;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, image, &result, NULL), MS_OK);
+    CHECK_INT(result.best_candidate, 3);
+    CHECK_NEAR(result.rmse, result.rmse_initial, 1e-9);
+    /* good enough: no refinement */
+    memset(&options, 0, sizeof options);
+    options.target_rmse = 10;
+    s.jacobians = 0;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, image, &result, NULL), MS_OK);
+    CHECK_INT(s.jacobians, 0);
+    CHECK(result.rmse <= 10);
+    /* no predictions at all: the middle; then random ones */
+    memset(&options, 0, sizeof options);
+    r.prediction_count = 0;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
+    CHECK_INT(result.best_candidate, 0);
+    options.random_count = 20;
+    options.refine.seed = 3;
+    options.refine.max_cost = 300;
+    options.refine.restarts = 5;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
+    CHECK_LE(result.rmse, 1e-6);
+    /* pixels with weight 0 may hold anything */
+    for (i = 0; i < P; ++i) weight[i] = i % 3 == 0 ? 0.0f : 0.5f;
+    for (i = 0; i < P; i += 3) target[i] = i % 2 ? nan_f() : 1e30f;
+    CHECK_INT(ms_pme_match(&r, target, weight, &options, x, NULL, &result, NULL), MS_OK);
+    CHECK_LE(result.rmse, 1e-6);
+    for (j = 0; j < N; ++j) CHECK_NEAR(x[j], truth[j], 1e-4);
+    /* by differences alone */
+    r.jacobian = NULL;
+    CHECK_INT(ms_pme_match(&r, target, weight, &options, x, NULL, &result, NULL), MS_OK);
+    CHECK_LE(result.rmse, 2e-3); /* forward differences of 1e-3 */
+}
+
+static void test_match_arguments(void)
+{
+    renderer_state s;
+    ms_pme_renderer r, bad;
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result result;
+    ms_error error;
+    float target[P], weight[P];
+    double x[N] = {7, 7, 7, 7, 7, 7}, low[N] = {0}, high[N];
+    int i, k;
+    renderer_make(&s);
+    r = renderer_of(&s);
+    render(&s, truth, target);
+    for (i = 0; i < P; ++i) weight[i] = 0;
+    CHECK_INT(ms_pme_match(&r, target, weight, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "every weight is 0") != NULL);
+    weight[5] = -1;
+    CHECK_INT(ms_pme_match(&r, target, weight, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(error.position, 5);
+    target[9] = nan_f();
+    CHECK_INT(ms_pme_match(&r, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(error.position, 9);
+    target[9] = 0;
+    bad = r; bad.image_size = 0;
+    CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    bad = r; bad.render = NULL;
+    CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    bad = r; bad.prediction_count = 1;
+    CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    bad = r; bad.parameter_count = 0;
+    CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    for (i = 0; i < N; ++i) high[i] = i == 2 ? -1 : 1;
+    bad = r; bad.lower = low; bad.upper = high;
+    CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(error.position, 2);
+    options.candidate_count = 1;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    for (k = 1; k < 8; ++k) { /* a renderer that fails midway, the last render included */
+        s.renders = 0;
+        s.fail_at = k;
+        CHECK_INT(ms_pme_match(&r, target, NULL, NULL, x, NULL, &result, &error), MS_UNSUPPORTED);
+        CHECK(strstr(error.message, "callback failed") != NULL);
+    }
+    for (i = 0; i < N; ++i) CHECK(x[i] == 7);
+}
+
+/* The collapsed objective: with the last layer linear, |W h + b - t|^2 = |R h - q|^2 + rest. Here R and q by normal
+   equations in double, good enough for a test: R'R = W'W. */
+typedef struct collapse {
+    renderer_state *s;
+    double r[H][H], q[H], rest;
+} collapse;
+
+static void collapse_make(collapse *c, renderer_state *s, const float *target)
+{
+    double g[H][H], b[H];
+    int i, j, k;
+    memset(c, 0, sizeof *c);
+    c->s = s;
+    for (i = 0; i < H; ++i) {
+        b[i] = 0;
+        for (k = 0; k < P; ++k) b[i] += s->w2[k][i] * ((double)target[k] - s->w2[k][H]);
+        for (j = 0; j < H; ++j) {
+            g[i][j] = 0;
+            for (k = 0; k < P; ++k) g[i][j] += s->w2[k][i] * s->w2[k][j];
+        }
+    }
+    for (j = 0; j < H; ++j) /* Cholesky, R upper; then R'q = b */
+        for (i = 0; i <= j; ++i) {
+            double t = g[i][j];
+            for (k = 0; k < i; ++k) t -= c->r[k][i] * c->r[k][j];
+            c->r[i][j] = i == j ? sqrt(t) : t / c->r[i][i];
+        }
+    for (i = 0; i < H; ++i) {
+        double t = b[i];
+        for (k = 0; k < i; ++k) t -= c->r[k][i] * c->q[k];
+        c->q[i] = t / c->r[i][i];
+    }
+    for (k = 0; k < P; ++k) c->rest += ((double)target[k] - s->w2[k][H]) * ((double)target[k] - s->w2[k][H]);
+    for (i = 0; i < H; ++i) c->rest -= c->q[i] * c->q[i];
+}
+
+static ms_status collapse_residuals(void *user, const double *x, double *r, double *jacobian)
+{
+    const collapse *c = (const collapse *)user;
+    double h[H], dh[H][N];
+    int i, j, k;
+    renderer_features(c->s, x, h, dh);
+    for (i = 0; i < H; ++i) {
+        r[i] = -c->q[i];
+        for (k = i; k < H; ++k) r[i] += c->r[i][k] * h[k];
+        for (j = 0; j < N && jacobian; ++j) {
+            jacobian[i * N + j] = 0;
+            for (k = i; k < H; ++k) jacobian[i * N + j] += c->r[i][k] * dh[k][j];
+        }
+    }
+    return MS_OK;
+}
+
+static void test_reduced(void)
+{
+    renderer_state s;
+    ms_pme_renderer r;
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result direct, reduced;
+    ms_pme_function f;
+    collapse c;
+    float target[P];
+    double x[N], y[N], worst = 0;
+    int i, j;
+    uint64_t state = 99;
+    renderer_make(&s);
+    r = renderer_of(&s);
+    render(&s, truth, target);
+    for (i = 0; i < P; ++i) target[i] += (float)(0.2 * test_normal(&state)); /* out of reach */
+    collapse_make(&c, &s, target);
+    memset(&f, 0, sizeof f);
+    f.user = &c;
+    f.parameter_count = N;
+    f.residual_count = H;
+    f.residuals = collapse_residuals;
+    options.candidates = truth;
+    options.candidate_count = 1;
+    options.refine.max_cost = 500;
+    options.refine.tolerance = 1e-14;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &direct, NULL), MS_OK);
+    r.reduced = &f;
+    r.reduced_offset = c.rest;
+    s.renders = 0;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, y, NULL, &reduced, NULL), MS_OK);
+    CHECK_INT(s.renders, 1);
+    CHECK_NEAR(reduced.rmse, direct.rmse, 1e-6 * direct.rmse); /* the bound; float32 pictures on one side */
+    CHECK_NEAR(sqrt(reduced.refine.value), reduced.rmse, 1e-6);
+    for (j = 0; j < N; ++j) worst = fabs(x[j] - y[j]) > worst ? fabs(x[j] - y[j]) : worst;
+    CHECK_LE(worst, 1e-3); /* flat directions: 1e-6 in the value is its root in x */
+    TEST_NOTE("rmse %.9g direct, %.9g collapsed, x differs by %.1e", direct.rmse, reduced.rmse, worst);
+}
+
+/* Why gradient methods stood still in the thesis's Table 4.3: differences of 1.5e-8 on float32 pictures. */
+static void test_float_differences(void)
+{
+    static const int methods[3] = {MS_PME_LBFGS, MS_PME_SQP, MS_PME_CONJUGATE_GRADIENT};
+    renderer_state s;
+    ms_pme_renderer r;
+    float target[P];
+    double start[N] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
+    int k;
+    renderer_make(&s);
+    r = renderer_of(&s);
+    render(&s, truth, target);
+    for (k = 0; k < 3; ++k) {
+        ms_pme_match_options options = ms_pme_match_defaults();
+        ms_pme_match_result tiny, exact;
+        double x[N];
+        options.candidates = start;
+        options.candidate_count = 1;
+        options.refine.method = methods[k];
+        options.refine.max_cost = 400;
+        CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &exact, NULL), MS_OK);
+        options.refine.difference_step = 1.5e-8;
+        options.refine.barrier = 1;
+        CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &tiny, NULL), MS_OK);
+        CHECK(exact.rmse < 0.1 * tiny.rmse);
+        TEST_NOTE("%s %.2g exact, %.2g by 1.5e-8", ms_pme_method_string(methods[k]), exact.rmse, tiny.rmse);
+    }
+}
+
+static void test_sensitivity(void)
+{
+    renderer_state s;
+    ms_pme_function f;
+    collapse c;
+    float target[P];
+    double sv[N], v[N * N], deviation[N], x[N], plus[H], minus[H], jacobian[H * N], r0[H];
+    int i, j, k;
+    renderer_make(&s);
+    for (i = 0; i < H; ++i) s.w1[i][4] = s.w1[i][3]; /* parameters 3 and 4 only count by their sum */
+    render(&s, truth, target);
+    collapse_make(&c, &s, target);
+    memset(&f, 0, sizeof f);
+    f.user = &c;
+    f.parameter_count = N;
+    f.residual_count = H;
+    f.residuals = collapse_residuals;
+    CHECK_INT(ms_pme_sensitivity(&f, NULL, truth, sv, v, deviation, NULL), MS_OK);
+    CHECK_LE(sv[N - 1], 1e-12 * sv[0]);
+    CHECK_NEAR(fabs(v[(N - 1) * N + 3]), sqrt(0.5), 1e-9); /* the direction is (1, -1) / sqrt 2 in 3 and 4 */
+    CHECK_NEAR(v[(N - 1) * N + 3] + v[(N - 1) * N + 4], 0, 1e-9);
+    CHECK(deviation[3] > 1e30 && deviation[4] > 1e30 && deviation[0] < 1e30);
+    /* singular values against what a step along their direction does */
+    collapse_residuals(&c, truth, r0, jacobian);
+    for (k = 0; k < N; ++k) {
+        double change = 0;
+        for (j = 0; j < N; ++j) x[j] = truth[j] + 1e-5 * v[k * N + j];
+        collapse_residuals(&c, x, plus, NULL);
+        for (j = 0; j < N; ++j) x[j] = truth[j] - 1e-5 * v[k * N + j];
+        collapse_residuals(&c, x, minus, NULL);
+        for (i = 0; i < H; ++i) change += (plus[i] - minus[i]) * (plus[i] - minus[i]);
+        CHECK_NEAR(sqrt(change) / 2e-5, sv[k], 1e-7 * sv[0]); /* central differences: h^2 */
+        for (j = 0; j < k; ++j) {
+            double dot = 0;
+            for (i = 0; i < N; ++i) dot += v[k * N + i] * v[j * N + i];
+            CHECK_NEAR(dot, 0, 1e-12);
+        }
+    }
+    TEST_NOTE("singular values %.3g ... %.3g, %.1e", sv[0], sv[N - 2], sv[N - 1]);
+}
+
+static void test_repeatable(void)
+{
+    renderer_state s;
+    ms_pme_renderer r;
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result a, b;
+    float target[P];
+    double x[N], y[N];
+    renderer_make(&s);
+    r = renderer_of(&s);
+    render(&s, truth, target);
+    options.random_count = 5;
+    options.refine.restarts = 3;
+    options.refine.max_cost = 200;
+    options.refine.seed = 11;
+    options.refine.method = MS_PME_BASIN_HOPPING;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &a, NULL), MS_OK);
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, y, NULL, &b, NULL), MS_OK);
+    CHECK(memcmp(x, y, sizeof x) == 0 && a.cost == b.cost);
+}
+
+static void test_allocation(void)
+{
+    renderer_state s;
+    ms_pme_renderer r;
+    problem p;
+    ms_pme_function f = function_of(&p, 4, 6, wood);
+    float target[P];
+    double x[N], sv[4];
+    renderer_make(&s);
+    r = renderer_of(&s);
+    render(&s, truth, target);
+    TEST_ALLOCATION_SWEEP(10, {
+        ms_pme_match_options options = ms_pme_match_defaults();
+        options.refine.allocator = allocator;
+        status = ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL);
+    });
+    TEST_ALLOCATION_SWEEP(10, {
+        ms_pme_options options = ms_pme_defaults();
+        options.allocator = allocator;
+        x[0] = x[2] = -3;
+        x[1] = x[3] = -1;
+        status = ms_pme_minimize(&f, &options, x, NULL, NULL);
+    });
+    TEST_ALLOCATION_SWEEP(10, {
+        ms_pme_options options = ms_pme_defaults();
+        options.allocator = allocator;
+        status = ms_pme_sensitivity(&f, &options, x, sv, NULL, NULL, NULL);
+    });
+}
+
+static const test_case cases[] = {
+    {"published minima", test_published},         {"reference, levenberg-marquardt", test_reference_lm},
+    {"reference, the others", test_reference_rest}, {"misbehaving functions", test_misbehaviour},
+    {"failing callback", test_failing_callback},  {"budgets", test_budgets},
+    {"starts and bounds", test_starts},           {"arguments", test_arguments},
+    {"match", test_match},                        {"match, arguments", test_match_arguments},
+    {"reduced objective", test_reduced},          {"float32 differences (table 4.3)", test_float_differences},
+    {"sensitivity", test_sensitivity},            {"repeatable", test_repeatable},
+    {"allocation failures", test_allocation}};
+TEST_MAIN(cases)
