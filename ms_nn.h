@@ -1,0 +1,4092 @@
+/* ms_nn.h - v0.1.0 - small networks from safetensors - MIT or public domain, see the end
+
+   HEAD
+*/
+#ifndef MS_NN_H
+#define MS_NN_H
+#include <stddef.h>
+#include <stdint.h>
+
+#define MS_NN_VERSION_MAJOR 0
+#define MS_NN_VERSION_MINOR 1
+#define MS_NN_VERSION_PATCH 0
+#define MS_NN_VERSION 100 /* major * 10000 + minor * 100 + patch */
+#define MS_NN_VERSION_STRING "0.1.0"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ms-common begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
+#ifndef MS_COMMON
+#define MS_COMMON 1 /* raised whenever the text between the marks changes after a release */
+
+/* Linkage of every public function of every header: nothing, static, __declspec(dllexport), or
+   __attribute__((visibility("default"))). Define it before the #include. */
+#ifndef MS_DEF
+#define MS_DEF
+#endif
+#if defined(__GNUC__)
+#define MS_API MS_DEF __attribute__((unused)) /* static copies that call only a part do not warn */
+#else
+#define MS_API MS_DEF
+#endif
+
+/* What went wrong; each code asks for another remedy. code, value, sentence */
+#define MS_STATUS_LIST(X)                                                  \
+    X(MS_OK, 0, "success")                                                 \
+    X(MS_INVALID_ARGUMENT, 1, "an argument is outside its stated range")   \
+    X(MS_OUT_OF_MEMORY, 2, "the allocator returned NULL")                  \
+    X(MS_BAD_DATA, 3, "the file or the data set is malformed")             \
+    X(MS_UNSUPPORTED, 4, "valid, but not handled by this build or call")   \
+    X(MS_NOT_CONVERGED, 5, "the iteration stopped short of its tolerance") \
+    X(MS_CANCELLED, 6, "the progress callback asked to stop")              \
+    X(MS_IO, 7, "the operating system could not read or write")
+
+typedef enum ms_status {
+#define MS_STATUS_ENUM(code, value, sentence) code = value,
+    MS_STATUS_LIST(MS_STATUS_ENUM)
+#undef MS_STATUS_ENUM
+    MS_STATUS_COUNT /* how many codes there are */
+} ms_status;
+
+/* Details of a failure. Every call that takes one accepts NULL; it is written on failure only. */
+typedef struct ms_error {
+    ms_status status;
+    size_t position;   /* line (from 1), byte offset or row, as the call says; 0 where there is none */
+    char message[240]; /* a sentence: which value was wrong and what was expected; ends with NUL */
+} ms_error;
+
+/* Memory. All zero: malloc and free. alloc returns memory aligned as malloc's, or NULL.
+   release gets the size that alloc was asked for, and is never called with NULL. */
+typedef struct ms_allocator {
+    void *user;
+    void *(*alloc)(void *user, size_t size);
+    void (*release)(void *user, void *pointer, size_t size);
+} ms_allocator;
+
+/* Threads. All zero: everything runs on the calling thread. run calls task(context, i) once for every
+   i in [0, count), in any order, on any threads, and returns when all are done. The work is cut into
+   tasks by the problem alone, so results do not depend on how many threads there are. */
+typedef struct ms_parallel {
+    void *user;
+    void (*run)(void *user, int count, void (*task)(void *context, int index), void *context);
+} ms_parallel;
+
+/* Progress of a long call. All zero: none. report gets the fraction done, 0 to 1, from the thread that
+   made the call; it returns non-zero to stop, and the call then returns MS_CANCELLED. */
+typedef struct ms_progress {
+    void *user;
+    int (*report)(void *user, double fraction);
+} ms_progress;
+
+/* Instruction sets, in the order of their speed. Options take one as a cap: a level that the processor
+   or the build lacks falls back to the next lower one. */
+typedef enum ms_simd {
+    MS_SIMD_AUTO = 0,   /* the best that the processor has */
+    MS_SIMD_SCALAR = 1, /* plain C: the reference for all the others */
+    MS_SIMD_BASE = 2,   /* SSE2 on x86-64, NEON on ARM64 */
+    MS_SIMD_AVX2 = 3,   /* AVX2 and FMA */
+    MS_SIMD_AVX512 = 4  /* AVX-512 F, BW, DQ, VL */
+} ms_simd;
+
+/* The sentence of MS_STATUS_LIST; "unknown status" outside it. */
+static inline const char *ms_status_string(ms_status status)
+{
+    static const char *const sentence[] = {
+#define MS_STATUS_TEXT(code, value, text) text,
+        MS_STATUS_LIST(MS_STATUS_TEXT)
+#undef MS_STATUS_TEXT
+    };
+    int i = (int)status;
+    return i >= 0 && i < (int)MS_STATUS_COUNT ? sentence[i] : "unknown status";
+}
+
+/* "auto", "scalar", "base", "avx2", "avx512"; "unknown" outside the list. */
+static inline const char *ms_simd_string(ms_simd level)
+{
+    static const char *const name[] = {"auto", "scalar", "base", "avx2", "avx512"};
+    int i = (int)level;
+    return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
+}
+#endif /* MS_COMMON */
+#if MS_COMMON != 1 /* outside the guard: catches two vendored releases in one file */
+#error "ms_*.h headers of different releases in one translation unit"
+#endif
+/* ms-common end */
+
+#ifndef MS_NN_API
+#define MS_NN_API MS_API
+#endif
+
+/* --- safetensors: what is in a file --- */
+
+/* Every element type of the format: code, name in the file, bits. Networks use F64, F32, F16, BF16 and I8; the
+   others are listed, checked and copied. */
+#define MS_NN_DTYPE_LIST(X)                                                                                    \
+    X(MS_NN_F64, "F64", 64) X(MS_NN_F32, "F32", 32) X(MS_NN_F16, "F16", 16) X(MS_NN_BF16, "BF16", 16)          \
+    X(MS_NN_I8, "I8", 8) X(MS_NN_I16, "I16", 16) X(MS_NN_I32, "I32", 32) X(MS_NN_I64, "I64", 64)               \
+    X(MS_NN_U8, "U8", 8) X(MS_NN_U16, "U16", 16) X(MS_NN_U32, "U32", 32) X(MS_NN_U64, "U64", 64)               \
+    X(MS_NN_BOOL, "BOOL", 8) X(MS_NN_C64, "C64", 64) X(MS_NN_F8_E5M2, "F8_E5M2", 8)                            \
+    X(MS_NN_F8_E4M3, "F8_E4M3", 8) X(MS_NN_F8_E8M0, "F8_E8M0", 8) X(MS_NN_F8_E4M3FNUZ, "F8_E4M3FNUZ", 8)       \
+    X(MS_NN_F8_E5M2FNUZ, "F8_E5M2FNUZ", 8) X(MS_NN_F6_E2M3, "F6_E2M3", 6) X(MS_NN_F6_E3M2, "F6_E3M2", 6)       \
+    X(MS_NN_F4, "F4", 4)
+
+typedef enum ms_nn_dtype {
+#define MS_NN_DTYPE_ENUM(code, name, bits) code,
+    MS_NN_DTYPE_LIST(MS_NN_DTYPE_ENUM)
+#undef MS_NN_DTYPE_ENUM
+    MS_NN_DTYPE_COUNT
+} ms_nn_dtype;
+
+#define MS_NN_MAX_HEADER 100000000 /* bytes of JSON that a file may have; the format's own limit */
+#define MS_NN_MAX_RANK 32
+#define MS_NN_MAX_LAYERS 4096
+
+/* One tensor. name and shape belong to the file object, data to the memory that the file was opened on:
+   little-endian, row-major, any alignment (copy elements out, do not cast). Rank 0 is one element. */
+typedef struct ms_nn_tensor {
+    const char *name;
+    ms_nn_dtype dtype;
+    int rank;
+    const size_t *shape; /* [rank] */
+    const void *data;
+    size_t bytes;
+} ms_nn_tensor;
+
+/* One entry of __metadata__; UTF-8, no NUL inside. */
+typedef struct ms_nn_entry {
+    const char *key, *value;
+} ms_nn_entry;
+
+/* Zero for every default; ms_nn_defaults() returns that. */
+typedef struct ms_nn_options {
+    int allow_trailing;       /* non-zero: bytes behind the last tensor are ignored; 0: refused */
+    int no_folds;             /* non-zero: the layers run as they are written; nothing of a dense layer is read at load */
+    ms_simd simd;             /* the fastest level to use; MS_SIMD_AUTO (0): what the processor has */
+    size_t max_header_bytes;  /* 0: MS_NN_MAX_HEADER; a longer header is refused */
+    size_t max_memory_bytes;  /* largest single allocation; 0: no cap. Over it: MS_OUT_OF_MEMORY */
+    ms_parallel parallel;     /* runs the layers' tasks; zero: the calling thread */
+    ms_allocator allocator;   /* zero: malloc and free */
+} ms_nn_options;
+
+/* All defaults. */
+MS_NN_API ms_nn_options ms_nn_defaults(void);
+
+/* "F32" and so on; "unknown" outside the list. */
+MS_NN_API const char *ms_nn_dtype_string(ms_nn_dtype dtype);
+
+typedef struct ms_nn_file ms_nn_file;
+
+/* Checks a whole safetensors file and lists it. Nothing is copied but the names.
+   bytes     [size] the file, e.g. mapped; must outlive *file; any alignment
+   options   NULL: defaults
+   *file     out; ms_nn_file_close releases it; untouched on failure
+   error     NULL or filled on failure: position is the byte in the file, message the reason
+   One allocation, of at most 5 times the header that is really there. No recursion.
+   MS_BAD_DATA: not a strict safetensors file. MS_UNSUPPORTED: sizes beyond size_t. MS_OUT_OF_MEMORY. */
+MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
+                                    ms_error *error);
+MS_NN_API void ms_nn_file_close(ms_nn_file *file); /* NULL is allowed */
+
+/* Tensors in the order of their data, i in [0, count); metadata in the order of the file. */
+MS_NN_API size_t ms_nn_file_tensor_count(const ms_nn_file *file);
+MS_NN_API const ms_nn_tensor *ms_nn_file_tensor(const ms_nn_file *file, size_t i);
+MS_NN_API size_t ms_nn_file_entry_count(const ms_nn_file *file);
+MS_NN_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i);
+
+/* By name, in O(log count); NULL if there is none. */
+MS_NN_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name);
+MS_NN_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key);
+
+/* Receives a file front to back; returns 0, or anything else to stop with MS_IO. */
+typedef struct ms_nn_sink {
+    void *user;
+    int (*write)(void *user, const void *bytes, size_t size);
+} ms_nn_sink;
+
+/* Writes a safetensors file: the header padded with spaces so that the data starts at a multiple of 64, the largest
+   tensor first, equal sizes in the order given. The reference implementation reads it.
+   tensors   [count]; data of bytes = product of shape x element size, little-endian; names unique
+   metadata  [entries]; keys unique; NULL with entries 0
+   MS_INVALID_ARGUMENT: a name twice, "__metadata__" as a name, text that is not UTF-8, a wrong size. MS_IO: the sink
+   stopped. MS_OUT_OF_MEMORY. position: index of the tensor or entry. Nothing is written unless all is valid. */
+MS_NN_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+                                     size_t entries, const ms_allocator *allocator, ms_nn_sink sink, ms_error *error);
+
+/* --- networks --- */
+
+typedef struct ms_nn ms_nn;
+
+/* channels; channels, length; or channels, height, width: row-major, the last index runs fastest. */
+typedef struct ms_nn_shape {
+    int rank;       /* 1 to 3 */
+    size_t size[3]; /* [rank] */
+} ms_nn_shape;
+
+/* A layer as the file lists it. Strings live as long as the network. */
+typedef struct ms_nn_layer {
+    const char *type, *name, *activation; /* "" where there is none */
+    ms_nn_dtype dtype;                    /* of the weights; MS_NN_DTYPE_COUNT: the layer has none */
+    ms_nn_shape output;                   /* of one sample */
+    size_t parameters, bytes;             /* weights, biases and scales */
+    size_t multiply_adds;                 /* of one sample as written, before folds */
+    int folded;                           /* non-zero: an upsampling before it went into its weights */
+} ms_nn_layer;
+
+/* Makes a network of a safetensors file with a layer list (grammar in the head comment).
+   bytes    [size] must outlive *nn: F32, F16, BF16 and I8 weights of dense layers are used where they lie (on
+            little-endian hosts); F64 and all weights of convolutions are copied as floats
+   *nn      out; ms_nn_destroy releases it; untouched on failure
+   error    NULL or filled on failure; position: byte in the file, or 0
+   Folds (options->no_folds): upsample1d before conv1d and upsample1d/2d before flatten + dense of F32 or F64.
+   MS_BAD_DATA: file or layer list malformed, shapes that do not fit. MS_UNSUPPORTED: an element type or version that
+   this release does not run. MS_OUT_OF_MEMORY. */
+MS_NN_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn,
+                               ms_error *error);
+MS_NN_API void ms_nn_destroy(ms_nn *nn); /* NULL is allowed */
+
+#ifndef MS_NN_NO_STDIO
+/* The same for a file by name: mapped on POSIX systems, read into one allocation elsewhere. MS_IO: cannot be read. */
+MS_NN_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error);
+
+/* ms_nn_file_write into a file by name, replaced if it is there. */
+MS_NN_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count,
+                                    const ms_nn_entry *metadata, size_t entries, const ms_allocator *allocator,
+                                    ms_error *error);
+#endif
+
+MS_NN_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn);
+MS_NN_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn);
+MS_NN_API size_t ms_nn_input_size(const ms_nn *nn);  /* floats of one sample */
+MS_NN_API size_t ms_nn_output_size(const ms_nn *nn);
+MS_NN_API int ms_nn_layer_count(const ms_nn *nn);
+MS_NN_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i); /* i in [0, ms_nn_layer_count) */
+MS_NN_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn);   /* the file behind it; belongs to nn */
+MS_NN_API ms_simd ms_nn_simd(const ms_nn *nn);                /* the level in use */
+
+/* Reads every weight. MS_BAD_DATA and the name and index of the first NaN or infinity; MS_OK: there is none. */
+MS_NN_API ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error);
+
+/* What a workspace is for, and how many samples (forward, VJP) or directions (JVP) run at once. */
+typedef enum ms_nn_product { MS_NN_FORWARD, MS_NN_VJP, MS_NN_JVP, MS_NN_JACOBIAN } ms_nn_product;
+
+/* Bytes of the workspace that a call needs; SIZE_MAX: count < 1 or more than memory can address. The Jacobian needs
+   count 1. */
+MS_NN_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int count);
+
+/* y = f(x) for count samples at once; the weights are read once for all of them.
+   x          [count][input size]
+   y          [count][output size] out; may not overlap x
+   workspace  ms_nn_workspace_size(nn, MS_NN_FORWARD, count) bytes, any alignment; NULL: from the allocator
+   nn is only read: calls may overlap if their workspaces differ. NaN and infinity pass through.
+   Same bits for any thread count, and for a sample alone or in a batch, at one SIMD level.
+   MS_INVALID_ARGUMENT: count < 1, a NULL pointer. MS_OUT_OF_MEMORY: only with workspace NULL. */
+MS_NN_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace);
+
+/* Vector-Jacobian product g_x = (df/dx)' g_y for count samples, each with its own output gradient.
+   x          [count][input size]
+   g_y        [count][output size]
+   y          [count][output size] out: f(x), bit-equal to ms_nn_forward; NULL: not wanted
+   g_x        [count][input size] out
+   At a kink (relu at 0) the slope of the left side, at a tie in a pool the first maximum, as PyTorch does.
+   Statuses, threads, bits and workspace (MS_NN_VJP) as for ms_nn_forward. */
+MS_NN_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x,
+                              void *workspace);
+
+/* Jacobian-vector products dy = (df/dx) dx at one x for count directions.
+   x          [input size]
+   dx         [count][input size]
+   y          [output size] out; NULL: not wanted
+   dy         [count][output size] out
+   Workspace MS_NN_JVP. */
+MS_NN_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy,
+                              void *workspace);
+
+/* The whole Jacobian at one x: forwards (one direction an input) or backwards (one an output), whichever is fewer.
+   y          [output size] out; NULL: not wanted
+   jacobian   [output size][input size] out
+   Workspace MS_NN_JACOBIAN, count 1. The weights are read once. */
+MS_NN_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* MS_NN_H */
+
+#if defined(MS_NN_IMPLEMENTATION) && !defined(MS_NN__PASS)
+/* ms-common-private begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
+#ifndef MS_COMMON_PRIVATE
+#define MS_COMMON_PRIVATE
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* MS_NO_SIMD leaves the scalar text of every header. 32-bit x86 has no baseline that can be relied on. */
+#if !defined(MS_NO_SIMD) && (defined(__x86_64__) || (defined(_M_X64) && !defined(_M_ARM64EC)))
+#define MS__X64 1
+#include <immintrin.h>
+#if defined(_MSC_VER)
+#include <intrin.h>
+#else
+#include <cpuid.h>
+#endif
+#elif !defined(MS_NO_SIMD) && (defined(__aarch64__) || defined(_M_ARM64))
+#define MS__NEON 1
+#include <arm_neon.h>
+#endif
+
+#ifndef MS_ASSERT /* checks of the library's own invariants, never of the caller's data */
+#define MS_ASSERT(condition) ((void)0)
+#endif
+
+#if defined(__GNUC__)
+#define MS__UNUSED __attribute__((unused))
+#else
+#define MS__UNUSED
+#endif
+
+/* Returns a * b or a + b; SIZE_MAX stands for overflow and stays so through further calls. */
+static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
+{
+    if (a == SIZE_MAX || b == SIZE_MAX) return SIZE_MAX;
+    return a != 0 && b > SIZE_MAX / a ? SIZE_MAX : a * b;
+}
+
+static MS__UNUSED size_t ms__size_add(size_t a, size_t b)
+{
+    return b > SIZE_MAX - a ? SIZE_MAX : a + b;
+}
+
+/* NULL for size SIZE_MAX (overflow). Size 0 gives a pointer that must be released as well. */
+static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
+{
+    if (size == SIZE_MAX) return NULL;
+    if (allocator != NULL && allocator->alloc != NULL)
+        return allocator->alloc(allocator->user, size ? size : 1);
+    return malloc(size ? size : 1);
+}
+
+static MS__UNUSED void ms__release(const ms_allocator *allocator, void *pointer, size_t size)
+{
+    if (pointer == NULL) return;
+    if (allocator != NULL && allocator->alloc != NULL) {
+        if (allocator->release != NULL) allocator->release(allocator->user, pointer, size ? size : 1);
+    } else {
+        free(pointer);
+    }
+}
+
+static MS__UNUSED void ms__run(const ms_parallel *parallel, int count, void (*task)(void *context, int index),
+                               void *context)
+{
+    int i;
+    if (parallel != NULL && parallel->run != NULL && count > 1) {
+        parallel->run(parallel->user, count, task, context);
+    } else {
+        for (i = 0; i < count; ++i) task(context, i);
+    }
+}
+
+/* By its bits: isfinite() is removed by -ffast-math. */
+static MS__UNUSED int ms__finite(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return (bits & 0x7ff0000000000000u) != 0x7ff0000000000000u;
+}
+
+static MS__UNUSED int ms__finite_f(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return (bits & 0x7f800000u) != 0x7f800000u;
+}
+
+/* x as text with 6 significant digits and '.' in every locale; at least 24 bytes in out. Its length. */
+static MS__UNUSED int ms__format_number(char *out, double x)
+{
+    char digit[8];
+    int n = 0, exponent = 0, i, last;
+    int64_t mantissa;
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    if (!ms__finite(x)) {
+        const char *name = (bits & 0xfffffffffffffu) ? "nan" : (bits >> 63) ? "-inf" : "inf";
+        for (; name[n]; ++n) out[n] = name[n];
+        out[n] = 0;
+        return n;
+    }
+    if (bits >> 63) {
+        out[n++] = '-';
+        x = -x;
+    }
+    if (!(x > 0)) {
+        out[n++] = '0';
+        out[n] = 0;
+        return n;
+    }
+    while (x >= 1e6) { x /= 10; ++exponent; }
+    while (x < 1e5) { x *= 10; --exponent; }
+    mantissa = (int64_t)(x + 0.5);
+    if (mantissa >= 1000000) { mantissa /= 10; ++exponent; }
+    exponent += 5;
+    for (i = 5; i >= 0; --i) {
+        digit[i] = (char)('0' + (int)(mantissa % 10));
+        mantissa /= 10;
+    }
+    for (last = 5; last > 0 && digit[last] == '0';) --last;
+    if (exponent >= -4 && exponent < 7) {
+        if (exponent < 0) {
+            out[n++] = '0';
+            out[n++] = '.';
+            for (i = -1; i > exponent; --i) out[n++] = '0';
+            for (i = 0; i <= last; ++i) out[n++] = digit[i];
+        } else {
+            for (i = 0; i <= last || i <= exponent; ++i) {
+                if (i == exponent + 1) out[n++] = '.';
+                out[n++] = i < 6 ? digit[i] : '0';
+            }
+        }
+    } else {
+        out[n++] = digit[0];
+        if (last > 0) out[n++] = '.';
+        for (i = 1; i <= last; ++i) out[n++] = digit[i];
+        out[n++] = 'e';
+        out[n++] = exponent < 0 ? '-' : '+';
+        if (exponent < 0) exponent = -exponent;
+        if (exponent >= 100) out[n++] = (char)('0' + exponent / 100);
+        out[n++] = (char)('0' + exponent / 10 % 10);
+        out[n++] = (char)('0' + exponent % 10);
+    }
+    out[n] = 0;
+    return n;
+}
+
+/* Fills error (may be NULL) and returns status. The format knows %s (char pointer), %d (int), %z (size_t),
+   %g (double) and %%; a text that is too long is cut, a control character becomes '?'. */
+static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t position, const char *format, ...)
+{
+    char number[32];
+    size_t n = 0, room, i;
+    va_list list;
+    if (error == NULL) return status;
+    error->status = status;
+    error->position = position;
+    room = sizeof error->message - 1;
+    va_start(list, format);
+    for (; *format; ++format) {
+        const char *piece = number;
+        number[0] = *format;
+        number[1] = 0;
+        if (*format == '%' && format[1]) {
+            ++format;
+            if (*format == 's') {
+                piece = va_arg(list, const char *);
+            } else if (*format == 'g') {
+                ms__format_number(number, va_arg(list, double));
+            } else if (*format == 'd' || *format == 'z') {
+                char reversed[24];
+                size_t k = 0, m = 0, value;
+                if (*format == 'd') {
+                    int64_t v = va_arg(list, int);
+                    if (v < 0) number[m++] = '-';
+                    value = (size_t)(v < 0 ? -v : v);
+                } else {
+                    value = va_arg(list, size_t);
+                }
+                do {
+                    reversed[k++] = (char)('0' + (int)(value % 10));
+                    value /= 10;
+                } while (value);
+                while (k) number[m++] = reversed[--k];
+                number[m] = 0;
+            }
+        }
+        for (i = 0; piece[i] && n < room; ++i)
+            error->message[n++] = (unsigned char)piece[i] < 32 || piece[i] == 127 ? '?' : piece[i];
+    }
+    va_end(list);
+    error->message[n] = 0;
+    return status;
+}
+
+/* Philox 4x32-10 (Salmon, Moraes, Dror, Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3"): four words
+   from a 128-bit counter and a 64-bit key, integers only, so the same on any thread, level and machine. */
+static MS__UNUSED void ms__philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4])
+{
+    uint32_t c0 = counter[0], c1 = counter[1], c2 = counter[2], c3 = counter[3], k0 = key[0], k1 = key[1];
+    int round;
+    for (round = 0; round < 10; ++round) {
+        uint64_t p0 = (uint64_t)0xD2511F53u * c0, p1 = (uint64_t)0xCD9E8D57u * c2;
+        c0 = (uint32_t)(p1 >> 32) ^ c1 ^ k0;
+        c1 = (uint32_t)p1;
+        c2 = (uint32_t)(p0 >> 32) ^ c3 ^ k1;
+        c3 = (uint32_t)p0;
+        k0 += 0x9E3779B9u;
+        k1 += 0xBB67AE85u;
+    }
+    out[0] = c0;
+    out[1] = c1;
+    out[2] = c2;
+    out[3] = c3;
+}
+
+/* A stream of random numbers: f(seed, stream, how many were drawn). */
+typedef struct ms__rng {
+    uint32_t counter[4], key[2], word[4];
+    int used; /* words of this block already given out */
+} ms__rng;
+
+static MS__UNUSED ms__rng ms__rng_make(uint64_t seed, uint64_t stream)
+{
+    ms__rng rng;
+    memset(&rng, 0, sizeof rng);
+    rng.key[0] = (uint32_t)seed;
+    rng.key[1] = (uint32_t)(seed >> 32);
+    rng.counter[2] = (uint32_t)stream;
+    rng.counter[3] = (uint32_t)(stream >> 32);
+    rng.used = 4;
+    return rng;
+}
+
+static MS__UNUSED uint32_t ms__rng_u32(ms__rng *rng)
+{
+    if (rng->used == 4) {
+        ms__philox(rng->counter, rng->key, rng->word);
+        if (++rng->counter[0] == 0) ++rng->counter[1];
+        rng->used = 0;
+    }
+    return rng->word[rng->used++];
+}
+
+/* Uniform in the open interval (0, 1), 53 bits: never 0, never 1. */
+static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
+{
+    uint64_t a = ms__rng_u32(rng), b = ms__rng_u32(rng);
+    return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
+}
+
+#if defined(MS__X64)
+static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
+{
+#if defined(_MSC_VER)
+    int v[4];
+    __cpuidex(v, (int)leaf, (int)subleaf);
+    r[0] = (uint32_t)v[0]; r[1] = (uint32_t)v[1]; r[2] = (uint32_t)v[2]; r[3] = (uint32_t)v[3];
+#else
+    __cpuid_count(leaf, subleaf, r[0], r[1], r[2], r[3]);
+#endif
+}
+
+/* What both the processor and the operating system (OSXSAVE, XCR0) support. */
+static MS__UNUSED int ms__simd_detect(void)
+{
+    uint32_t r[4], xcr0, leaf1;
+    ms__cpuid(0, 0, r);
+    if (r[0] < 7) return MS_SIMD_BASE;
+    ms__cpuid(1, 0, r);
+    leaf1 = r[2];
+    if (!(leaf1 & (1u << 27))) return MS_SIMD_BASE; /* OSXSAVE */
+#if defined(_MSC_VER)
+    xcr0 = (uint32_t)_xgetbv(0);
+#else
+    {
+        uint32_t high;
+        __asm__ volatile("xgetbv" : "=a"(xcr0), "=d"(high) : "c"(0));
+        (void)high;
+    }
+#endif
+    ms__cpuid(7, 0, r);
+    if ((xcr0 & 0x6u) != 0x6u || !(leaf1 & (1u << 12)) || !(leaf1 & (1u << 29)) || !(r[1] & (1u << 5)))
+        return MS_SIMD_BASE; /* YMM state, FMA, F16C, AVX2 */
+    if ((xcr0 & 0xe6u) != 0xe6u || (r[1] & 0xC0030000u) != 0xC0030000u)
+        return MS_SIMD_AVX2; /* ZMM state, AVX-512 F, DQ, BW, VL */
+    return MS_SIMD_AVX512;
+}
+#endif
+
+/* The level to use under a cap. cpuid takes microseconds under a hypervisor: ask once when an object is made
+   or at the start of a long call, never in a loop. Nothing is kept in a global. */
+static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
+{
+    int best = MS_SIMD_SCALAR;
+    if (cap == MS_SIMD_SCALAR) return cap;
+#if defined(MS__X64)
+    best = cap == MS_SIMD_BASE ? MS_SIMD_BASE : ms__simd_detect();
+#elif defined(MS__NEON)
+    best = MS_SIMD_BASE;
+#endif
+    return (ms_simd)(cap != MS_SIMD_AUTO && (int)cap < best ? (int)cap : best);
+}
+#endif /* MS_COMMON_PRIVATE */
+/* ms-common-private end */
+
+#if !defined(MS_NN_NO_STDIO)
+#include <stdio.h>
+#if defined(__unix__) || (defined(__APPLE__) && defined(__MACH__))
+#define MS_NN__MMAP 1
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+#endif
+#include <limits.h>
+#include <math.h>
+
+#ifndef MS_NN_FILENAME /* how this file is named in an #include, for its second reading (SIMD kernels) */
+#define MS_NN_FILENAME "ms_nn.h"
+#endif
+
+/* The implementation, in the order of the data:
+   bytes, sorting, JSON, file, writer, layer list, plan, weights, run, products, queries, stdio, levels, kernels */
+
+/* === bytes === */
+
+/* Files are little-endian; these read any alignment on any host. */
+static uint32_t ms_nn__u16(const unsigned char *p) { return (uint32_t)p[0] | (uint32_t)p[1] << 8; }
+static uint32_t ms_nn__u32(const unsigned char *p) { return ms_nn__u16(p) | ms_nn__u16(p + 2) << 16; }
+static uint64_t ms_nn__u64(const unsigned char *p) { return (uint64_t)ms_nn__u32(p) | (uint64_t)ms_nn__u32(p + 4) << 32; }
+
+#ifndef MS_NN__BIG_ENDIAN /* the tests define it as 1 to run the copying path on any host */
+#define MS_NN__BIG_ENDIAN ms_nn__big_endian()
+static int ms_nn__big_endian(void)
+{
+    const uint16_t one = 1;
+    unsigned char first;
+    memcpy(&first, &one, 1);
+    return first == 0;
+}
+#endif
+
+static float ms_nn__float_of(uint32_t bits)
+{
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* IEEE binary16 with subnormals, infinities and NaN; the exponent's bias is moved by a multiplication. */
+static float ms_nn__half(uint32_t h)
+{
+    uint32_t sign = (h & 0x8000u) << 16, magnitude = (h & 0x7fffu) << 13, bits;
+    float value;
+    if (magnitude >= 0x0f800000u) return ms_nn__float_of(sign | 0x70000000u | magnitude);
+    value = ms_nn__float_of(magnitude) * 5.192296858534828e33f; /* 2^112 */
+    memcpy(&bits, &value, sizeof bits);
+    return ms_nn__float_of(sign | bits);
+}
+
+static int ms_nn__bits(ms_nn_dtype dtype)
+{
+    static const int bits[] = {
+#define MS_NN__DTYPE_BITS(code, name, n) n,
+        MS_NN_DTYPE_LIST(MS_NN__DTYPE_BITS)
+#undef MS_NN__DTYPE_BITS
+        0};
+    return bits[(int)dtype];
+}
+
+static const char *ms_nn__dtype_name(int dtype)
+{
+    static const char *const name[] = {
+#define MS_NN__DTYPE_NAME(code, text, bits) text,
+        MS_NN_DTYPE_LIST(MS_NN__DTYPE_NAME)
+#undef MS_NN__DTYPE_NAME
+        "unknown"};
+    return name[dtype >= 0 && dtype < (int)MS_NN_DTYPE_COUNT ? dtype : (int)MS_NN_DTYPE_COUNT];
+}
+
+/* Element i of a tensor of one of the five types that networks use. */
+static double ms_nn__element(const void *data, ms_nn_dtype dtype, size_t i)
+{
+    const unsigned char *p = (const unsigned char *)data + i * (size_t)(ms_nn__bits(dtype) / 8);
+    if (dtype == MS_NN_F64) {
+        uint64_t bits = ms_nn__u64(p);
+        double x;
+        memcpy(&x, &bits, sizeof x);
+        return x;
+    }
+    if (dtype == MS_NN_F32) return (double)ms_nn__float_of(ms_nn__u32(p));
+    if (dtype == MS_NN_F16) return (double)ms_nn__half(ms_nn__u16(p));
+    if (dtype == MS_NN_BF16) return (double)ms_nn__float_of(ms_nn__u16(p) << 16);
+    return *p < 128 ? (double)*p : (double)*p - 256.0; /* I8 */
+}
+
+/* === sorting === */
+
+/* Heap sort of indices: no recursion, no allocation, O(n log n) for any input. */
+static void ms_nn__sort(size_t *index, size_t n, int (*compare)(const void *context, size_t a, size_t b),
+                        const void *context)
+{
+    size_t start = n / 2, end = n;
+    while (end > 1) {
+        size_t root, child, moving;
+        if (start > 0) {
+            moving = index[--start];
+        } else {
+            moving = index[--end];
+            index[end] = index[0];
+        }
+        for (root = start; (child = 2 * root + 1) < end; root = child) {
+            if (child + 1 < end && compare(context, index[child], index[child + 1]) < 0) ++child;
+            if (compare(context, moving, index[child]) >= 0) break;
+            index[root] = index[child];
+        }
+        index[root] = moving;
+    }
+}
+
+/* === JSON === */
+
+/* A cursor over JSON text. The grammars here have a fixed depth, so each level is a loop and nothing recurses. */
+typedef struct ms_nn__json {
+    const unsigned char *start, *p, *end;
+    size_t base; /* position of start in what the error speaks of */
+    ms_error *error;
+} ms_nn__json;
+
+/* A string after its escapes: text is NULL while only counting; head has the first bytes in any case. */
+typedef struct ms_nn__string {
+    char *text;
+    size_t length;
+    char head[20];
+} ms_nn__string;
+
+static ms_status ms_nn__bad(const ms_nn__json *j, const char *sentence)
+{
+    return ms__fail(j->error, MS_BAD_DATA, j->base + (size_t)(j->p - j->start), "%s", sentence);
+}
+
+static void ms_nn__space(ms_nn__json *j)
+{
+    while (j->p < j->end && (*j->p == ' ' || *j->p == '\n' || *j->p == '\r' || *j->p == '\t')) ++j->p;
+}
+
+/* Skips white space and takes c if it is next. */
+static int ms_nn__take(ms_nn__json *j, char c)
+{
+    ms_nn__space(j);
+    if (j->p == j->end || *j->p != (unsigned char)c) return 0;
+    ++j->p;
+    return 1;
+}
+
+static int ms_nn__is(const ms_nn__string *s, const char *word)
+{
+    size_t n = strlen(word);
+    return s->length == n && n < sizeof s->head && memcmp(s->head, word, n) == 0;
+}
+
+/* Length of the UTF-8 sequence at p, 0 if it is not one (RFC 3629: no overlong forms, no surrogates, at most
+   U+10FFFF). */
+static size_t ms_nn__utf8(const unsigned char *p, const unsigned char *end)
+{
+    size_t n = *p < 0x80 ? 1 : *p >= 0xC2 && *p < 0xE0 ? 2 : *p >= 0xE0 && *p < 0xF0 ? 3 : *p >= 0xF0 && *p < 0xF5 ? 4 : 0;
+    size_t i;
+    if (n == 0 || (size_t)(end - p) < n) return 0;
+    for (i = 1; i < n; ++i)
+        if ((p[i] & 0xC0) != 0x80) return 0;
+    if ((*p == 0xE0 && p[1] < 0xA0) || (*p == 0xED && p[1] > 0x9F) || (*p == 0xF0 && p[1] < 0x90) ||
+        (*p == 0xF4 && p[1] > 0x8F))
+        return 0;
+    return n;
+}
+
+static int ms_nn__hex4(const unsigned char *p, const unsigned char *end, uint32_t *value)
+{
+    int i;
+    *value = 0;
+    if (end - p < 4) return 0;
+    for (i = 0; i < 4; ++i) {
+        unsigned char c = p[i];
+        int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+        if (digit < 0) return 0;
+        *value = *value * 16 + (uint32_t)digit;
+    }
+    return 1;
+}
+
+/* A string into *s; its bytes and a NUL go to *pool (which moves on) unless that is NULL. */
+static ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_nn__string *s)
+{
+    memset(s, 0, sizeof *s);
+    if (!ms_nn__take(j, '"')) return ms_nn__bad(j, "expected a string in double quotes");
+    s->text = *pool;
+    for (;;) {
+        unsigned char out[4];
+        size_t n, i;
+        if (j->p == j->end) return ms_nn__bad(j, "a string has no end");
+        if (*j->p == '"') break;
+        if (*j->p < 0x20) return ms_nn__bad(j, "a control character in a string must be escaped");
+        if (*j->p != '\\') {
+            n = ms_nn__utf8(j->p, j->end);
+            if (n == 0) return ms_nn__bad(j, "a string is not valid UTF-8");
+            memcpy(out, j->p, n);
+            j->p += n;
+        } else {
+            static const char from[] = "\"\\/bfnrt", to[] = "\"\\/\b\f\n\r\t";
+            const char *simple;
+            unsigned char c = (unsigned char)(j->end - j->p > 1 ? j->p[1] : 0);
+            uint32_t code = 0, low = 0;
+            simple = c ? strchr(from, c) : NULL;
+            if (simple != NULL) {
+                code = (uint32_t)(unsigned char)to[simple - from];
+                j->p += 2;
+            } else {
+                if (c != 'u' || !ms_nn__hex4(j->p + 2, j->end, &code)) return ms_nn__bad(j, "unknown escape in a string");
+                if (code >= 0xD800 && code < 0xE000) {
+                    if (code >= 0xDC00 || j->end - j->p < 12 || j->p[6] != '\\' || j->p[7] != 'u' ||
+                        !ms_nn__hex4(j->p + 8, j->end, &low) || low < 0xDC00 || low >= 0xE000)
+                        return ms_nn__bad(j, "a surrogate escape without its other half");
+                    code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
+                    j->p += 6;
+                }
+                if (code == 0) return ms_nn__bad(j, "a NUL character in a string");
+                j->p += 6;
+            }
+            n = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
+            for (i = n; i-- > 1; code >>= 6) out[i] = (unsigned char)(0x80 | (code & 0x3F));
+            out[0] = (unsigned char)(n == 1 ? code : code | (0xF00u >> n & 0xFF));
+        }
+        for (i = 0; i < n; ++i, ++s->length) {
+            if (s->length < sizeof s->head - 1) s->head[s->length] = (char)out[i];
+            if (*pool != NULL) *(*pool)++ = (char)out[i];
+        }
+    }
+    ++j->p;
+    if (*pool != NULL) *(*pool)++ = 0;
+    return MS_OK;
+}
+
+/* A plain non-negative integer that fits size_t: no sign, point, exponent or leading zero. */
+static ms_status ms_nn__json_size(ms_nn__json *j, size_t *value)
+{
+    const unsigned char *first;
+    size_t v = 0;
+    ms_nn__space(j);
+    first = j->p;
+    for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p) {
+        size_t digit = (size_t)(*j->p - '0');
+        if (v > (SIZE_MAX - digit) / 10) return ms_nn__bad(j, "a number is too large for the address space");
+        v = v * 10 + digit;
+    }
+    if (j->p == first || (*first == '0' && j->p - first > 1) ||
+        (j->p < j->end && (*j->p == '.' || *j->p == 'e' || *j->p == 'E')))
+        return ms_nn__bad(j, "expected a plain integer: digits without sign, point, exponent or leading zero");
+    *value = v;
+    return MS_OK;
+}
+
+/* After an item of a list: *more is 1 after a comma, 0 after the closing character. */
+static ms_status ms_nn__json_more(ms_nn__json *j, char close, int *more)
+{
+    *more = ms_nn__take(j, ',');
+    if (*more || ms_nn__take(j, close)) return MS_OK;
+    return ms_nn__bad(j, close == '}' ? "expected ',' or '}'" : "expected ',' or ']'");
+}
+
+/* === file === */
+
+typedef struct ms_nn__record {
+    ms_nn_tensor tensor;
+    size_t begin, end, position; /* range in the data, place of the entry in the file */
+} ms_nn__record;
+
+struct ms_nn_file {
+    ms_allocator allocator;
+    size_t bytes; /* of this allocation, which holds everything below */
+    size_t tensors, entries;
+    ms_nn__record *record;  /* [tensors] in the order of the header */
+    ms_nn_entry *entry;     /* [entries] */
+    size_t *shape;          /* all dimensions */
+    size_t *by_data, *by_name, *by_key;
+    char *text;
+};
+
+/* What the header holds: counted by a first pass, filled by a second one. */
+typedef struct ms_nn__header {
+    size_t tensors, entries, dimensions, text;
+    size_t data_size, data_start;
+    const unsigned char *data;
+    ms_nn_file *file; /* NULL while counting */
+    char *pool;
+} ms_nn__header;
+
+/* {"dtype":"F32","shape":[2,3],"data_offsets":[0,24]} in any order, each field once, nothing else. */
+static ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header *h, const ms_nn__string *name, size_t position)
+{
+    int seen = 0, more = 1, rank = 0, dtype = 0;
+    size_t elements = 1, nonzero = 1, offset[2] = {0, 0}, bits;
+    size_t *shape = h->file ? h->file->shape + h->dimensions : NULL;
+    ms_nn__string s;
+    char *none = NULL;
+    ms_status status;
+    if (!ms_nn__take(j, '{')) return ms_nn__bad(j, "a tensor must be an object with dtype, shape and data_offsets");
+    if (ms_nn__take(j, '}')) more = 0;
+    while (more) {
+        int field;
+        if ((status = ms_nn__json_string(j, &none, &s)) != MS_OK) return status;
+        field = ms_nn__is(&s, "dtype") ? 1 : ms_nn__is(&s, "shape") ? 2 : ms_nn__is(&s, "data_offsets") ? 4 : 0;
+        if (field == 0) return ms_nn__bad(j, "unknown field of a tensor; known are dtype, shape, data_offsets");
+        if (seen & field) return ms_nn__bad(j, "a field of a tensor stands twice");
+        seen |= field;
+        if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
+        if (field == 1) {
+            if ((status = ms_nn__json_string(j, &none, &s)) != MS_OK) return status;
+            for (dtype = 0; dtype < (int)MS_NN_DTYPE_COUNT; ++dtype)
+                if (ms_nn__is(&s, ms_nn__dtype_name(dtype))) break;
+            if (dtype == (int)MS_NN_DTYPE_COUNT) return ms_nn__bad(j, "unknown dtype");
+        } else {
+            int list = !ms_nn__take(j, '['), count = 0;
+            if (list) return ms_nn__bad(j, "expected a list of integers in brackets");
+            for (list = !ms_nn__take(j, ']'); list; ++count) {
+                size_t value;
+                if ((status = ms_nn__json_size(j, &value)) != MS_OK) return status;
+                if (count == (field == 2 ? MS_NN_MAX_RANK : 2))
+                    return ms_nn__bad(j, field == 2 ? "more than 32 dimensions" : "data_offsets must have two numbers");
+                if (field == 4) {
+                    offset[count] = value;
+                } else {
+                    if (shape) shape[count] = value;
+                    elements = ms__size_mul(elements, value);
+                    nonzero = ms__size_mul(nonzero, value ? value : 1);
+                }
+                if ((status = ms_nn__json_more(j, ']', &list)) != MS_OK) return status;
+            }
+            if (field == 2) rank = count;
+            else if (count != 2) return ms_nn__bad(j, "data_offsets must have two numbers");
+        }
+        if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
+    }
+    if (seen != 7) return ms_nn__bad(j, "a tensor lacks dtype, shape or data_offsets");
+    bits = ms__size_mul(elements, (size_t)ms_nn__bits((ms_nn_dtype)dtype));
+    if (ms__size_mul(nonzero, (size_t)ms_nn__bits((ms_nn_dtype)dtype)) == SIZE_MAX || bits == SIZE_MAX)
+        return ms_nn__bad(j, "the product of the dimensions overflows");
+    if (bits % 8) return ms_nn__bad(j, "a tensor must fill whole bytes");
+    if (offset[0] > offset[1] || offset[1] > h->data_size)
+        return ms_nn__bad(j, "data_offsets must rise and lie within the file");
+    if (offset[1] - offset[0] != bits / 8) return ms_nn__bad(j, "data_offsets do not span what dtype and shape need");
+    if (h->file) {
+        ms_nn__record *r = &h->file->record[h->tensors];
+        r->tensor.name = name->text;
+        r->tensor.dtype = (ms_nn_dtype)dtype;
+        r->tensor.rank = rank;
+        r->tensor.shape = shape;
+        r->tensor.data = h->data + offset[0];
+        r->tensor.bytes = bits / 8;
+        r->begin = offset[0];
+        r->end = offset[1];
+        r->position = position;
+    }
+    h->dimensions += (size_t)rank;
+    h->tensors++;
+    return MS_OK;
+}
+
+static ms_status ms_nn__header_metadata(ms_nn__json *j, ms_nn__header *h)
+{
+    int more = 1;
+    ms_status status;
+    if (!ms_nn__take(j, '{')) return ms_nn__bad(j, "__metadata__ must be an object of strings");
+    if (ms_nn__take(j, '}')) more = 0;
+    while (more) {
+        ms_nn__string key, value;
+        if ((status = ms_nn__json_string(j, &h->pool, &key)) != MS_OK) return status;
+        if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
+        if ((status = ms_nn__json_string(j, &h->pool, &value)) != MS_OK) return status;
+        if (h->file) {
+            h->file->entry[h->entries].key = key.text;
+            h->file->entry[h->entries].value = value.text;
+        }
+        h->entries++;
+        h->text += key.length + value.length + 2;
+        if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
+    }
+    return MS_OK;
+}
+
+static ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header *h)
+{
+    int more = 1, metadata = 0;
+    ms_status status;
+    if (j->p == j->end || *j->p != '{') return ms_nn__bad(j, "the header must begin with '{'");
+    ++j->p;
+    if (ms_nn__take(j, '}')) more = 0;
+    while (more) {
+        ms_nn__string name;
+        size_t position;
+        ms_nn__space(j);
+        position = j->base + (size_t)(j->p - j->start);
+        if ((status = ms_nn__json_string(j, &h->pool, &name)) != MS_OK) return status;
+        h->text += name.length + 1;
+        if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
+        if (ms_nn__is(&name, "__metadata__")) {
+            if (metadata++) return ms_nn__bad(j, "__metadata__ stands twice");
+            status = ms_nn__header_metadata(j, h);
+        } else {
+            status = ms_nn__header_tensor(j, h, &name, position);
+        }
+        if (status != MS_OK) return status;
+        if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
+    }
+    ms_nn__space(j);
+    if (j->p != j->end) return ms_nn__bad(j, "only spaces may follow the header's object");
+    return MS_OK;
+}
+
+static int ms_nn__compare_data(const void *context, size_t a, size_t b)
+{
+    const ms_nn__record *r = (const ms_nn__record *)context;
+    if (r[a].begin != r[b].begin) return r[a].begin < r[b].begin ? -1 : 1;
+    if (r[a].end != r[b].end) return r[a].end < r[b].end ? -1 : 1;
+    return a < b ? -1 : a > b; /* empty tensors at one place keep their order */
+}
+
+static int ms_nn__compare_name(const void *context, size_t a, size_t b)
+{
+    const ms_nn__record *r = (const ms_nn__record *)context;
+    return strcmp(r[a].tensor.name, r[b].tensor.name);
+}
+
+static int ms_nn__compare_key(const void *context, size_t a, size_t b)
+{
+    const ms_nn_entry *e = (const ms_nn_entry *)context;
+    return strcmp(e[a].key, e[b].key);
+}
+
+/* Names and keys once each; the data without holes or overlaps from 0 to its end. */
+static ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start, size_t data_size, int allow_trailing,
+                                   ms_error *error)
+{
+    size_t i, end = 0;
+    for (i = 0; i < f->tensors; ++i) f->by_data[i] = f->by_name[i] = i;
+    for (i = 0; i < f->entries; ++i) f->by_key[i] = i;
+    ms_nn__sort(f->by_data, f->tensors, ms_nn__compare_data, f->record);
+    ms_nn__sort(f->by_name, f->tensors, ms_nn__compare_name, f->record);
+    ms_nn__sort(f->by_key, f->entries, ms_nn__compare_key, f->entry);
+    for (i = 1; i < f->tensors; ++i)
+        if (ms_nn__compare_name(f->record, f->by_name[i - 1], f->by_name[i]) == 0)
+            return ms__fail(error, MS_BAD_DATA, f->record[f->by_name[i]].position, "the tensor name '%s' stands twice",
+                            f->record[f->by_name[i]].tensor.name);
+    for (i = 1; i < f->entries; ++i)
+        if (ms_nn__compare_key(f->entry, f->by_key[i - 1], f->by_key[i]) == 0)
+            return ms__fail(error, MS_BAD_DATA, 8, "the metadata key '%s' stands twice", f->entry[f->by_key[i]].key);
+    for (i = 0; i < f->tensors; ++i) {
+        const ms_nn__record *r = &f->record[f->by_data[i]];
+        if (r->begin != end)
+            return ms__fail(error, MS_BAD_DATA, r->position,
+                            r->begin > end ? "a hole of %z bytes before tensor '%s'" : "%z bytes of tensor '%s' overlap another one",
+                            r->begin > end ? r->begin - end : end - r->begin, r->tensor.name);
+        end = r->end;
+    }
+    if (end != data_size && !allow_trailing)
+        return ms__fail(error, MS_BAD_DATA, data_start + end, "%z bytes follow the last tensor", data_size - end);
+    return MS_OK;
+}
+
+MS_NN_API ms_nn_options ms_nn_defaults(void)
+{
+    ms_nn_options options;
+    memset(&options, 0, sizeof options);
+    return options;
+}
+
+MS_NN_API const char *ms_nn_dtype_string(ms_nn_dtype dtype) { return ms_nn__dtype_name((int)dtype); }
+
+/* An allocation under the caller's cap. */
+static void *ms_nn__alloc(const ms_nn_options *options, size_t size)
+{
+    if (options->max_memory_bytes && size > options->max_memory_bytes) return NULL;
+    return ms__alloc(&options->allocator, size);
+}
+
+MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
+                                    ms_error *error)
+{
+    const unsigned char *b = (const unsigned char *)bytes;
+    ms_nn_options o = options ? *options : ms_nn_defaults();
+    uint64_t length, most = o.max_header_bytes && o.max_header_bytes < MS_NN_MAX_HEADER ? o.max_header_bytes : MS_NN_MAX_HEADER;
+    ms_nn__json j;
+    ms_nn__header h;
+    ms_nn_file *f;
+    ms_status status;
+    size_t total;
+    if (file == NULL || (bytes == NULL && size > 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "bytes and file must not be NULL");
+    if (size < 8) return ms__fail(error, MS_BAD_DATA, size, "the file has %z bytes, a header needs at least 8", size);
+    length = ms_nn__u64(b);
+    if (length > most)
+        return ms__fail(error, MS_BAD_DATA, 0, "the header length is over the limit of %z bytes", (size_t)most);
+    if (length > size - 8)
+        return ms__fail(error, MS_BAD_DATA, 0, "the header length %z does not fit into a file of %z bytes", (size_t)length, size);
+    memset(&h, 0, sizeof h);
+    j.start = j.p = b + 8;
+    j.end = j.start + length;
+    j.base = 8;
+    j.error = error;
+    h.data = j.end;
+    h.data_start = 8 + (size_t)length;
+    h.data_size = size - h.data_start;
+    if ((status = ms_nn__header_object(&j, &h)) != MS_OK) return status;
+
+    total = ms__size_add(sizeof *f, ms__size_mul(h.tensors, sizeof(ms_nn__record) + 2 * sizeof(size_t)));
+    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + sizeof(size_t)));
+    total = ms__size_add(total, ms__size_add(ms__size_mul(h.dimensions, sizeof(size_t)), h.text));
+    f = (ms_nn_file *)ms_nn__alloc(&o, total);
+    if (f == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a list of %z tensors", h.tensors);
+    f->allocator = o.allocator;
+    f->bytes = total;
+    f->tensors = h.tensors;
+    f->entries = h.entries;
+    f->record = (ms_nn__record *)(void *)(f + 1);
+    f->entry = (ms_nn_entry *)(void *)(f->record + h.tensors);
+    f->by_data = (size_t *)(void *)(f->entry + h.entries);
+    f->by_name = f->by_data + h.tensors;
+    f->by_key = f->by_name + h.tensors;
+    f->shape = f->by_key + h.entries;
+    f->text = (char *)(f->shape + h.dimensions);
+
+    h.tensors = h.entries = h.dimensions = h.text = 0;
+    h.file = f;
+    h.pool = f->text;
+    j.p = j.start;
+    status = ms_nn__header_object(&j, &h);
+    if (status == MS_OK) status = ms_nn__file_check(f, h.data_start, h.data_size, o.allow_trailing, error);
+    if (status != MS_OK) ms_nn_file_close(f);
+    else *file = f;
+    return status;
+}
+
+MS_NN_API void ms_nn_file_close(ms_nn_file *file)
+{
+    if (file != NULL) {
+        ms_allocator allocator = file->allocator;
+        ms__release(&allocator, file, file->bytes);
+    }
+}
+
+MS_NN_API size_t ms_nn_file_tensor_count(const ms_nn_file *file) { return file->tensors; }
+MS_NN_API size_t ms_nn_file_entry_count(const ms_nn_file *file) { return file->entries; }
+
+MS_NN_API const ms_nn_tensor *ms_nn_file_tensor(const ms_nn_file *file, size_t i)
+{
+    return i < file->tensors ? &file->record[file->by_data[i]].tensor : NULL;
+}
+
+MS_NN_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i)
+{
+    return i < file->entries ? &file->entry[i] : NULL;
+}
+
+MS_NN_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name)
+{
+    size_t low = 0, high = file->tensors;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        const ms_nn_tensor *t = &file->record[file->by_name[middle]].tensor;
+        int order = strcmp(name, t->name);
+        if (order == 0) return t;
+        if (order < 0) high = middle;
+        else low = middle + 1;
+    }
+    return NULL;
+}
+
+MS_NN_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key)
+{
+    size_t low = 0, high = file->entries;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        const ms_nn_entry *e = &file->entry[file->by_key[middle]];
+        int order = strcmp(key, e->key);
+        if (order == 0) return e->value;
+        if (order < 0) high = middle;
+        else low = middle + 1;
+    }
+    return NULL;
+}
+
+/* === writer === */
+
+/* The header's text goes through this: counted first, then written. */
+typedef struct ms_nn__writer {
+    char *out; /* NULL while counting */
+    size_t length;
+} ms_nn__writer;
+
+static void ms_nn__put(ms_nn__writer *w, const char *text, size_t n)
+{
+    if (w->out) memcpy(w->out + w->length, text, n);
+    w->length += n;
+}
+
+static void ms_nn__put_size(ms_nn__writer *w, size_t value)
+{
+    char digit[24];
+    size_t n = sizeof digit;
+    do {
+        digit[--n] = (char)('0' + (int)(value % 10));
+        value /= 10;
+    } while (value);
+    ms_nn__put(w, digit + n, sizeof digit - n);
+}
+
+static void ms_nn__put_string(ms_nn__writer *w, const char *text)
+{
+    static const char hex[] = "0123456789abcdef";
+    ms_nn__put(w, "\"", 1);
+    for (; *text; ++text) {
+        unsigned char c = (unsigned char)*text;
+        char escape[6] = {'\\', 'u', '0', '0', 0, 0};
+        if (c == '"' || c == '\\') {
+            escape[1] = (char)c;
+            ms_nn__put(w, escape, 2);
+        } else if (c < 0x20) {
+            escape[4] = hex[c >> 4];
+            escape[5] = hex[c & 15];
+            ms_nn__put(w, escape, 6);
+        } else {
+            ms_nn__put(w, text, 1);
+        }
+    }
+    ms_nn__put(w, "\"", 1);
+}
+
+static int ms_nn__valid_text(const char *text)
+{
+    const unsigned char *p = (const unsigned char *)text, *end;
+    size_t n;
+    if (text == NULL) return 0;
+    for (end = p + strlen(text); p < end; p += n)
+        if ((n = ms_nn__utf8(p, end)) == 0) return 0;
+    return 1;
+}
+
+static int ms_nn__compare_given_name(const void *context, size_t a, size_t b)
+{
+    const ms_nn_tensor *t = (const ms_nn_tensor *)context;
+    return strcmp(t[a].name, t[b].name);
+}
+
+static int ms_nn__compare_given_size(const void *context, size_t a, size_t b)
+{
+    const ms_nn_tensor *t = (const ms_nn_tensor *)context;
+    if (t[a].bytes != t[b].bytes) return t[a].bytes > t[b].bytes ? -1 : 1;
+    return a < b ? -1 : a > b;
+}
+
+/* Every value of the caller, before a byte is written. order is scratch of max(count, entries). */
+static ms_status ms_nn__write_check(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+                                    size_t entries, size_t *order, ms_error *error)
+{
+    size_t i, total = 0;
+    for (i = 0; i < count; ++i) {
+        const ms_nn_tensor *t = &tensors[i];
+        size_t bits = (int)t->dtype >= 0 && t->dtype < MS_NN_DTYPE_COUNT ? (size_t)ms_nn__bits(t->dtype) : SIZE_MAX;
+        int d;
+        if (!ms_nn__valid_text(t->name) || strcmp(t->name, "__metadata__") == 0)
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "the name of tensor %z is not allowed or not UTF-8", i);
+        if (t->rank < 0 || t->rank > MS_NN_MAX_RANK || (t->rank > 0 && t->shape == NULL))
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "the rank of tensor '%s' must be 0 to 32", t->name);
+        for (d = 0; d < t->rank; ++d) bits = ms__size_mul(bits, t->shape[d]);
+        if (bits == SIZE_MAX || bits % 8 || bits / 8 != t->bytes || (t->data == NULL && t->bytes))
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "tensor '%s': dtype and shape do not make %z bytes", t->name, t->bytes);
+        total = ms__size_add(total, t->bytes);
+        order[i] = i;
+    }
+    if (total == SIZE_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tensors' sizes overflow");
+    ms_nn__sort(order, count, ms_nn__compare_given_name, tensors);
+    for (i = 1; i < count; ++i)
+        if (strcmp(tensors[order[i - 1]].name, tensors[order[i]].name) == 0)
+            return ms__fail(error, MS_INVALID_ARGUMENT, order[i], "the tensor name '%s' stands twice", tensors[order[i]].name);
+    for (i = 0; i < entries; ++i) {
+        if (!ms_nn__valid_text(metadata[i].key) || !ms_nn__valid_text(metadata[i].value))
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "metadata entry %z is not UTF-8", i);
+        order[i] = i;
+    }
+    ms_nn__sort(order, entries, ms_nn__compare_key, metadata);
+    for (i = 1; i < entries; ++i)
+        if (strcmp(metadata[order[i - 1]].key, metadata[order[i]].key) == 0)
+            return ms__fail(error, MS_INVALID_ARGUMENT, order[i], "the metadata key '%s' stands twice", metadata[order[i]].key);
+    return MS_OK;
+}
+
+static void ms_nn__write_header(ms_nn__writer *w, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+                                size_t entries, const size_t *order)
+{
+    size_t i, offset = 0;
+    int d;
+    w->length = 8;
+    ms_nn__put(w, "{", 1);
+    if (entries) {
+        ms_nn__put(w, "\"__metadata__\":{", 16);
+        for (i = 0; i < entries; ++i) {
+            if (i) ms_nn__put(w, ",", 1);
+            ms_nn__put_string(w, metadata[i].key);
+            ms_nn__put(w, ":", 1);
+            ms_nn__put_string(w, metadata[i].value);
+        }
+        ms_nn__put(w, count ? "}," : "}", count ? 2 : 1);
+    }
+    for (i = 0; i < count; ++i) {
+        const ms_nn_tensor *t = &tensors[order[i]];
+        if (i) ms_nn__put(w, ",", 1);
+        ms_nn__put_string(w, t->name);
+        ms_nn__put(w, ":{\"dtype\":", 10);
+        ms_nn__put_string(w, ms_nn__dtype_name((int)t->dtype));
+        ms_nn__put(w, ",\"shape\":[", 10);
+        for (d = 0; d < t->rank; ++d) {
+            if (d) ms_nn__put(w, ",", 1);
+            ms_nn__put_size(w, t->shape[d]);
+        }
+        ms_nn__put(w, "],\"data_offsets\":[", 18);
+        ms_nn__put_size(w, offset);
+        ms_nn__put(w, ",", 1);
+        offset += t->bytes;
+        ms_nn__put_size(w, offset);
+        ms_nn__put(w, "]}", 2);
+    }
+    ms_nn__put(w, "}", 1);
+    while (w->length % 64) ms_nn__put(w, " ", 1);
+}
+
+MS_NN_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+                                     size_t entries, const ms_allocator *allocator, ms_nn_sink sink, ms_error *error)
+{
+    size_t order_bytes = ms__size_mul(count > entries ? count : entries, sizeof(size_t)), i;
+    size_t *order = (size_t *)ms__alloc(allocator, order_bytes);
+    ms_nn__writer w;
+    ms_status status;
+    if (order == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to sort %z tensors", count);
+    status = ms_nn__write_check(tensors, count, metadata, entries, order, error);
+    if (status == MS_OK) {
+        w.out = NULL;
+        for (i = 0; i < count; ++i) order[i] = i;
+        ms_nn__sort(order, count, ms_nn__compare_given_size, tensors);
+        ms_nn__write_header(&w, tensors, count, metadata, entries, order);
+        if (w.length - 8 > MS_NN_MAX_HEADER) {
+            status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "names and metadata make a header over %d bytes", MS_NN_MAX_HEADER);
+        } else if ((w.out = (char *)ms__alloc(allocator, w.length)) == NULL) {
+            status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a header of %z bytes", w.length);
+        } else {
+            size_t length = w.length;
+            for (i = 0; i < 8; ++i) w.out[i] = (char)(unsigned char)((uint64_t)(length - 8) >> (8 * i) & 0xFF);
+            ms_nn__write_header(&w, tensors, count, metadata, entries, order);
+            if (sink.write(sink.user, w.out, length) != 0) status = MS_IO;
+            ms__release(allocator, w.out, length);
+        }
+        for (i = 0; status == MS_OK && i < count; ++i)
+            if (tensors[order[i]].bytes && sink.write(sink.user, tensors[order[i]].data, tensors[order[i]].bytes) != 0)
+                status = MS_IO;
+        if (status == MS_IO) ms__fail(error, MS_IO, 0, "the sink did not take the file");
+    }
+    ms__release(allocator, order, order_bytes);
+    return status;
+}
+
+/* === layer list === */
+
+/* What a layer does, after reading. */
+typedef enum ms_nn__kind {
+    MS_NN__DENSE, MS_NN__CONV1D, MS_NN__CONV2D, MS_NN__UPSAMPLE1D, MS_NN__UPSAMPLE2D, MS_NN__POOL1D, MS_NN__POOL2D,
+    MS_NN__FLATTEN, MS_NN__ACTIVATE, MS_NN__DROPOUT, MS_NN__ADD, MS_NN__SHARED, MS_NN__KINDS
+} ms_nn__kind;
+
+typedef enum ms_nn__activation {
+    MS_NN__LINEAR, MS_NN__RELU, MS_NN__LEAKY, MS_NN__ELU, MS_NN__TANH, MS_NN__SIGMOID, MS_NN__SOFTPLUS,
+    MS_NN__ACTIVATIONS
+} ms_nn__activation;
+
+/* The fields of a layer in the file; 0 or NULL where the file is silent. */
+typedef struct ms_nn__spec {
+    const char *type, *name, *activation, *padding, *order, *from;
+    size_t units[2], filters[2], kernel[2], stride[2], size[2], factor[2];
+    double alpha, rate;
+    int bias; /* 0: not said, 1: true, 2: false */
+} ms_nn__spec;
+
+typedef enum ms_nn__field_kind { MS_NN__TEXT, MS_NN__COUNTS, MS_NN__REAL, MS_NN__FLAG } ms_nn__field_kind;
+
+typedef struct ms_nn__field {
+    const char *key;
+    ms_nn__field_kind kind;
+    size_t offset;
+    unsigned layers; /* bit k: kind k takes it */
+} ms_nn__field;
+
+#define MS_NN__BIT(kind) (1u << (int)(kind))
+#define MS_NN__WEIGHTED (MS_NN__BIT(MS_NN__DENSE) | MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D))
+#define MS_NN__CONVS (MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D))
+#define MS_NN__POOLS (MS_NN__BIT(MS_NN__POOL1D) | MS_NN__BIT(MS_NN__POOL2D))
+#define MS_NN__UPSAMPLES (MS_NN__BIT(MS_NN__UPSAMPLE1D) | MS_NN__BIT(MS_NN__UPSAMPLE2D))
+#define MS_NN__ACTIVATED (MS_NN__WEIGHTED | MS_NN__BIT(MS_NN__ACTIVATE) | MS_NN__BIT(MS_NN__ADD))
+
+static const char *const ms_nn__kind_name[] = {"dense", "conv1d", "conv2d", "upsample1d", "upsample2d", "maxpool1d",
+                                               "maxpool2d", "flatten", "activation", "dropout", "add",
+                                               "shared_channels"};
+static const char *const ms_nn__activation_name[] = {"linear", "relu", "leaky_relu", "elu", "tanh", "sigmoid",
+                                                     "softplus"};
+
+static const ms_nn__field ms_nn__field_list[] = {
+    {"type", MS_NN__TEXT, offsetof(ms_nn__spec, type), ~0u},
+    {"name", MS_NN__TEXT, offsetof(ms_nn__spec, name), ~0u},
+    {"activation", MS_NN__TEXT, offsetof(ms_nn__spec, activation), MS_NN__ACTIVATED},
+    {"alpha", MS_NN__REAL, offsetof(ms_nn__spec, alpha), MS_NN__ACTIVATED},
+    {"bias", MS_NN__FLAG, offsetof(ms_nn__spec, bias), MS_NN__WEIGHTED},
+    {"units", MS_NN__COUNTS, offsetof(ms_nn__spec, units), MS_NN__BIT(MS_NN__DENSE)},
+    {"filters", MS_NN__COUNTS, offsetof(ms_nn__spec, filters), MS_NN__CONVS},
+    {"kernel", MS_NN__COUNTS, offsetof(ms_nn__spec, kernel), MS_NN__CONVS},
+    {"padding", MS_NN__TEXT, offsetof(ms_nn__spec, padding), MS_NN__CONVS},
+    {"stride", MS_NN__COUNTS, offsetof(ms_nn__spec, stride), MS_NN__CONVS | MS_NN__POOLS},
+    {"size", MS_NN__COUNTS, offsetof(ms_nn__spec, size), MS_NN__POOLS},
+    {"factor", MS_NN__COUNTS, offsetof(ms_nn__spec, factor), MS_NN__UPSAMPLES},
+    {"order", MS_NN__TEXT, offsetof(ms_nn__spec, order), MS_NN__BIT(MS_NN__FLATTEN)},
+    {"rate", MS_NN__REAL, offsetof(ms_nn__spec, rate), MS_NN__BIT(MS_NN__DROPOUT)},
+    {"from", MS_NN__TEXT, offsetof(ms_nn__spec, from), MS_NN__BIT(MS_NN__ADD)}};
+
+static int ms_nn__index_of(const char *const *names, int count, const char *name)
+{
+    int i;
+    for (i = 0; i < count; ++i)
+        if (name != NULL && strcmp(names[i], name) == 0) return i;
+    return -1;
+}
+
+/* A JSON number as a double; enough for slopes and rates: up to 17 digits and a power of ten. */
+static ms_status ms_nn__json_real(ms_nn__json *j, double *value)
+{
+    int negative = ms_nn__take(j, '-'), exponent = 0, shift = 0, digits = 0;
+    double v = 0;
+    ms_nn__space(j);
+    for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p, ++digits) v = v * 10 + (*j->p - '0');
+    if (j->p < j->end && *j->p == '.' && digits)
+        for (++j->p; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p, ++digits, --shift) v = v * 10 + (*j->p - '0');
+    if (digits == 0 || digits > 17) return ms_nn__bad(j, "expected a number of at most 17 digits");
+    if (j->p < j->end && (*j->p == 'e' || *j->p == 'E')) {
+        int minus, any = 0;
+        ++j->p;
+        minus = j->p < j->end && *j->p == '-';
+        if (j->p < j->end && (*j->p == '-' || *j->p == '+')) ++j->p;
+        for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p, any = 1)
+            if (exponent < 1000) exponent = exponent * 10 + (*j->p - '0');
+        if (!any) return ms_nn__bad(j, "expected the digits of an exponent");
+        if (minus) exponent = -exponent;
+    }
+    v *= pow(10.0, (double)(exponent + shift));
+    *value = negative ? -v : v;
+    return MS_OK;
+}
+
+/* n or [n] or [n, m] into out[2]; one number stands for both. */
+static ms_status ms_nn__json_counts(ms_nn__json *j, size_t out[2])
+{
+    ms_status status;
+    int list = ms_nn__take(j, '['), more = 0;
+    if ((status = ms_nn__json_size(j, &out[0])) != MS_OK) return status;
+    out[1] = out[0];
+    if (!list) return MS_OK;
+    if ((status = ms_nn__json_more(j, ']', &more)) != MS_OK || !more) return status;
+    if ((status = ms_nn__json_size(j, &out[1])) != MS_OK) return status;
+    return ms_nn__take(j, ']') ? MS_OK : ms_nn__bad(j, "expected at most two numbers");
+}
+
+/* What the whole layer list becomes. A first pass counts (text, layers, indices), a second one stores. */
+typedef struct ms_nn__list {
+    char *pool;              /* of all strings; NULL while counting */
+    size_t text;
+    int layers;
+    ms_nn__spec *spec;       /* [layers], NULL while counting */
+    ms_nn__kind *kind;       /* [layers] */
+    size_t channels;         /* of shared_channels; 1 without */
+    size_t channel_inputs;   /* indices a channel */
+    size_t *channel_input;   /* [channels][channel_inputs], NULL while counting */
+} ms_nn__list;
+
+/* "inputs":[[0,3],[1,3],[2,3]]: lists of equal length, one a channel. */
+static ms_status ms_nn__list_channels(ms_nn__json *j, ms_nn__list *l)
+{
+    size_t channel, total = 0;
+    int more = 1, inner;
+    ms_status status;
+    if (!ms_nn__take(j, '[')) return ms_nn__bad(j, "inputs must be a list of lists of indices");
+    for (channel = 0; more; ++channel) {
+        size_t n = 0, index;
+        if (!ms_nn__take(j, '[')) return ms_nn__bad(j, "inputs must be a list of lists of indices");
+        for (inner = 1; inner; ++n, ++total) {
+            if ((status = ms_nn__json_size(j, &index)) != MS_OK) return status;
+            if (l->channel_input) l->channel_input[total] = index;
+            if ((status = ms_nn__json_more(j, ']', &inner)) != MS_OK) return status;
+        }
+        if (channel > 0 && n != l->channel_inputs) return ms_nn__bad(j, "the channels must have equally many inputs");
+        l->channel_inputs = n;
+        if ((status = ms_nn__json_more(j, ']', &more)) != MS_OK) return status;
+    }
+    l->channels = channel;
+    return MS_OK;
+}
+
+/* One layer: the type decides which fields are known, so that fields are kept until it is. */
+static ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
+{
+    enum { FIELDS = (int)(sizeof ms_nn__field_list / sizeof ms_nn__field_list[0]) };
+    unsigned seen = 0;
+    int more = 1, f, kind = -1, inputs = 0;
+    ms_nn__spec spec;
+    ms_status status;
+    memset(&spec, 0, sizeof spec);
+    spec.alpha = -1; /* not said */
+    if (!ms_nn__take(j, '{')) return ms_nn__bad(j, "a layer must be an object");
+    if (ms_nn__take(j, '}')) more = 0;
+    while (more) {
+        ms_nn__string key, text;
+        char *none = NULL, *at;
+        if ((status = ms_nn__json_string(j, &none, &key)) != MS_OK) return status;
+        if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
+        for (f = 0; f < FIELDS; ++f)
+            if (ms_nn__is(&key, ms_nn__field_list[f].key)) break;
+        if (f == FIELDS && ms_nn__is(&key, "inputs") && !inputs) {
+            inputs = 1;
+            if (l->layers > 0) return ms_nn__bad(j, "shared_channels must be the first layer");
+            status = ms_nn__list_channels(j, l);
+        } else {
+            if (f == FIELDS) return ms_nn__bad(j, "unknown field of a layer");
+            if (seen & 1u << f) return ms_nn__bad(j, "a field of a layer stands twice");
+            seen |= 1u << f;
+            at = (char *)&spec + ms_nn__field_list[f].offset;
+            switch (ms_nn__field_list[f].kind) {
+            case MS_NN__TEXT:
+                status = ms_nn__json_string(j, &l->pool, &text);
+                l->text += text.length + 1;
+                memcpy(at, &text.text, sizeof text.text);
+                if (f == 0)
+                    for (kind = 0; kind < (int)MS_NN__KINDS; ++kind)
+                        if (ms_nn__is(&text, ms_nn__kind_name[kind])) break;
+                break;
+            case MS_NN__COUNTS: {
+                size_t counts[2] = {0, 0};
+                status = ms_nn__json_counts(j, counts);
+                if (status == MS_OK && (counts[0] == 0 || counts[1] == 0)) return ms_nn__bad(j, "a size of a layer must not be 0");
+                memcpy(at, counts, sizeof counts);
+                break;
+            }
+            case MS_NN__REAL: {
+                double real = 0;
+                status = ms_nn__json_real(j, &real);
+                if (status == MS_OK && !(real >= 0 && real <= 1e30)) return ms_nn__bad(j, "a slope or rate must not be negative");
+                memcpy(at, &real, sizeof real);
+                break;
+            }
+            default: {
+                int yes, flag;
+                ms_nn__space(j);
+                yes = j->end - j->p >= 4 && memcmp(j->p, "true", 4) == 0;
+                flag = yes ? 1 : 2;
+                if (!yes && !(j->end - j->p >= 5 && memcmp(j->p, "false", 5) == 0)) return ms_nn__bad(j, "expected true or false");
+                j->p += yes ? 4 : 5;
+                memcpy(at, &flag, sizeof flag);
+            }
+            }
+        }
+        if (status != MS_OK) return status;
+        if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
+    }
+    if (kind < 0 || kind == (int)MS_NN__KINDS) return ms_nn__bad(j, "a layer has no type that this release knows");
+    for (f = 0; f < FIELDS; ++f)
+        if ((seen & 1u << f) && !(ms_nn__field_list[f].layers & 1u << kind))
+            return ms_nn__bad(j, "a field does not belong to this type of layer");
+    if (inputs != (kind == (int)MS_NN__SHARED)) return ms_nn__bad(j, "inputs and shared_channels belong together");
+    if (l->layers == MS_NN_MAX_LAYERS) return ms_nn__bad(j, "more than 4096 layers");
+    if (l->spec) {
+        l->spec[l->layers] = spec;
+        l->kind[l->layers] = (ms_nn__kind)kind;
+    }
+    l->layers++;
+    return MS_OK;
+}
+
+static ms_status ms_nn__list_read(ms_nn__list *l, const char *text, ms_error *error)
+{
+    ms_nn__json j;
+    int more = 1;
+    ms_status status;
+    j.start = j.p = (const unsigned char *)text;
+    j.end = j.p + strlen(text);
+    j.base = 0;
+    j.error = error;
+    if (!ms_nn__take(&j, '[')) return ms_nn__bad(&j, "ms_nn_layers must be a list");
+    if (ms_nn__take(&j, ']')) more = 0;
+    while (more) {
+        if ((status = ms_nn__list_layer(&j, l)) != MS_OK) return status;
+        if ((status = ms_nn__json_more(&j, ']', &more)) != MS_OK) return status;
+    }
+    ms_nn__space(&j);
+    return j.p == j.end ? MS_OK : ms_nn__bad(&j, "text follows the layer list");
+}
+
+static ms_status ms_nn__shape_read(ms_nn_shape *shape, const char *text, ms_error *error)
+{
+    ms_nn__json j;
+    int more = 1;
+    size_t total = 1;
+    ms_status status;
+    memset(shape, 0, sizeof *shape);
+    j.start = j.p = (const unsigned char *)text;
+    j.end = j.p + strlen(text);
+    j.base = 0;
+    j.error = error;
+    if (!ms_nn__take(&j, '[')) return ms_nn__bad(&j, "ms_nn_input must be a list of sizes");
+    while (more) {
+        if (shape->rank == 3) return ms_nn__bad(&j, "ms_nn_input has more than three sizes");
+        if ((status = ms_nn__json_size(&j, &shape->size[shape->rank])) != MS_OK) return status;
+        total = ms__size_mul(total, shape->size[shape->rank]);
+        if (shape->size[shape->rank++] == 0 || total > SIZE_MAX / 64) return ms_nn__bad(&j, "a size in ms_nn_input is 0 or too large");
+        if ((status = ms_nn__json_more(&j, ']', &more)) != MS_OK) return status;
+    }
+    ms_nn__space(&j);
+    return j.p == j.end ? MS_OK : ms_nn__bad(&j, "text follows ms_nn_input");
+}
+
+/* === plan === */
+
+/* channels x height x width; a signal has height 1, a vector height and width 1. */
+typedef struct ms_nn__dims {
+    size_t c, h, w;
+} ms_nn__dims;
+
+static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
+
+/* A dense layer's matrix where it lies. Rows are cols elements long without padding. */
+typedef struct ms_nn__matrix {
+    const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
+    ms_nn_dtype dtype;                     /* F32, F16, BF16, I8 */
+    size_t rows, cols;
+} ms_nn__matrix;
+
+/* A correlation with its weights packed for the level in use: [block of BLOCK outputs][in channel][tap][BLOCK]. */
+typedef struct ms_nn__conv {
+    ms_nn__dims in, out;
+    size_t kernel[2], stride[2], dilate[2]; /* dilate: the input's elements stand so far apart, zeros between */
+    ptrdiff_t pad[2]; /* zeros above and left of the input; negative: rows and columns that are skipped */
+    const float *packed;
+    const float *bias;       /* [out.c rounded up to blocks], zeros where there is none */
+    const size_t *offset;    /* [taps] from an output's first padded element to the element that tap sees */
+    size_t pitch, plane;     /* floats of a padded row and channel; with stride s, columns 0, s, 2s... come first */
+} ms_nn__conv;
+
+typedef enum ms_nn__step {
+    MS_NN__DO_DENSE, MS_NN__DO_CONV, MS_NN__DO_UPSAMPLE, MS_NN__DO_POOL, MS_NN__DO_TRANSPOSE, MS_NN__DO_ACTIVATE,
+    MS_NN__DO_ADD
+} ms_nn__step;
+
+/* One operation. Operation k reads value k and makes value k + 1; value 0 is the input. */
+typedef struct ms_nn__op {
+    ms_nn__step step;
+    ms_nn__activation activation;
+    float alpha;
+    ms_nn__dims in, out;
+    int layer;             /* in the file's list */
+    int skip;              /* ADD: the other value */
+    size_t size[2], stride[2]; /* POOL; UPSAMPLE: size is the factor */
+    ms_nn__matrix matrix;
+    int phases;            /* CONV: 1, or the factor of an upsampling in front of it */
+    ms_nn__conv *forward;  /* [phases]: phase p makes the outputs p, p + phases, ... of each row */
+    ms_nn__conv *backward; /* [phases]: from output gradients to input gradients */
+} ms_nn__op;
+
+/* Memory that belongs to a network: a list, released with it. */
+typedef struct ms_nn__block {
+    struct ms_nn__block *next;
+    size_t bytes;
+} ms_nn__block;
+
+struct ms_nn {
+    ms_nn_options options;
+    ms_nn_file *file;
+    const void *mapped; /* what ms_nn_load_file made, or NULL */
+    size_t mapped_bytes;
+    int mapped_is_block; /* read into memory rather than mapped */
+    ms_nn__block *blocks;
+    const struct ms_nn__kernels *kernels;
+    ms_simd level;
+    ms_nn_shape input, output; /* as the caller sees them */
+    size_t channels, channel_inputs;
+    const size_t *channel_input; /* [channels][channel_inputs]; channels 1 and NULL without shared_channels */
+    ms_nn__dims inner;           /* what value 0 is */
+    int layers, ops;
+    ms_nn_layer *layer; /* [layers] */
+    ms_nn__op *op;      /* [ops] */
+    size_t *slot;       /* [ops + 1] floats from the start of the values of one sample, when values share memory */
+    size_t *tape;       /* [ops + 1] the same when all values are kept */
+    size_t *skip;       /* [ops + 1] place of the gradient that arrives through ADD; SIZE_MAX: none */
+    size_t slots, tapes, skips; /* floats of one sample */
+};
+
+/* Memory held until the network goes; 64-byte aligned for the kernels' sake; NULL: none left. */
+static void *ms_nn__hold(ms_nn *nn, size_t count, size_t size)
+{
+    size_t bytes = ms__size_add(ms__size_mul(count, size), sizeof(ms_nn__block) + 64);
+    ms_nn__block *b = (ms_nn__block *)ms_nn__alloc(&nn->options, bytes);
+    uintptr_t at;
+    if (b == NULL) return NULL;
+    b->next = nn->blocks;
+    b->bytes = bytes;
+    nn->blocks = b;
+    at = ((uintptr_t)(b + 1) + 63) & ~(uintptr_t)63;
+    return (void *)at;
+}
+
+static ms_nn_shape ms_nn__shape(ms_nn__dims d, int rank)
+{
+    ms_nn_shape s;
+    s.rank = rank;
+    s.size[0] = d.c;
+    s.size[1] = rank == 3 ? d.h : rank == 2 ? d.w : 0;
+    s.size[2] = rank == 3 ? d.w : 0;
+    return s;
+}
+
+/* Tensor <layer>.<part> with the expected shape (0: any size but 0); *tensor NULL if it is absent and may be. */
+static ms_status ms_nn__tensor(const ms_nn *nn, const char *layer, const char *part, int rank, const size_t *shape,
+                               int required, const ms_nn_tensor **tensor, ms_error *error)
+{
+    char name[256];
+    size_t n = strlen(layer), m = strlen(part);
+    int d;
+    *tensor = NULL;
+    if (n + m + 2 > sizeof name) return ms__fail(error, MS_BAD_DATA, 0, "the name of layer '%s' is too long", layer);
+    memcpy(name, layer, n);
+    name[n] = '.';
+    memcpy(name + n + 1, part, m + 1);
+    *tensor = ms_nn_file_find(nn->file, name);
+    if (*tensor == NULL) return required ? ms__fail(error, MS_BAD_DATA, 0, "the tensor '%s' is missing", name) : MS_OK;
+    if ((*tensor)->rank != rank) return ms__fail(error, MS_BAD_DATA, 0, "the tensor '%s' must have %d dimensions", name, rank);
+    for (d = 0; d < rank; ++d)
+        if ((*tensor)->shape[d] == 0 || (shape[d] != 0 && (*tensor)->shape[d] != shape[d]))
+            return ms__fail(error, MS_BAD_DATA, 0, "dimension %d of '%s' is %z, the layer list makes it %z", d, name,
+                            (*tensor)->shape[d], shape[d]);
+    return MS_OK;
+}
+
+/* A tensor as native floats: where it lies if it is that already, else a copy. */
+static const unsigned char *ms_nn__floats(ms_nn *nn, const ms_nn_tensor *t)
+{
+    size_t count = t->bytes / (size_t)(ms_nn__bits(t->dtype) / 8), i;
+    float *copy;
+    if (t->dtype == MS_NN_F32 && !MS_NN__BIG_ENDIAN) return (const unsigned char *)t->data;
+    copy = (float *)ms_nn__hold(nn, count, sizeof(float));
+    for (i = 0; copy && i < count; ++i) copy[i] = (float)ms_nn__element(t->data, t->dtype, i);
+    return (const unsigned char *)copy;
+}
+
+/* The weights of a layer; sizes that the layer list leaves open (0 in shape) are read from the tensor. */
+typedef struct ms_nn__weights {
+    const ms_nn_tensor *weight, *bias, *scale;
+} ms_nn__weights;
+
+static ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape, ms_nn_layer *info,
+                                     ms_nn__weights *w, ms_error *error)
+{
+    const ms_nn_tensor *part[3];
+    ms_status status;
+    int i;
+    size_t macs = 1;
+    if (spec->name == NULL) return ms__fail(error, MS_BAD_DATA, 0, "a %s layer has no name", info->type);
+    if ((status = ms_nn__tensor(nn, spec->name, "weight", rank, shape, 1, &w->weight, error)) != MS_OK) return status;
+    for (i = 0; i < rank; ++i) shape[i] = w->weight->shape[i];
+    if ((status = ms_nn__tensor(nn, spec->name, "bias", 1, shape, spec->bias != 2, &w->bias, error)) != MS_OK) return status;
+    if ((status = ms_nn__tensor(nn, spec->name, "weight_scale", 1, shape, w->weight->dtype == MS_NN_I8, &w->scale, error)) != MS_OK)
+        return status;
+    if (spec->bias == 2 && w->bias) return ms__fail(error, MS_BAD_DATA, 0, "layer '%s' says bias false but has one", spec->name);
+    if (w->scale && w->weight->dtype != MS_NN_I8)
+        return ms__fail(error, MS_BAD_DATA, 0, "'%s.weight_scale' belongs to I8 weights only", spec->name);
+    part[0] = w->weight;
+    part[1] = w->bias;
+    part[2] = w->scale;
+    for (i = 0; i < 3; ++i) {
+        if (part[i] == NULL) continue;
+        if ((int)part[i]->dtype > (i == 0 ? (int)MS_NN_I8 : (int)MS_NN_BF16))
+            return ms__fail(error, MS_UNSUPPORTED, 0, "the tensor '%s' has element type %s", part[i]->name,
+                            ms_nn__dtype_name((int)part[i]->dtype));
+        info->bytes += part[i]->bytes;
+        if (i < 2) info->parameters += part[i]->bytes / (size_t)(ms_nn__bits(part[i]->dtype) / 8);
+    }
+    for (i = 0; i < rank; ++i) macs = ms__size_mul(macs, shape[i]);
+    info->multiply_adds = macs;
+    info->dtype = w->weight->dtype;
+    return MS_OK;
+}
+
+/* Element (row-major index i, in output row) of a weight, its scale applied. */
+static double ms_nn__weight_at(const ms_nn__weights *w, size_t row, size_t i)
+{
+    double x = ms_nn__element(w->weight->data, w->weight->dtype, i);
+    return w->scale ? x * ms_nn__element(w->scale->data, w->scale->dtype, row) : x;
+}
+
+/* Dense weights where they lie; F64 as a float copy; on big-endian hosts a copy in native order. With fold > 1 the
+   columns of the fold_h x fold_w positions that one low-resolution element was copied to are added up (in double,
+   rounded once): W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
+static ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t fold[2], ms_nn__dims low,
+                                   int last, ms_error *error)
+{
+    ms_nn__matrix *m = &op->matrix;
+    size_t rows = w->weight->shape[0], cols = w->weight->shape[1], folds = fold[0] * fold[1], r, c, y, x, i, k;
+    m->rows = rows;
+    m->cols = cols / folds;
+    m->dtype = w->weight->dtype;
+    m->w = (const unsigned char *)w->weight->data;
+    m->scale = m->bias = NULL;
+    if (folds > 1 || m->dtype == MS_NN_F64) {
+        float *copy = (float *)ms_nn__hold(nn, ms__size_mul(rows, m->cols), sizeof(float));
+        if (copy == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
+        m->w = (const unsigned char *)copy;
+        m->dtype = MS_NN_F32;
+        for (r = 0; r < rows; ++r) {
+            if (folds == 1) {
+                for (c = 0; c < cols; ++c) *copy++ = (float)ms_nn__element(w->weight->data, w->weight->dtype, r * cols + c);
+                continue;
+            }
+            for (k = 0; k < m->cols; ++k) {
+                double sum = 0;
+                c = last ? k % low.c : k / (low.h * low.w);
+                i = last ? k / low.c : k % (low.h * low.w);
+                for (y = 0; y < fold[0]; ++y)
+                    for (x = 0; x < fold[1]; ++x) {
+                        size_t at = (i / low.w * fold[0] + y) * low.w * fold[1] + i % low.w * fold[1] + x;
+                        sum += ms_nn__element(w->weight->data, w->weight->dtype,
+                                              r * cols + (last ? at * low.c + c : c * low.h * low.w * folds + at));
+                    }
+                *copy++ = (float)sum;
+            }
+        }
+    } else if (MS_NN__BIG_ENDIAN && m->dtype != MS_NN_I8) {
+        size_t n = w->weight->bytes / (size_t)(ms_nn__bits(m->dtype) / 8);
+        unsigned char *copy = (unsigned char *)ms_nn__hold(nn, w->weight->bytes, 1);
+        if (copy == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
+        for (i = 0; i < n; ++i) {
+            uint32_t wide = m->dtype == MS_NN_F32 ? ms_nn__u32(m->w + 4 * i) : 0;
+            uint16_t narrow = m->dtype == MS_NN_F32 ? (uint16_t)0 : (uint16_t)ms_nn__u16(m->w + 2 * i);
+            if (m->dtype == MS_NN_F32) memcpy(copy + 4 * i, &wide, 4);
+            else memcpy(copy + 2 * i, &narrow, 2);
+        }
+        m->w = copy;
+    }
+    if (w->bias && (m->bias = ms_nn__floats(nn, w->bias)) == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a bias");
+    if (w->scale && (m->scale = ms_nn__floats(nn, w->scale)) == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for scales");
+    return MS_OK;
+}
+
+/* ceil(a / b) and floor(a / b) for b > 0. */
+static ptrdiff_t ms_nn__floor_div(ptrdiff_t a, ptrdiff_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+/* Packs weight(o, c, t) into blocks; block is the level's. at() gives the weight. */
+typedef struct ms_nn__taps {
+    const ms_nn__weights *w;
+    size_t outs, ins, height, width; /* of the tensor */
+    size_t factor, phase;            /* of the upsampling before it; 1, 0 without */
+    ptrdiff_t pad;                   /* left, in upsampled columns */
+    ptrdiff_t first;                 /* first input column, relative to the output column, that this phase sees */
+    int backward;                    /* outputs and inputs exchanged, taps reversed */
+    size_t taps_w;                   /* width of the folded kernel */
+} ms_nn__taps;
+
+/* Folded weight: output column f i + p of a correlation with kernel w over an f-fold upsampled row sees the input
+   columns i + floor((p + k - pad) / f); taps that see the same column are added. */
+static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, size_t x)
+{
+    size_t oo = t->backward ? c : o, cc = t->backward ? o : c, yy = t->backward ? t->height - 1 - y : y;
+    size_t xx = t->backward ? t->taps_w - 1 - x : x, k;
+    double sum = 0;
+    if (t->factor == 1) return ms_nn__weight_at(t->w, oo, ((oo * t->ins + cc) * t->height + yy) * t->width + xx);
+    for (k = 0; k < t->width; ++k)
+        if (ms_nn__floor_div((ptrdiff_t)t->phase + (ptrdiff_t)k - t->pad, (ptrdiff_t)t->factor) - t->first == (ptrdiff_t)xx)
+            sum += ms_nn__weight_at(t->w, oo, ((oo * t->ins + cc) * t->height + yy) * t->width + k);
+    return sum;
+}
+
+/* Geometry of the padded input: as many rows and columns as the outputs see. */
+static int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
+{
+    size_t h = (v->out.h - 1) * v->stride[0] + v->kernel[0], w = (v->out.w - 1) * v->stride[1] + v->kernel[1], s = v->stride[1], y, x;
+    size_t *offset = (size_t *)ms_nn__hold(nn, ms__size_mul(v->kernel[0], v->kernel[1]), sizeof(size_t));
+    if (v->out.w == 0) h = w = 0; /* a phase without outputs */
+    v->pitch = (w + s - 1) / s * s;
+    v->plane = h * v->pitch;
+    v->offset = offset;
+    for (y = 0; offset && y < v->kernel[0]; ++y)
+        for (x = 0; x < v->kernel[1]; ++x) *offset++ = y * v->pitch + x % s * (v->pitch / s) + x / s;
+    return offset != NULL;
+}
+
+static const float *ms_nn__pack(ms_nn *nn, const ms_nn__taps *t, size_t outs, size_t ins, size_t block)
+{
+    size_t blocks = (outs + block - 1) / block, taps = t->height * t->taps_w, b, c, k, o;
+    float *packed = (float *)ms_nn__hold(nn, ms__size_mul(ms__size_mul(blocks, block), ms__size_mul(ins, taps)), sizeof(float));
+    float *p = packed;
+    if (packed == NULL) return NULL;
+    for (b = 0; b < blocks; ++b)
+        for (c = 0; c < ins; ++c)
+            for (k = 0; k < taps; ++k)
+                for (o = b * block; o < (b + 1) * block; ++o)
+                    *p++ = o < outs ? (float)ms_nn__tap(t, o, c, k / t->taps_w, k % t->taps_w) : 0.0f;
+    return packed;
+}
+
+/* The convolutions of an operation, forward and backward, one pair a phase. op->in is the shape before the
+   upsampling by factor that is folded in (1: none). */
+static ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t kernel[2],
+                                  const size_t stride[2], const size_t pad[2], size_t factor, size_t block, ms_error *error)
+{
+    size_t p, blocks = (op->out.c + block - 1) / block, o;
+    float *bias = (float *)ms_nn__hold(nn, ms__size_mul(blocks, block), sizeof(float));
+    float *zeros = (float *)ms_nn__hold(nn, ms__size_add(op->in.c, block), sizeof(float));
+    op->phases = (int)factor;
+    op->forward = (ms_nn__conv *)ms_nn__hold(nn, factor, sizeof(ms_nn__conv));
+    op->backward = (ms_nn__conv *)ms_nn__hold(nn, factor, sizeof(ms_nn__conv));
+    if (!bias || !zeros || !op->forward || !op->backward) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
+    for (o = 0; o < blocks * block; ++o)
+        bias[o] = w->bias && o < op->out.c ? (float)ms_nn__element(w->bias->data, w->bias->dtype, o) : 0.0f;
+    for (o = 0; o < op->in.c + block; ++o) zeros[o] = 0;
+    for (p = 0; p < factor; ++p) {
+        ms_nn__conv *f = &op->forward[p], *b = &op->backward[p];
+        ms_nn__taps t;
+        t.w = w;
+        t.outs = op->out.c;
+        t.ins = op->in.c;
+        t.height = kernel[0];
+        t.width = kernel[1];
+        t.factor = factor;
+        t.phase = p;
+        t.pad = (ptrdiff_t)pad[1];
+        t.first = ms_nn__floor_div((ptrdiff_t)p - t.pad, (ptrdiff_t)factor);
+        t.taps_w = (size_t)(ms_nn__floor_div((ptrdiff_t)(p + kernel[1] - 1) - t.pad, (ptrdiff_t)factor) - t.first + 1);
+        t.backward = 0;
+        memset(f, 0, sizeof *f);
+        f->in = op->in;
+        f->out = op->out;
+        f->out.w = (op->out.w + factor - 1 - p) / factor;
+        f->kernel[0] = kernel[0];
+        f->kernel[1] = t.taps_w;
+        f->stride[0] = stride[0];
+        f->stride[1] = stride[1];
+        f->dilate[0] = f->dilate[1] = 1;
+        f->pad[0] = (ptrdiff_t)pad[0];
+        f->pad[1] = -t.first;
+        f->bias = bias;
+        f->packed = ms_nn__pack(nn, &t, op->out.c, op->in.c, block);
+        /* d/dx of a correlation: the full correlation of the gradient, zeros between its elements where the stride
+           is over 1, with the mirrored kernel */
+        memset(b, 0, sizeof *b);
+        b->in = f->out;
+        b->dilate[0] = stride[0];
+        b->dilate[1] = stride[1];
+        b->out = op->in;
+        b->kernel[0] = f->kernel[0];
+        b->kernel[1] = f->kernel[1];
+        b->stride[0] = b->stride[1] = 1;
+        b->pad[0] = (ptrdiff_t)f->kernel[0] - 1 - f->pad[0];
+        b->pad[1] = (ptrdiff_t)f->kernel[1] - 1 - f->pad[1];
+        t.backward = 1;
+        b->packed = ms_nn__pack(nn, &t, op->in.c, op->out.c, block);
+        b->bias = zeros;
+        if (!f->packed || !b->packed || !ms_nn__conv_geometry(nn, f) || !ms_nn__conv_geometry(nn, b)) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
+    }
+    return MS_OK;
+}
+
+/* Where the builder stands in the layer list. */
+typedef struct ms_nn__build {
+    ms_nn *nn;
+    const ms_nn__list *list;
+    int *value;         /* [layers] value that holds a layer's output */
+    ms_nn__dims now;    /* of the current layer's output, */
+    int rank;
+    ms_nn__dims low;    /* of the last value, which an upsampling that is being folded has not blown up */
+    size_t fold[2];     /* its factors; 1, 1: nothing is being folded */
+    int last;           /* after a flatten: channels run fastest */
+    size_t block;       /* outputs of a convolution's block, by level */
+} ms_nn__build;
+
+static ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__step step, int layer, ms_nn__dims out)
+{
+    ms_nn__op *op = &b->nn->op[b->nn->ops++];
+    memset(op, 0, sizeof *op);
+    op->step = step;
+    op->layer = layer;
+    op->in = b->low;
+    op->out = b->low = out;
+    return op;
+}
+
+static ms_status ms_nn__activation_read(const ms_nn__spec *spec, ms_nn__op *op, ms_nn_layer *info, ms_error *error)
+{
+    int a = spec->activation == NULL ? 0 : strcmp(spec->activation, "leaky") == 0 ? (int)MS_NN__LEAKY
+                                         : ms_nn__index_of(ms_nn__activation_name, MS_NN__ACTIVATIONS, spec->activation);
+    if (a < 0) return ms__fail(error, MS_BAD_DATA, 0, "unknown activation '%s'", spec->activation);
+    op->activation = (ms_nn__activation)a;
+    op->alpha = (float)(spec->alpha >= 0 ? spec->alpha : a == (int)MS_NN__LEAKY ? 0.01 : 1.0);
+    info->activation = ms_nn__activation_name[a];
+    return MS_OK;
+}
+
+/* The next layer that does something, or the end. */
+static int ms_nn__next(const ms_nn__list *l, int i)
+{
+    for (++i; i < l->layers && l->kind[i] == MS_NN__DROPOUT;) ++i;
+    return i;
+}
+
+/* Can the upsampling at layer i go into the weights behind it? */
+static int ms_nn__foldable(const ms_nn__build *b, int i)
+{
+    const ms_nn__list *l = b->list;
+    const ms_nn__spec *s = l->spec;
+    int next = ms_nn__next(l, i), k;
+    if (b->nn->options.no_folds || s[i].factor[0] * s[i].factor[1] > 16 || next == l->layers) return 0;
+    for (k = i; k < l->layers; ++k)
+        if (l->kind[k] == MS_NN__ADD && s[k].from && s[i].name && strcmp(s[k].from, s[i].name) == 0) return 0;
+    if (l->kind[next] == MS_NN__CONV1D) return s[next].stride[0] <= 1 && l->kind[i] == MS_NN__UPSAMPLE1D;
+    if (l->kind[next] != MS_NN__FLATTEN) return 0;
+    for (k = i + 1; k < next; ++k)
+        if (s[k].name) return 0;
+    k = ms_nn__next(l, next);
+    if (s[next].name || k == l->layers || l->kind[k] != MS_NN__DENSE || s[k].name == NULL) return 0;
+    {
+        const ms_nn_tensor *t;
+        ms_nn__tensor(b->nn, s[k].name, "weight", -1, NULL, 0, &t, NULL);
+        return t == NULL || t->dtype <= MS_NN_F32;
+    }
+}
+
+static ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
+{
+    const ms_nn__spec *s = &b->list->spec[i];
+    ms_nn__weights w;
+    ms_nn__dims low = b->low, out;
+    ms_nn__op *op;
+    size_t shape[2];
+    ms_status status;
+    if (b->rank != 1) return ms__fail(error, MS_BAD_DATA, 0, "dense layer %d needs a vector: put a flatten before it", i);
+    shape[0] = s->units[0];
+    shape[1] = b->now.c;
+    if ((status = ms_nn__weights_find(b->nn, s, 2, shape, info, &w, error)) != MS_OK) return status;
+    out.c = shape[0];
+    out.h = out.w = 1;
+    op = ms_nn__op_add(b, MS_NN__DO_DENSE, i, out);
+    if ((status = ms_nn__activation_read(s, op, info, error)) != MS_OK) return status;
+    status = ms_nn__dense_make(b->nn, op, &w, b->fold, low, b->last, error);
+    info->folded = b->fold[0] * b->fold[1] > 1;
+    b->fold[0] = b->fold[1] = 1;
+    b->now = out;
+    return status;
+}
+
+static ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
+{
+    const ms_nn__spec *s = &b->list->spec[i];
+    int two = b->list->kind[i] == MS_NN__CONV2D, same;
+    size_t shape[4], kernel[2], stride[2], pad[2] = {0, 0}, extent[2];
+    ms_nn__weights w;
+    ms_nn__dims out;
+    ms_nn__op *op;
+    ms_status status;
+    int d;
+    if (b->rank != (two ? 3 : 2))
+        return ms__fail(error, MS_BAD_DATA, 0, two ? "conv2d layer %d needs channels, height, width" : "conv1d layer %d needs channels, length", i);
+    if (s->padding && strcmp(s->padding, "same") && strcmp(s->padding, "valid"))
+        return ms__fail(error, MS_BAD_DATA, 0, "padding must be same or valid, not '%s'", s->padding);
+    same = s->padding && s->padding[0] == 's';
+    shape[0] = s->filters[0];
+    shape[1] = b->now.c;
+    shape[2] = s->kernel[0];
+    shape[3] = s->kernel[1];
+    if ((status = ms_nn__weights_find(b->nn, s, two ? 4 : 3, shape, info, &w, error)) != MS_OK) return status;
+    kernel[0] = two ? shape[2] : 1;
+    kernel[1] = two ? shape[3] : shape[2];
+    stride[0] = two && s->stride[0] ? s->stride[0] : 1;
+    stride[1] = two ? (s->stride[1] ? s->stride[1] : 1) : s->stride[0] ? s->stride[0] : 1;
+    extent[0] = b->now.h;
+    extent[1] = b->now.w;
+    for (d = 0; d < 2; ++d) {
+        if (same) pad[d] = (kernel[d] - 1) / 2;
+        else if (extent[d] < kernel[d])
+            return ms__fail(error, MS_BAD_DATA, 0, "the kernel of layer %d has %z, its input only %z", i, kernel[d], extent[d]);
+        extent[d] = ((same ? extent[d] - 1 : extent[d] - kernel[d]) / stride[d]) + 1;
+    }
+    out.c = shape[0];
+    out.h = extent[0];
+    out.w = extent[1];
+    op = ms_nn__op_add(b, MS_NN__DO_CONV, i, out);
+    if ((status = ms_nn__activation_read(s, op, info, error)) != MS_OK) return status;
+    status = ms_nn__conv_make(b->nn, op, &w, kernel, stride, pad, b->fold[1], b->block, error);
+    info->multiply_adds = ms__size_mul(info->multiply_adds, out.h * out.w);
+    info->folded = b->fold[1] > 1;
+    b->fold[0] = b->fold[1] = 1;
+    b->now = out;
+    return status;
+}
+
+static ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_error *error)
+{
+    const ms_nn__spec *s = &b->list->spec[i];
+    ms_nn__kind kind = b->list->kind[i];
+    int two = kind == MS_NN__UPSAMPLE2D || kind == MS_NN__POOL2D, up = kind == MS_NN__UPSAMPLE1D || kind == MS_NN__UPSAMPLE2D, d;
+    const size_t *given = up ? s->factor : s->size;
+    size_t size[2], stride[2], extent[2];
+    ms_nn__dims out = b->now;
+    ms_nn__op *op;
+    if (b->rank != (two ? 3 : 2))
+        return ms__fail(error, MS_BAD_DATA, 0, two ? "layer %d needs channels, height, width" : "layer %d needs channels, length", i);
+    for (d = 0; d < 2; ++d) {
+        int on = two || d == 1;
+        size[d] = !on ? 1 : given[two ? d : 0] ? given[two ? d : 0] : 2;
+        stride[d] = !on ? 1 : s->stride[two ? d : 0] ? s->stride[two ? d : 0] : size[d];
+        extent[d] = d == 0 ? b->now.h : b->now.w;
+        if (up) extent[d] = ms__size_mul(extent[d], size[d]);
+        else if (extent[d] < size[d])
+            return ms__fail(error, MS_BAD_DATA, 0, "the pool of layer %d takes %z, its input has only %z", i, size[d], extent[d]);
+        else extent[d] = (extent[d] - size[d]) / stride[d] + 1;
+    }
+    out.h = extent[0];
+    out.w = extent[1];
+    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
+        return ms__fail(error, MS_BAD_DATA, 0, "the output of layer %d is too large", i);
+    b->now = out;
+    if (up && ms_nn__foldable(b, i)) {
+        b->fold[0] = size[0];
+        b->fold[1] = size[1];
+        return MS_OK;
+    }
+    op = ms_nn__op_add(b, up ? MS_NN__DO_UPSAMPLE : MS_NN__DO_POOL, i, out);
+    op->size[0] = size[0];
+    op->size[1] = size[1];
+    op->stride[0] = stride[0];
+    op->stride[1] = stride[1];
+    return MS_OK;
+}
+
+static ms_status ms_nn__build_flatten(ms_nn__build *b, int i, ms_error *error)
+{
+    const char *order = b->list->spec[i].order;
+    int last = order != NULL && strcmp(order, "channels_last") == 0;
+    if (order != NULL && !last && strcmp(order, "channels_first"))
+        return ms__fail(error, MS_BAD_DATA, 0, "flatten order must be channels_first or channels_last, not '%s'", order);
+    if (last && b->low.c > 1 && b->low.h * b->low.w > 1) ms_nn__op_add(b, MS_NN__DO_TRANSPOSE, i, b->low);
+    b->last = last;
+    b->now.c = ms_nn__count(b->now);
+    b->now.h = b->now.w = 1;
+    b->rank = 1;
+    return MS_OK;
+}
+
+static ms_status ms_nn__build_add(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
+{
+    const ms_nn__spec *s = &b->list->spec[i];
+    ms_nn__op *op;
+    ms_nn__dims out;
+    int k, from = -1;
+    if (s->from && strcmp(s->from, "input") == 0) from = 0;
+    for (k = 0; k < i; ++k)
+        if (s->from && b->list->spec[k].name && strcmp(s->from, b->list->spec[k].name) == 0) from = b->value[k];
+    if (from < 0) return ms__fail(error, MS_BAD_DATA, 0, "layer %d adds '%s', which no layer before it is named", i, s->from ? s->from : "");
+    out = from == 0 ? b->nn->inner : b->nn->op[from - 1].out;
+    if (ms_nn__count(out) != ms_nn__count(b->now) || (b->rank > 1 && (out.c != b->now.c || out.h != b->now.h)))
+        return ms__fail(error, MS_BAD_DATA, 0, "layer %d adds '%s', which has another shape", i, s->from);
+    op = ms_nn__op_add(b, MS_NN__DO_ADD, i, b->now);
+    op->skip = from;
+    return ms_nn__activation_read(s, op, info, error);
+}
+
+static ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error *error)
+{
+    const ms_nn__spec *s = &b->list->spec[i];
+    ms_nn_layer *info = &b->nn->layer[i];
+    ms_status status = MS_OK;
+    memset(info, 0, sizeof *info);
+    info->type = ms_nn__kind_name[(int)b->list->kind[i]];
+    info->name = s->name ? s->name : "";
+    info->activation = "";
+    info->dtype = MS_NN_DTYPE_COUNT;
+    switch (b->list->kind[i]) {
+    case MS_NN__DENSE: status = ms_nn__build_dense(b, i, info, error); break;
+    case MS_NN__CONV1D:
+    case MS_NN__CONV2D: status = ms_nn__build_conv(b, i, info, error); break;
+    case MS_NN__UPSAMPLE1D:
+    case MS_NN__UPSAMPLE2D:
+        status = ms_nn__build_resize(b, i, error);
+        info->folded = b->fold[0] * b->fold[1] > 1;
+        break;
+    case MS_NN__POOL1D:
+    case MS_NN__POOL2D: status = ms_nn__build_resize(b, i, error); break;
+    case MS_NN__FLATTEN: status = ms_nn__build_flatten(b, i, error); break;
+    case MS_NN__ADD: status = ms_nn__build_add(b, i, info, error); break;
+    case MS_NN__ACTIVATE: status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__DO_ACTIVATE, i, b->low), info, error); break;
+    case MS_NN__DROPOUT:
+        if (s->rate >= 1) status = ms__fail(error, MS_BAD_DATA, 0, "the rate of dropout layer %d must be below 1", i);
+        break;
+    default: break; /* shared_channels: done before the first layer */
+    }
+    info->output = ms_nn__shape(b->now, b->rank);
+    b->value[i] = b->nn->ops;
+    return status;
+}
+
+/* Where values live. Shared memory: a value may take a slot whose last reader has run. The gradient of a value lives
+   as long as the value, seen backwards, so that the same slots serve both. */
+static ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
+{
+    size_t n = (size_t)nn->ops + 1, used = 0, v, s, at = 0;
+    size_t *size = (size_t *)ms_nn__hold(nn, 3 * n, sizeof(size_t)), *owner, *last;
+    nn->slot = (size_t *)ms_nn__hold(nn, 3 * n, sizeof(size_t));
+    if (size == NULL || nn->slot == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the plan");
+    owner = size + n;
+    last = owner + n;
+    nn->tape = nn->slot + n;
+    nn->skip = nn->tape + n;
+    for (v = 0; v < n; ++v) {
+        last[v] = v;
+        nn->skip[v] = SIZE_MAX;
+    }
+    for (v = 0; v + 1 < n; ++v)
+        if (nn->op[v].step == MS_NN__DO_ADD) last[nn->op[v].skip] = v;
+    for (v = 0; v < n; ++v) {
+        size_t floats = ms_nn__count(v ? nn->op[v - 1].out : nn->inner);
+        nn->tape[v] = nn->tapes;
+        nn->tapes = ms__size_add(nn->tapes, floats);
+        if (last[v] > v) {
+            nn->skip[v] = nn->skips;
+            nn->skips = ms__size_add(nn->skips, floats);
+        }
+        for (s = 0; s < used; ++s)
+            if (last[owner[s]] + 1 < v) break; /* operation last[] has run before v - 1, which makes v */
+        if (s == used) size[used++] = 0;
+        if (floats > size[s]) size[s] = floats;
+        owner[s] = v;
+        nn->slot[v] = s;
+    }
+    for (s = 0; s < used; ++s) {
+        owner[s] = at;
+        at = ms__size_add(at, size[s]);
+    }
+    for (v = 0; v < n; ++v) nn->slot[v] = owner[nn->slot[v]];
+    nn->slots = at;
+    if (at == SIZE_MAX || nn->tapes == SIZE_MAX) return ms__fail(error, MS_UNSUPPORTED, 0, "the network's values exceed the address space");
+    return MS_OK;
+}
+
+static const struct ms_nn__kernels *ms_nn__kernels_for(ms_simd level);
+static size_t ms_nn__block_of(const struct ms_nn__kernels *kernels);
+
+/* The input of one evaluation: a channel's share with shared_channels, else the whole. */
+static ms_status ms_nn__build_input(ms_nn__build *b, ms_error *error)
+{
+    ms_nn *nn = b->nn;
+    size_t i;
+    b->rank = nn->input.rank;
+    b->now.c = nn->input.size[0];
+    b->now.h = b->rank == 3 ? nn->input.size[1] : 1;
+    b->now.w = b->rank == 1 ? 1 : nn->input.size[b->rank - 1];
+    nn->channels = 1;
+    if (b->list->channels > 0) {
+        nn->channels = b->list->channels;
+        nn->channel_inputs = b->list->channel_inputs;
+        nn->channel_input = b->list->channel_input;
+        for (i = 0; i < nn->channels * nn->channel_inputs; ++i)
+            if (nn->channel_input[i] >= ms_nn__count(b->now))
+                return ms__fail(error, MS_BAD_DATA, 0, "shared_channels names input %z of %z", nn->channel_input[i], ms_nn__count(b->now));
+        b->rank = 1;
+        b->now.c = nn->channel_inputs;
+        b->now.h = b->now.w = 1;
+    }
+    b->low = nn->inner = b->now;
+    b->fold[0] = b->fold[1] = 1;
+    return MS_OK;
+}
+
+static ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_error *error)
+{
+    ms_nn__list l;
+    ms_nn__build b;
+    ms_status status;
+    size_t n;
+    int i;
+    memset(&l, 0, sizeof l);
+    memset(&b, 0, sizeof b);
+    if ((status = ms_nn__list_read(&l, layers, error)) != MS_OK) return status;
+    n = (size_t)l.layers;
+    l.spec = (ms_nn__spec *)ms_nn__hold(nn, n, sizeof *l.spec);
+    l.kind = (ms_nn__kind *)ms_nn__hold(nn, n, sizeof *l.kind);
+    l.channel_input = (size_t *)ms_nn__hold(nn, ms__size_mul(l.channels, l.channel_inputs), sizeof(size_t));
+    l.pool = (char *)ms_nn__hold(nn, l.text + 1, 1);
+    b.value = (int *)ms_nn__hold(nn, n, sizeof(int));
+    nn->layer = (ms_nn_layer *)ms_nn__hold(nn, n, sizeof *nn->layer);
+    nn->op = (ms_nn__op *)ms_nn__hold(nn, n + 1, sizeof *nn->op);
+    if (!l.spec || !l.kind || !l.channel_input || !l.pool || !b.value || !nn->layer || !nn->op)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z layers", n);
+    l.layers = 0;
+    l.channels = l.channel_inputs = 0;
+    ms_nn__list_read(&l, layers, NULL);
+    nn->layers = l.layers;
+    b.nn = nn;
+    b.list = &l;
+    b.block = ms_nn__block_of(nn->kernels);
+    status = ms_nn__build_input(&b, error);
+    for (i = 0; status == MS_OK && i < l.layers; ++i) status = ms_nn__build_layer(&b, i, error);
+    if (status != MS_OK) return status;
+    if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__DO_ACTIVATE, 0, b.low); /* nothing to do is a copy */
+    nn->output = ms_nn__shape(b.now, b.rank);
+    if (nn->channels > 1 || nn->channel_input) {
+        nn->output.rank = 2;
+        nn->output.size[1] = ms_nn__count(b.now);
+        nn->output.size[0] = nn->channels;
+    }
+    return ms_nn__plan(nn, error);
+}
+
+MS_NN_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error)
+{
+    ms_nn_options o = options ? *options : ms_nn_defaults();
+    ms_nn_file *file = NULL;
+    ms_nn *made;
+    const char *version, *input, *layers, *format;
+    ms_status status;
+    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn must not be NULL");
+    if ((status = ms_nn_file_open(bytes, size, &o, &file, error)) != MS_OK) return status;
+    made = (ms_nn *)ms_nn__alloc(&o, sizeof *made);
+    if (made == NULL) {
+        ms_nn_file_close(file);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a network");
+    }
+    memset(made, 0, sizeof *made);
+    made->options = o;
+    made->file = file;
+    made->level = ms__simd_pick(o.simd);
+    made->kernels = ms_nn__kernels_for(made->level);
+    format = ms_nn_file_metadata(file, "format");
+    version = ms_nn_file_metadata(file, "ms_nn_version");
+    input = ms_nn_file_metadata(file, "ms_nn_input");
+    layers = ms_nn_file_metadata(file, "ms_nn_layers");
+    if (version == NULL || input == NULL || layers == NULL)
+        status = ms__fail(error, MS_BAD_DATA, 8, "the file has no ms_nn_version, ms_nn_input or ms_nn_layers in its metadata");
+    else if (strcmp(version, "1"))
+        status = ms__fail(error, MS_UNSUPPORTED, 8, "ms_nn_version is '%s'; this release reads 1", version);
+    else if (format && strcmp(format, "pt"))
+        status = ms__fail(error, MS_UNSUPPORTED, 8, "format is '%s'; weights must have PyTorch's layout, pt", format);
+    else if ((status = ms_nn__shape_read(&made->input, input, error)) == MS_OK)
+        status = ms_nn__build_all(made, layers, error);
+    if (status != MS_OK) ms_nn_destroy(made);
+    else *nn = made;
+    return status;
+}
+
+/* === run === */
+
+/* Rows of y_b = W x_b + bias, one b a sample; or their transpose, g_x = W' g_y. */
+typedef struct ms_nn__dense {
+    const ms_nn__matrix *m;
+    int batch;
+    const float *x;      /* [batch][cols]; backward: output gradients [batch][rows] */
+    float *y;            /* [batch][rows]; backward: partial sums [parts][batch][cols] */
+    int linear;          /* no bias, no activation: products with directions */
+    ms_nn__activation activation;
+    float alpha;
+    size_t chunk_rows, chunk_cols, col_chunks; /* of a task */
+    const struct ms_nn__digits *digits;        /* [batch], I8 only */
+    const struct ms_nn__kernels *kernels;
+} ms_nn__dense;
+
+/* An input of an I8 layer in fixed point: x = unit (16384 d0 + 128 d1 + d2), digits in [-64, 63]. The products of
+   digits with 8-bit weights are summed as integers, so that every level and order gives the same sum. */
+typedef struct ms_nn__digits {
+    double unit;             /* NaN where x has a NaN or an infinity */
+    const signed char *d[3]; /* [cols rounded up to 64], zeros behind the end */
+    const int32_t *sum[3];   /* of the digits of each run of MS_NN__RUN columns */
+} ms_nn__digits;
+
+#define MS_NN__RUN 65536 /* columns that an int32 sum of 255 * 64 a column holds */
+#define MS_NN__DIGIT_MAX 1040319.0 /* 63 * (16384 + 128 + 1) */
+
+/* One convolution of one sample. */
+typedef struct ms_nn__conv_job {
+    const ms_nn__conv *conv;
+    const float *x;      /* [in.c] planes of x_plane floats, rows of x_row, elements x_step apart */
+    size_t x_plane, x_row, x_step;
+    float *padded;       /* [in.c][plane], then room for a tile of loads beyond the end */
+    float *y;            /* [out.c] planes */
+    size_t y_plane, y_row, y_step;
+    int accumulate;      /* add to y */
+    int linear;
+    ms_nn__activation activation;
+    float alpha;
+    size_t chunk;        /* channels or (row, block) items of a task */
+    const struct ms_nn__kernels *kernels;
+} ms_nn__conv_job;
+
+#define MS_NN__OVERRUN 64 /* floats that a tile may load behind the end of the padded input */
+
+/* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
+typedef struct ms_nn__kernels {
+    size_t block; /* outputs that a convolution computes together */
+    void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
+    void (*dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out);
+    void (*conv)(const ms_nn__conv_job *job, size_t item0, size_t item1);
+    void (*activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
+    void (*derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha);
+    void (*pool2)(const float *x, size_t row, float *y, size_t n);
+} ms_nn__kernels;
+
+static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->block; }
+
+static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
+
+/* How large a task is: enough to hide the cost of handing it out. The sizes depend on the problem alone. */
+#define MS_NN__TASK_BYTES 262144u /* of streamed weights */
+#define MS_NN__TASK_MACS 1000000u
+
+/* Runs task over count items in chunks; the context holds the chunk's size. */
+static void ms_nn__chunks(const ms_nn *nn, size_t count, size_t *chunk, void (*task)(void *, int), void *context)
+{
+    if (*chunk < 1) *chunk = 1;
+    while ((count + *chunk - 1) / *chunk > 1000000) *chunk *= 2; /* task numbers are int */
+    ms__run(&nn->options.parallel, (int)((count + *chunk - 1) / *chunk), task, context);
+}
+
+static void ms_nn__dense_task(void *context, int index)
+{
+    const ms_nn__dense *job = (const ms_nn__dense *)context;
+    size_t row0 = (size_t)index * job->chunk_rows, row1 = ms_nn__min(row0 + job->chunk_rows, job->m->rows);
+    int b;
+    job->kernels->dense(job, row0, row1);
+    if (!job->linear && job->activation != MS_NN__LINEAR)
+        for (b = 0; b < job->batch; ++b)
+            job->kernels->activate(job->y + (size_t)b * job->m->rows + row0, row1 - row0, job->activation, job->alpha);
+}
+
+static size_t ms_nn__digit_cols(size_t cols) { return (cols + 63) / 64 * 64; }
+static size_t ms_nn__digit_runs(size_t cols) { return (cols + MS_NN__RUN - 1) / MS_NN__RUN; }
+
+/* Bytes of the digits of batch inputs. */
+static size_t ms_nn__digits_size(size_t cols, size_t batch)
+{
+    size_t one = ms__size_add(ms__size_mul(3, ms_nn__digit_cols(cols)), 3 * ms_nn__digit_runs(cols) * sizeof(int32_t));
+    return ms__size_mul(ms__size_add(one, sizeof(ms_nn__digits)), batch);
+}
+
+/* q = round(x / unit) with unit = max |x| / DIGIT_MAX, cut into three balanced digits. */
+static void ms_nn__digits_make(ms_nn__digits *digits, signed char *d, int32_t *sum, const float *x, size_t cols)
+{
+    size_t wide = ms_nn__digit_cols(cols), runs = ms_nn__digit_runs(cols), i;
+    double largest = 0, factor;
+    int k, finite = 1;
+    for (i = 0; i < cols; ++i) {
+        double a = fabs((double)x[i]);
+        if (!ms__finite_f(x[i])) finite = 0;
+        else if (a > largest) largest = a;
+    }
+    for (k = 0; k < 3; ++k) {
+        digits->d[k] = d + (size_t)k * wide;
+        digits->sum[k] = sum + (size_t)k * runs;
+    }
+    memset(d, 0, 3 * wide);
+    memset(sum, 0, 3 * runs * sizeof *sum);
+    digits->unit = finite ? largest / MS_NN__DIGIT_MAX : (double)ms_nn__float_of(0x7fc00000u);
+    if (!finite || !(largest > 0)) return;
+    factor = MS_NN__DIGIT_MAX / largest;
+    for (i = 0; i < cols; ++i) {
+        double scaled = (double)x[i] * factor;
+        int32_t q = (int32_t)(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
+        for (k = 2; k >= 0; --k) {
+            int32_t low = ((q + 64) & 127) - 64;
+            d[(size_t)k * wide + i] = (signed char)low;
+            sum[(size_t)k * runs + i / MS_NN__RUN] += low;
+            q = (q - low) / 128;
+        }
+    }
+}
+
+static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y, int linear, void *scratch)
+{
+    const ms_nn__matrix *m = &op->matrix;
+    ms_nn__dense job;
+    memset(&job, 0, sizeof job);
+    job.m = m;
+    job.batch = batch;
+    job.x = x;
+    job.y = y;
+    job.linear = linear;
+    job.activation = op->activation;
+    job.alpha = op->alpha;
+    job.kernels = nn->kernels;
+    if (m->dtype == MS_NN_I8) {
+        size_t n = (size_t)batch, wide = ms_nn__digit_cols(m->cols), runs = ms_nn__digit_runs(m->cols), b;
+        ms_nn__digits *digits = (ms_nn__digits *)scratch;
+        int32_t *sum = (int32_t *)(void *)(digits + n);
+        signed char *d = (signed char *)(sum + 3 * runs * n);
+        for (b = 0; b < n; ++b)
+            ms_nn__digits_make(&digits[b], d + 3 * wide * b, sum + 3 * runs * b, x + b * m->cols, m->cols);
+        job.digits = digits;
+    }
+    job.chunk_rows = MS_NN__TASK_BYTES / (m->cols * (size_t)(ms_nn__bits(m->dtype) / 8) * (size_t)batch) + 1;
+    ms_nn__chunks(nn, m->rows, &job.chunk_rows, ms_nn__dense_task, &job);
+}
+
+static void ms_nn__dense_back_task(void *context, int index)
+{
+    const ms_nn__dense *job = (const ms_nn__dense *)context;
+    size_t part = (size_t)index / job->col_chunks, col0 = (size_t)index % job->col_chunks * job->chunk_cols;
+    size_t row0 = part * job->chunk_rows;
+    job->kernels->dense_back(job, row0, ms_nn__min(row0 + job->chunk_rows, job->m->rows), col0,
+                             ms_nn__min(col0 + job->chunk_cols, job->m->cols), job->y + part * (size_t)job->batch * job->m->cols);
+}
+
+/* A wide matrix is cut into stripes of columns, a narrow one into parts of rows whose sums are added in order. */
+#define MS_NN__STRIPE 4096u
+static size_t ms_nn__back_parts(const ms_nn__matrix *m)
+{
+    size_t parts = m->cols >= MS_NN__STRIPE ? 1 : (m->rows + 4095) / 4096;
+    return parts < 64 ? parts : 64;
+}
+
+static void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *op, int batch, const float *g_y, float *g_x, void *scratch)
+{
+    const ms_nn__matrix *m = &op->matrix;
+    size_t parts = ms_nn__back_parts(m), n = (size_t)batch * m->cols, p, i;
+    ms_nn__dense job;
+    memset(&job, 0, sizeof job);
+    job.m = m;
+    job.batch = batch;
+    job.x = g_y;
+    job.y = parts == 1 ? g_x : (float *)scratch;
+    job.kernels = nn->kernels;
+    job.chunk_rows = (m->rows + parts - 1) / parts;
+    job.chunk_cols = MS_NN__STRIPE;
+    job.col_chunks = (m->cols + MS_NN__STRIPE - 1) / MS_NN__STRIPE;
+    memset(job.y, 0, parts * n * sizeof(float));
+    ms__run(&nn->options.parallel, (int)(parts * job.col_chunks), ms_nn__dense_back_task, &job);
+    if (parts == 1) return;
+    for (i = 0; i < n; ++i) {
+        float sum = job.y[i];
+        for (p = 1; p < parts; ++p) sum += job.y[p * n + i];
+        g_x[i] = sum;
+    }
+}
+
+/* Copies channels into the padded input: zeros around, zeros between dilated elements, columns sorted by their
+   remainder modulo the stride. */
+static void ms_nn__pad_task(void *context, int index)
+{
+    const ms_nn__conv_job *job = (const ms_nn__conv_job *)context;
+    const ms_nn__conv *v = job->conv;
+    size_t c = (size_t)index * job->chunk, c1 = ms_nn__min(c + job->chunk, v->in.c), rows = v->pitch ? v->plane / v->pitch : 0;
+    size_t s = v->stride[1], wide = v->pitch / s, y, x;
+    for (; c < c1; ++c) {
+        for (y = 0; y < rows; ++y) {
+            float *to = job->padded + c * v->plane + y * v->pitch;
+            ptrdiff_t from_y = (ptrdiff_t)y - v->pad[0];
+            const float *from;
+            size_t left, count;
+            memset(to, 0, v->pitch * sizeof(float));
+            if (from_y < 0 || (size_t)from_y % v->dilate[0] || (size_t)from_y / v->dilate[0] >= v->in.h) continue;
+            from = job->x + c * job->x_plane + (size_t)from_y / v->dilate[0] * job->x_row;
+            if (s == 1 && v->dilate[1] == 1 && job->x_step == 1) {
+                left = v->pad[1] > 0 ? (size_t)v->pad[1] : 0;
+                if (v->pad[1] < 0) from += -v->pad[1];
+                count = v->in.w - (v->pad[1] < 0 ? ms_nn__min((size_t)-v->pad[1], v->in.w) : 0);
+                if (left < v->pitch) memcpy(to + left, from, ms_nn__min(count, v->pitch - left) * sizeof(float));
+                continue;
+            }
+            for (x = 0; x < v->in.w; ++x) {
+                ptrdiff_t at = (ptrdiff_t)(x * v->dilate[1]) + v->pad[1];
+                if (at >= 0 && (size_t)at < v->pitch) to[(size_t)at % s * wide + (size_t)at / s] = from[x * job->x_step];
+            }
+        }
+    }
+}
+
+static void ms_nn__conv_task(void *context, int index)
+{
+    const ms_nn__conv_job *job = (const ms_nn__conv_job *)context;
+    size_t block = job->kernels->block, items = (job->conv->out.c + block - 1) / block * job->conv->out.h;
+    size_t first = (size_t)index * job->chunk;
+    job->kernels->conv(job, first, ms_nn__min(first + job->chunk, items));
+}
+
+/* Floats of the padded input of a convolution, with the room behind it. */
+static size_t ms_nn__conv_scratch(const ms_nn__conv *v) { return ms__size_add(ms__size_mul(v->in.c, v->plane), MS_NN__OVERRUN); }
+
+static void ms_nn__run_conv(const ms_nn *nn, ms_nn__conv_job *job)
+{
+    const ms_nn__conv *v = job->conv;
+    size_t macs = v->out.w * v->in.c * v->kernel[0] * v->kernel[1] * nn->kernels->block, items;
+    if (v->out.w == 0) return;
+    job->kernels = nn->kernels;
+    memset(job->padded + v->in.c * v->plane, 0, MS_NN__OVERRUN * sizeof(float));
+    job->chunk = 65536 / (v->plane + 1) + 1;
+    ms_nn__chunks(nn, v->in.c, &job->chunk, ms_nn__pad_task, job);
+    items = (v->out.c + nn->kernels->block - 1) / nn->kernels->block * v->out.h;
+    job->chunk = MS_NN__TASK_MACS / macs + 1;
+    ms_nn__chunks(nn, items, &job->chunk, ms_nn__conv_task, job);
+}
+
+static void ms_nn__conv_forward(const ms_nn *nn, const ms_nn__op *op, const float *x, float *y, int linear, void *scratch)
+{
+    int p;
+    for (p = 0; p < op->phases; ++p) {
+        ms_nn__conv_job job;
+        memset(&job, 0, sizeof job);
+        job.conv = &op->forward[p];
+        job.x = x;
+        job.x_plane = op->in.h * op->in.w;
+        job.x_row = op->in.w;
+        job.x_step = 1;
+        job.padded = (float *)scratch;
+        job.y = y + p;
+        job.y_plane = op->out.h * op->out.w;
+        job.y_row = op->out.w;
+        job.y_step = (size_t)op->phases;
+        job.linear = linear;
+        job.activation = op->phases == 1 ? op->activation : MS_NN__LINEAR;
+        job.alpha = op->alpha;
+        ms_nn__run_conv(nn, &job);
+    }
+    if (op->phases > 1 && !linear) nn->kernels->activate(y, ms_nn__count(op->out), op->activation, op->alpha);
+}
+
+static void ms_nn__conv_backward(const ms_nn *nn, const ms_nn__op *op, const float *g_y, float *g_x, void *scratch)
+{
+    int p;
+    for (p = 0; p < op->phases; ++p) {
+        ms_nn__conv_job job;
+        if (op->forward[p].out.w == 0) continue;
+        memset(&job, 0, sizeof job);
+        job.conv = &op->backward[p];
+        job.x = g_y + p;
+        job.x_plane = op->out.h * op->out.w;
+        job.x_row = op->out.w;
+        job.x_step = (size_t)op->phases;
+        job.padded = (float *)scratch;
+        job.y = g_x;
+        job.y_plane = op->in.h * op->in.w;
+        job.y_row = op->in.w;
+        job.y_step = 1;
+        job.accumulate = p > 0;
+        job.linear = 1;
+        ms_nn__run_conv(nn, &job);
+    }
+}
+
+/* The first maximum of a window, or its first NaN. */
+static size_t ms_nn__pool_at(const ms_nn__op *op, const float *x, size_t c, size_t y, size_t z)
+{
+    size_t best = 0, i, j;
+    for (i = 0; i < op->size[0]; ++i)
+        for (j = 0; j < op->size[1]; ++j) {
+            size_t at = (c * op->in.h + y * op->stride[0] + i) * op->in.w + z * op->stride[1] + j;
+            if (i + j == 0) best = at;
+            else if (x[at] > x[best] || (x[at] != x[at] && x[best] == x[best])) best = at;
+        }
+    return best;
+}
+
+/* point: the values the maxima are taken of; x: what is picked (the same, or a direction); to_x: scatter back. */
+static void ms_nn__run_pool(const ms_nn *nn, const ms_nn__op *op, const float *point, const float *x, float *y)
+{
+    size_t c, i, j;
+    int fast = point == x && op->size[0] == 2 && op->size[1] == 2 && op->stride[0] == 2 && op->stride[1] == 2;
+    for (c = 0; c < op->out.c; ++c)
+        for (i = 0; i < op->out.h; ++i) {
+            if (fast) {
+                nn->kernels->pool2(x + (c * op->in.h + 2 * i) * op->in.w, op->in.w, y, op->out.w);
+                y += op->out.w;
+                continue;
+            }
+            for (j = 0; j < op->out.w; ++j) *y++ = x[ms_nn__pool_at(op, point, c, i, j)];
+        }
+}
+
+static void ms_nn__run_pool_back(const ms_nn__op *op, const float *point, const float *g_y, float *g_x)
+{
+    size_t c, i, j;
+    memset(g_x, 0, ms_nn__count(op->in) * sizeof(float));
+    for (c = 0; c < op->out.c; ++c)
+        for (i = 0; i < op->out.h; ++i)
+            for (j = 0; j < op->out.w; ++j) g_x[ms_nn__pool_at(op, point, c, i, j)] += *g_y++;
+}
+
+static void ms_nn__run_upsample(const ms_nn__op *op, const float *x, float *y)
+{
+    size_t c, i, j;
+    for (c = 0; c < op->out.c; ++c)
+        for (i = 0; i < op->out.h; ++i)
+            for (j = 0; j < op->out.w; ++j) *y++ = x[(c * op->in.h + i / op->size[0]) * op->in.w + j / op->size[1]];
+}
+
+static void ms_nn__run_upsample_back(const ms_nn__op *op, const float *g_y, float *g_x)
+{
+    size_t c, i, j;
+    memset(g_x, 0, ms_nn__count(op->in) * sizeof(float));
+    for (c = 0; c < op->out.c; ++c)
+        for (i = 0; i < op->out.h; ++i)
+            for (j = 0; j < op->out.w; ++j) g_x[(c * op->in.h + i / op->size[0]) * op->in.w + j / op->size[1]] += *g_y++;
+}
+
+/* [rows][cols] to [cols][rows]. */
+static void ms_nn__transpose(const float *x, size_t rows, size_t cols, float *y)
+{
+    size_t i, j, i0, j0;
+    for (i0 = 0; i0 < rows; i0 += 32)
+        for (j0 = 0; j0 < cols; j0 += 32)
+            for (j = j0; j < ms_nn__min(j0 + 32, cols); ++j)
+                for (i = i0; i < ms_nn__min(i0 + 32, rows); ++i) y[j * rows + i] = x[i * cols + j];
+}
+
+/* === products === */
+
+/* One run: points x directions. Samples of the caller become channels each with shared_channels. */
+typedef struct ms_nn__run {
+    const ms_nn *nn;
+    size_t points;
+    const float *x; /* [points][inner] value 0 */
+    float *y;       /* [points][output] the last value; NULL: in the shared slots or on the tape */
+    float *values;  /* tape or slots, for all points */
+    const size_t *place;
+    void *scratch;
+} ms_nn__run;
+
+static size_t ms_nn__value_size(const ms_nn *nn, int v) { return ms_nn__count(v ? nn->op[v - 1].out : nn->inner); }
+
+static float *ms_nn__value(const ms_nn__run *r, int v)
+{
+    if (v == r->nn->ops && r->y != NULL) return r->y;
+    return r->values + r->place[v] * r->points;
+}
+
+static const float *ms_nn__input_value(const ms_nn__run *r, int v) { return v == 0 ? r->x : ms_nn__value(r, v); }
+
+/* Applies operation k to count vectors. With point NULL they are points themselves; else directions, of which each
+   point has `each`, and point and result hold the operation's input and output there. */
+static void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, const float *skip, float *y, const float *point,
+                         const float *result, size_t each, void *scratch)
+{
+    const ms_nn__op *op = &nn->op[k];
+    size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
+    int linear = point != NULL;
+    if (op->step == MS_NN__DO_DENSE) ms_nn__run_dense(nn, op, (int)count, x, y, linear, scratch);
+    for (b = 0; b < count; ++b) {
+        const float *xb = x + b * in;
+        float *yb = y + b * out;
+        switch (op->step) {
+        case MS_NN__DO_CONV: ms_nn__conv_forward(nn, op, xb, yb, linear, scratch); break;
+        case MS_NN__DO_UPSAMPLE: ms_nn__run_upsample(op, xb, yb); break;
+        case MS_NN__DO_POOL: ms_nn__run_pool(nn, op, linear ? point + b / each * in : xb, xb, yb); break;
+        case MS_NN__DO_TRANSPOSE: ms_nn__transpose(xb, op->in.c, op->in.h * op->in.w, yb); break;
+        case MS_NN__DO_ADD:
+            for (i = 0; i < out; ++i) yb[i] = xb[i] + skip[b * out + i];
+            if (!linear) nn->kernels->activate(yb, out, op->activation, op->alpha);
+            break;
+        case MS_NN__DO_ACTIVATE:
+            memcpy(yb, xb, out * sizeof(float));
+            if (!linear) nn->kernels->activate(yb, out, op->activation, op->alpha);
+            break;
+        default: break;
+        }
+        if (linear) nn->kernels->derive(result + b / each * out, yb, out, op->activation, op->alpha);
+    }
+}
+
+/* g_x = J_k' g_y at the points; g_y is used up. */
+static void ms_nn__apply_back(const ms_nn *nn, int k, size_t count, float *g_y, float *g_x, float *g_skip, const float *point,
+                              const float *result, size_t each, void *scratch)
+{
+    const ms_nn__op *op = &nn->op[k];
+    size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
+    for (b = 0; b < count; ++b) nn->kernels->derive(result + b / each * out, g_y + b * out, out, op->activation, op->alpha);
+    if (op->step == MS_NN__DO_DENSE) ms_nn__run_dense_back(nn, op, (int)count, g_y, g_x, scratch);
+    for (b = 0; b < count; ++b) {
+        const float *gy = g_y + b * out;
+        float *gx = g_x + b * in;
+        switch (op->step) {
+        case MS_NN__DO_CONV: ms_nn__conv_backward(nn, op, gy, gx, scratch); break;
+        case MS_NN__DO_UPSAMPLE: ms_nn__run_upsample_back(op, gy, gx); break;
+        case MS_NN__DO_POOL: ms_nn__run_pool_back(op, point + b / each * in, gy, gx); break;
+        case MS_NN__DO_TRANSPOSE: ms_nn__transpose(gy, op->in.h * op->in.w, op->in.c, gx); break;
+        case MS_NN__DO_ADD:
+            for (i = 0; i < out; ++i) g_skip[b * out + i] += gy[i];
+            memcpy(gx, gy, out * sizeof(float));
+            break;
+        case MS_NN__DO_ACTIVATE: memcpy(gx, gy, out * sizeof(float)); break;
+        default: break;
+        }
+    }
+}
+
+static void ms_nn__run_forward(const ms_nn__run *r)
+{
+    int k;
+    for (k = 0; k < r->nn->ops; ++k)
+        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, r->nn->op[k].skip), ms_nn__value(r, k + 1),
+                     NULL, NULL, 1, r->scratch);
+}
+
+/* Directions dx [points][each][inner] through the tape of r into dy [points][each][output]; slots is memory. */
+static void ms_nn__run_directions(const ms_nn__run *r, size_t each, const float *dx, float *dy, float *slots)
+{
+    const ms_nn *nn = r->nn;
+    ms_nn__run d = *r;
+    int k;
+    d.points = r->points * each;
+    d.x = dx;
+    d.y = dy;
+    d.values = slots;
+    d.place = nn->slot;
+    for (k = 0; k < nn->ops; ++k)
+        ms_nn__apply(nn, k, d.points, ms_nn__input_value(&d, k), ms_nn__input_value(&d, nn->op[k].skip), ms_nn__value(&d, k + 1),
+                     ms_nn__input_value(r, k), ms_nn__value(r, k + 1), each, r->scratch);
+}
+
+/* Gradients back through the tape: g [points][each][output] lies in the last value's slot; g_x out. */
+static void ms_nn__run_gradients(const ms_nn__run *r, size_t each, float *g_x, float *slots, float *skips)
+{
+    const ms_nn *nn = r->nn;
+    ms_nn__run d = *r;
+    int k;
+    size_t i;
+    d.points = r->points * each;
+    d.y = NULL;
+    d.values = slots;
+    d.place = nn->slot;
+    memset(skips, 0, nn->skips * d.points * sizeof(float));
+    for (k = nn->ops - 1; k >= 0; --k) {
+        float *to = k ? ms_nn__value(&d, k) : g_x;
+        size_t other = nn->op[k].step == MS_NN__DO_ADD ? nn->skip[nn->op[k].skip] : 0;
+        ms_nn__apply_back(nn, k, d.points, ms_nn__value(&d, k + 1), to, skips + other * d.points, ms_nn__input_value(r, k),
+                          ms_nn__value(r, k + 1), each, r->scratch);
+        if (nn->skip[k] != SIZE_MAX)
+            for (i = 0; i < ms_nn__value_size(nn, k) * d.points; ++i) to[i] += skips[nn->skip[k] * d.points + i];
+    }
+}
+
+/* Bytes that the operations need beside the values, for count vectors. */
+static size_t ms_nn__scratch_size(const ms_nn *nn, size_t count, int backward)
+{
+    size_t most = 0, need;
+    int k, p;
+    for (k = 0; k < nn->ops; ++k) {
+        const ms_nn__op *op = &nn->op[k];
+        if (op->step == MS_NN__DO_DENSE) {
+            if (op->matrix.dtype == MS_NN_I8) {
+                need = ms_nn__digits_size(op->matrix.cols, count);
+                if (need > most) most = need;
+            }
+            need = backward && ms_nn__back_parts(&op->matrix) > 1
+                       ? ms__size_mul(ms__size_mul(ms_nn__back_parts(&op->matrix), count), ms__size_mul(op->matrix.cols, sizeof(float))) : 0;
+            if (need > most) most = need;
+        }
+        for (p = 0; op->step == MS_NN__DO_CONV && p < op->phases; ++p) {
+            need = ms__size_mul(ms_nn__conv_scratch(&op->forward[p]), sizeof(float));
+            if (need > most) most = need;
+            need = backward ? ms__size_mul(ms_nn__conv_scratch(&op->backward[p]), sizeof(float)) : 0;
+            if (need > most) most = need;
+        }
+    }
+    return most;
+}
+
+/* The pieces of a workspace, in order; each starts at a multiple of 64 bytes. */
+typedef struct ms_nn__layout {
+    size_t points, each;   /* of the run; each is 0 for a forward run */
+    int backward;
+    size_t x, values, dx, dy, slots, skips, scratch, total; /* byte offsets */
+} ms_nn__layout;
+
+static size_t ms_nn__piece(size_t *total, size_t count, size_t floats)
+{
+    size_t at = *total;
+    *total = ms__size_add(*total, ms__size_mul(ms__size_add(ms__size_mul(ms__size_mul(count, floats), sizeof(float)) / 64, 1), 64));
+    if (ms__size_mul(ms__size_mul(count, floats), sizeof(float)) == SIZE_MAX) *total = SIZE_MAX;
+    return at;
+}
+
+static ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product product, size_t count)
+{
+    ms_nn__layout l;
+    size_t in = ms_nn__count(nn->inner), out = ms_nn__value_size(nn, nn->ops), vectors, scratch;
+    int shared = nn->channel_input != NULL;
+    memset(&l, 0, sizeof l);
+    l.points = product == MS_NN_FORWARD || product == MS_NN_VJP ? ms__size_mul(count, nn->channels) : nn->channels;
+    l.each = product == MS_NN_FORWARD ? 0 : product == MS_NN_VJP ? 1 : product == MS_NN_JVP ? count : in <= out ? in : out;
+    l.backward = product == MS_NN_VJP || (product == MS_NN_JACOBIAN && out < in);
+    vectors = ms__size_mul(l.points, l.each);
+    l.x = ms_nn__piece(&l.total, l.points, shared ? in : 0);
+    l.values = ms_nn__piece(&l.total, l.points, product == MS_NN_FORWARD ? nn->slots : nn->tapes);
+    if (product != MS_NN_FORWARD) {
+        l.dx = ms_nn__piece(&l.total, vectors, product == MS_NN_JACOBIAN || shared ? in : 0);
+        l.dy = ms_nn__piece(&l.total, vectors, product == MS_NN_JACOBIAN && !l.backward ? out : 0);
+        l.slots = ms_nn__piece(&l.total, vectors, nn->slots);
+        l.skips = ms_nn__piece(&l.total, vectors, l.backward ? nn->skips : 0);
+    }
+    scratch = ms_nn__scratch_size(nn, vectors > l.points ? vectors : l.points, l.backward);
+    l.scratch = ms_nn__piece(&l.total, 1, scratch / sizeof(float) + 1);
+    l.total = ms__size_add(l.total, 63); /* to align the first piece */
+    if (vectors == SIZE_MAX || scratch == SIZE_MAX || l.points > INT_MAX || vectors > INT_MAX) l.total = SIZE_MAX;
+    return l;
+}
+
+MS_NN_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int count)
+{
+    if (count < 1) return SIZE_MAX;
+    return ms_nn__layout_of(nn, product, (size_t)count).total;
+}
+
+/* Copies the inputs that each channel sees: x [count][input] to inner [count][channels][channel_inputs]. */
+static void ms_nn__spread(const ms_nn *nn, size_t count, const float *x, float *inner)
+{
+    size_t n = nn->channels * nn->channel_inputs, input = ms_nn_input_size(nn), b, i;
+    for (b = 0; b < count; ++b)
+        for (i = 0; i < n; ++i) *inner++ = x[b * input + nn->channel_input[i]];
+}
+
+/* A started product: memory, layout and the forward run. */
+typedef struct ms_nn__call {
+    ms_nn__layout layout;
+    ms_nn__run run;
+    char *base;      /* 64-byte aligned */
+    void *allocated; /* NULL: the caller's workspace */
+} ms_nn__call;
+
+static float *ms_nn__at(const ms_nn__call *call, size_t offset) { return (float *)(void *)(call->base + offset); }
+
+static ms_status ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_product product, int count, const float *x, float *y,
+                              void *workspace)
+{
+    size_t points;
+    memset(call, 0, sizeof *call);
+    if (nn == NULL || x == NULL || count < 1) return MS_INVALID_ARGUMENT;
+    call->layout = ms_nn__layout_of(nn, product, (size_t)count);
+    if (call->layout.total == SIZE_MAX) return MS_OUT_OF_MEMORY;
+    if (workspace == NULL) workspace = call->allocated = ms_nn__alloc(&nn->options, call->layout.total);
+    if (workspace == NULL) return MS_OUT_OF_MEMORY;
+    call->base = (char *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    points = call->layout.points;
+    call->run.nn = nn;
+    call->run.points = points;
+    call->run.x = x;
+    call->run.y = y;
+    call->run.values = ms_nn__at(call, call->layout.values);
+    call->run.place = product == MS_NN_FORWARD ? nn->slot : nn->tape;
+    call->run.scratch = ms_nn__at(call, call->layout.scratch);
+    if (nn->channel_input != NULL) {
+        call->run.x = ms_nn__at(call, call->layout.x);
+        ms_nn__spread(nn, points / nn->channels, x, ms_nn__at(call, call->layout.x));
+    }
+    ms_nn__run_forward(&call->run);
+    return MS_OK;
+}
+
+static ms_status ms_nn__end(ms_nn__call *call)
+{
+    ms__release(&call->run.nn->options.allocator, call->allocated, call->layout.total);
+    return MS_OK;
+}
+
+MS_NN_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace)
+{
+    ms_nn__call call;
+    ms_status status = y == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_FORWARD, count, x, y, workspace);
+    return status == MS_OK ? ms_nn__end(&call) : status;
+}
+
+MS_NN_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
+{
+    ms_nn__call call;
+    ms_status status = g_y == NULL || g_x == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_VJP, count, x, y, workspace);
+    float *inner, *slots;
+    size_t input, n, b, i;
+    if (status != MS_OK) return status;
+    slots = ms_nn__at(&call, call.layout.slots);
+    inner = nn->channel_input ? ms_nn__at(&call, call.layout.dx) : g_x;
+    memcpy(slots + nn->slot[nn->ops] * call.run.points, g_y, call.run.points * ms_nn__value_size(nn, nn->ops) * sizeof(float));
+    ms_nn__run_gradients(&call.run, 1, inner, slots, ms_nn__at(&call, call.layout.skips));
+    if (nn->channel_input) {
+        input = ms_nn_input_size(nn);
+        n = nn->channels * nn->channel_inputs;
+        memset(g_x, 0, (size_t)count * input * sizeof(float));
+        for (b = 0; b < (size_t)count; ++b)
+            for (i = 0; i < n; ++i) g_x[b * input + nn->channel_input[i]] += inner[b * n + i];
+    }
+    return ms_nn__end(&call);
+}
+
+MS_NN_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy, void *workspace)
+{
+    ms_nn__call call;
+    ms_status status = dx == NULL || dy == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JVP, count, x, y, workspace);
+    size_t c, d, i, out, n;
+    float *inner, *each;
+    if (status != MS_OK) return status;
+    if (nn->channel_input == NULL) {
+        ms_nn__run_directions(&call.run, (size_t)count, dx, dy, ms_nn__at(&call, call.layout.slots));
+        return ms_nn__end(&call);
+    }
+    /* [count][input] to [channels][count][channel inputs] and back from [channels][count][output] */
+    inner = ms_nn__at(&call, call.layout.dx);
+    n = nn->channel_inputs;
+    for (c = 0; c < nn->channels; ++c)
+        for (d = 0; d < (size_t)count; ++d)
+            for (i = 0; i < n; ++i) *inner++ = dx[d * ms_nn_input_size(nn) + nn->channel_input[c * n + i]];
+    out = ms_nn__value_size(nn, nn->ops);
+    each = ms_nn__at(&call, call.layout.slots) + nn->slot[nn->ops] * nn->channels * (size_t)count;
+    ms_nn__run_directions(&call.run, (size_t)count, ms_nn__at(&call, call.layout.dx), NULL, ms_nn__at(&call, call.layout.slots));
+    for (c = 0; c < nn->channels; ++c)
+        for (d = 0; d < (size_t)count; ++d)
+            memcpy(dy + (d * nn->channels + c) * out, each + (c * (size_t)count + d) * out, out * sizeof(float));
+    return ms_nn__end(&call);
+}
+
+/* Unit vectors in, columns (forwards) or rows (backwards) of the inner Jacobians out. */
+MS_NN_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace)
+{
+    ms_nn__call call;
+    ms_status status = jacobian == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JACOBIAN, 1, x, y, workspace);
+    size_t in, out, each, input, c, i, o;
+    float *units, *slots, *dx, *dy;
+    if (status != MS_OK) return status;
+    in = ms_nn__count(nn->inner);
+    out = ms_nn__value_size(nn, nn->ops);
+    each = call.layout.each;
+    input = ms_nn_input_size(nn);
+    slots = ms_nn__at(&call, call.layout.slots);
+    dx = ms_nn__at(&call, call.layout.dx);
+    dy = ms_nn__at(&call, call.layout.dy);
+    units = call.layout.backward ? slots + nn->slot[nn->ops] * call.run.points * each : dx;
+    memset(units, 0, call.run.points * each * each * sizeof(float));
+    for (c = 0; c < call.run.points; ++c)
+        for (i = 0; i < each; ++i) units[(c * each + i) * each + i] = 1;
+    if (call.layout.backward) {
+        float *to = nn->channel_input ? dx : jacobian;
+        ms_nn__run_gradients(&call.run, each, to, slots, ms_nn__at(&call, call.layout.skips));
+    } else {
+        ms_nn__run_directions(&call.run, each, dx, dy, slots);
+        if (nn->channel_input == NULL) ms_nn__transpose(dy, in, out, jacobian);
+    }
+    if (nn->channel_input) {
+        memset(jacobian, 0, nn->channels * out * input * sizeof(float));
+        for (c = 0; c < nn->channels; ++c)
+            for (o = 0; o < out; ++o)
+                for (i = 0; i < in; ++i)
+                    jacobian[(c * out + o) * input + nn->channel_input[c * in + i]] +=
+                        call.layout.backward ? dx[(c * out + o) * in + i] : dy[(c * in + i) * out + o];
+    }
+    return ms_nn__end(&call);
+}
+
+/* === queries === */
+
+MS_NN_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn) { return nn->input; }
+MS_NN_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn) { return nn->output; }
+
+MS_NN_API size_t ms_nn_input_size(const ms_nn *nn)
+{
+    return nn->input.size[0] * (nn->input.rank > 1 ? nn->input.size[1] : 1) * (nn->input.rank > 2 ? nn->input.size[2] : 1);
+}
+
+MS_NN_API size_t ms_nn_output_size(const ms_nn *nn) { return nn->channels * ms_nn__value_size(nn, nn->ops); }
+MS_NN_API int ms_nn_layer_count(const ms_nn *nn) { return nn->layers; }
+MS_NN_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i) { return nn->layer[i]; }
+MS_NN_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn) { return nn->file; }
+MS_NN_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn->level; }
+
+MS_NN_API ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error)
+{
+    size_t t, i;
+    for (t = 0; t < ms_nn_file_tensor_count(nn->file); ++t) {
+        const ms_nn_tensor *tensor = ms_nn_file_tensor(nn->file, t);
+        size_t width = (size_t)(ms_nn__bits(tensor->dtype) / 8);
+        if (tensor->dtype > MS_NN_BF16) continue; /* integers are finite */
+        for (i = 0; i * width < tensor->bytes; ++i)
+            if (!ms__finite(ms_nn__element(tensor->data, tensor->dtype, i)))
+                return ms__fail(error, MS_BAD_DATA, i, "element %z of '%s' is %g", i, tensor->name, ms_nn__element(tensor->data, tensor->dtype, i));
+    }
+    return MS_OK;
+}
+
+MS_NN_API void ms_nn_destroy(ms_nn *nn)
+{
+    ms_nn__block *b, *next;
+    ms_allocator allocator;
+    if (nn == NULL) return;
+    allocator = nn->options.allocator;
+    for (b = nn->blocks; b; b = next) {
+        next = b->next;
+        ms__release(&allocator, b, b->bytes);
+    }
+    ms_nn_file_close(nn->file);
+#ifdef MS_NN__MMAP
+    if (nn->mapped && !nn->mapped_is_block) munmap((void *)(uintptr_t)nn->mapped, nn->mapped_bytes);
+#endif
+    if (nn->mapped_is_block) ms__release(&allocator, (void *)(uintptr_t)nn->mapped, nn->mapped_bytes);
+    ms__release(&allocator, nn, sizeof *nn);
+}
+
+/* === stdio === */
+
+#ifndef MS_NN_NO_STDIO
+/* A regular file mapped read-only; *bytes NULL where that is not possible. */
+static void ms_nn__map(const char *path, const void **bytes, size_t *size)
+{
+#ifdef MS_NN__MMAP
+    struct stat info;
+    int fd = open(path, O_RDONLY);
+    if (fd < 0) return;
+    if (fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && info.st_size > 0 && (uint64_t)info.st_size < SIZE_MAX) {
+        void *at = mmap(NULL, (size_t)info.st_size, PROT_READ, MAP_PRIVATE, fd, 0);
+        if (at != MAP_FAILED) {
+            *bytes = at;
+            *size = (size_t)info.st_size;
+        }
+    }
+    close(fd);
+#else
+    (void)path;
+    (void)bytes;
+    (void)size;
+#endif
+}
+
+/* A whole stream into one allocation of *size bytes, of which *used are the file. */
+static ms_status ms_nn__slurp(const char *path, const ms_nn_options *o, void **bytes, size_t *size, size_t *used, ms_error *error)
+{
+    FILE *f = fopen(path, "rb");
+    char *at = NULL, *larger;
+    ms_status status = MS_OK;
+    if (f == NULL) return ms__fail(error, MS_IO, 0, "cannot open '%s'", path);
+    *size = *used = 0;
+    for (;;) {
+        size_t got;
+        if (*used == *size) {
+            size_t room = *size ? ms__size_mul(*size, 2) : 65536;
+            larger = (char *)ms_nn__alloc(o, room);
+            if (larger && *used) memcpy(larger, at, *used);
+            ms__release(&o->allocator, at, *size);
+            at = larger;
+            *size = room;
+            if (at == NULL) {
+                status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for '%s'", path);
+                break;
+            }
+        }
+        got = fread(at + *used, 1, *size - *used, f);
+        *used += got;
+        if (got == 0) break;
+    }
+    if (status == MS_OK && ferror(f)) status = ms__fail(error, MS_IO, *used, "cannot read '%s'", path);
+    fclose(f);
+    if (status != MS_OK) ms__release(&o->allocator, at, *size);
+    *bytes = at;
+    return status;
+}
+
+MS_NN_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error)
+{
+    ms_nn_options o = options ? *options : ms_nn_defaults();
+    const void *bytes = NULL;
+    void *block = NULL;
+    size_t size = 0, used = 0;
+    ms_status status;
+    if (path == NULL || nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path and nn must not be NULL");
+    ms_nn__map(path, &bytes, &size);
+    used = size;
+    if (bytes == NULL) {
+        if ((status = ms_nn__slurp(path, &o, &block, &size, &used, error)) != MS_OK) return status;
+        bytes = block;
+    }
+    if ((status = ms_nn_load(bytes, used, &o, nn, error)) == MS_OK) {
+        (*nn)->mapped = bytes;
+        (*nn)->mapped_bytes = size;
+        (*nn)->mapped_is_block = block != NULL;
+        return MS_OK;
+    }
+    if (block) ms__release(&o.allocator, block, size);
+#ifdef MS_NN__MMAP
+    else munmap((void *)(uintptr_t)bytes, size);
+#endif
+    return status;
+}
+
+static int ms_nn__to_stream(void *user, const void *bytes, size_t size) { return fwrite(bytes, 1, size, (FILE *)user) != size; }
+
+MS_NN_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+                                    size_t entries, const ms_allocator *allocator, ms_error *error)
+{
+    ms_nn_sink sink;
+    ms_status status;
+    FILE *f = path ? fopen(path, "wb") : NULL;
+    if (f == NULL) return ms__fail(error, path ? MS_IO : MS_INVALID_ARGUMENT, 0, "cannot write '%s'", path ? path : "");
+    sink.user = f;
+    sink.write = ms_nn__to_stream;
+    status = ms_nn_file_write(tensors, count, metadata, entries, allocator, sink, error);
+    if (fclose(f) != 0 && status == MS_OK) status = ms__fail(error, MS_IO, 0, "cannot write '%s'", path);
+    return status;
+}
+#endif /* MS_NN_NO_STDIO */
+
+/* === levels === */
+
+/* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments. */
+#if defined(__clang__)
+#define MS_NN__UNROLL _Pragma("clang loop unroll(full)")
+#define MS_NN__INLINE static inline __attribute__((always_inline))
+#elif defined(__GNUC__)
+#define MS_NN__UNROLL _Pragma("GCC unroll 16")
+#define MS_NN__INLINE static inline __attribute__((always_inline))
+#else
+#define MS_NN__UNROLL
+#define MS_NN__INLINE static __forceinline
+#endif
+
+/* v has 4-byte floats at any alignment. */
+static float ms_nn__float_at(const unsigned char *v, size_t i)
+{
+    float x;
+    memcpy(&x, v + 4 * i, sizeof x);
+    return x;
+}
+
+#define MS_NN__JOIN2(a, b) a##b
+#define MS_NN__JOIN(a, b) MS_NN__JOIN2(a, b)
+#define MS_NN__FN(name) MS_NN__JOIN(MS_NN__JOIN(ms_nn__##name, _), MS_NN__LEVEL)
+
+#define MS_NN__PASS 1
+#define MS_NN__LEVEL scalar
+#define MS_NN__ISA 1
+#include MS_NN_FILENAME
+
+#if defined(MS__X64) || defined(MS__NEON)
+#define MS_NN__LEVEL base
+#define MS_NN__ISA 2
+#include MS_NN_FILENAME
+#endif
+
+#if defined(MS__X64)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC push_options
+#pragma GCC target("avx2,fma,f16c")
+#endif
+#define MS_NN__LEVEL avx2
+#define MS_NN__ISA 3
+#include MS_NN_FILENAME
+#if defined(__clang__)
+#pragma clang attribute pop
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#endif
+
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl"))), apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC push_options
+#pragma GCC target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl")
+#endif
+#define MS_NN__LEVEL avx512
+#define MS_NN__ISA 4
+#include MS_NN_FILENAME
+#if defined(__clang__)
+#pragma clang attribute pop
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#endif
+
+/* The same with AVX-512 VNNI: I8 at twice the speed. */
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl,avx512vnni"))), apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC push_options
+#pragma GCC target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl,avx512vnni")
+#endif
+#define MS_NN__LEVEL avx512vnni
+#define MS_NN__ISA 5
+#include MS_NN_FILENAME
+#if defined(__clang__)
+#pragma clang attribute pop
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#endif
+#endif /* MS__X64 */
+#undef MS_NN__PASS
+
+static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
+{
+#if defined(MS__X64)
+    if (level == MS_SIMD_AVX512) {
+        uint32_t r[4];
+        ms__cpuid(7, 0, r);
+        return r[2] & (1u << 11) ? &ms_nn__table_avx512vnni : &ms_nn__table_avx512;
+    }
+    if (level == MS_SIMD_AVX2) return &ms_nn__table_avx2;
+#endif
+#if defined(MS__X64) || defined(MS__NEON)
+    if (level == MS_SIMD_BASE) return &ms_nn__table_base;
+#endif
+    (void)level;
+    return &ms_nn__table_scalar;
+}
+#endif /* MS_NN_IMPLEMENTATION */
+
+#if defined(MS_NN_IMPLEMENTATION) && defined(MS_NN__PASS)
+/* === kernels === */
+
+/* Read once a level. V is a vector of L floats; V_PART loads n < L floats and zeros; W_... load weights as floats.
+   BLOCK outputs x TILE vectors of positions are a convolution's registers; ROWS rows x 3 samples x CHAINS sums are a
+   dense layer's. MAX(a, b) is a > b ? a : b, which is b, hence NaN if b is one: constants stand first. */
+#if MS_NN__ISA == 1
+#define L 1
+#define BLOCK 4
+#define TILE 2
+#define ROWS 1
+#define CHAINS 4
+#define V float
+#define V_LOAD(p) ms_nn__float_at((const unsigned char *)(p), 0)
+#define V_STORE(p, v) (*(p) = (v))
+#define V_SET(x) (x)
+#define V_ADD(a, b) ((a) + (b))
+#define V_SUB(a, b) ((a) - (b))
+#define V_MUL(a, b) ((a) * (b))
+#define V_DIV(a, b) ((a) / (b))
+#define V_MADD(a, b, c) ((a) * (b) + (c))
+#define V_MAX(a, b) ((a) > (b) ? (a) : (b))
+#define V_MIN(a, b) ((a) < (b) ? (a) : (b))
+#define V_IF_GREATER(a, b, x, y) ((a) > (b) ? (x) : (y))
+#define V_SUM(a) (a)
+#define V_INT int32_t
+#define V_ROUND(a) ((a) < 0 ? (int32_t)((a) - 0.5f) : (a) >= 0 ? (int32_t)((a) + 0.5f) : 0)
+#define V_FROM_INT(i) ((float)(i))
+#define V_POW2(i) ms_nn__float_of((uint32_t)((i) + 127) << 23)
+#define W_HALF(p) ms_nn__half(ms_nn__u16(p))
+#define W_BRAIN(p) ms_nn__float_of(ms_nn__u16(p) << 16)
+#define W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p) - 256))
+#elif MS_NN__ISA == 2 && defined(MS__X64)
+#define L 4
+#define BLOCK 4
+#define TILE 2
+#define ROWS 2
+#define CHAINS 2
+#define V __m128
+#define V_LOAD(p) _mm_loadu_ps((const float *)(const void *)(p))
+#define V_STORE(p, v) _mm_storeu_ps(p, v)
+#define V_SET(x) _mm_set1_ps(x)
+#define V_ADD(a, b) _mm_add_ps(a, b)
+#define V_SUB(a, b) _mm_sub_ps(a, b)
+#define V_MUL(a, b) _mm_mul_ps(a, b)
+#define V_DIV(a, b) _mm_div_ps(a, b)
+#define V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define V_MAX(a, b) _mm_max_ps(a, b)
+#define V_MIN(a, b) _mm_min_ps(a, b)
+#define V_IF_GREATER(a, b, x, y) MS_NN__FN(if_greater)(a, b, x, y)
+#define V_SUM(a) MS_NN__FN(sum)(a)
+#define V_INT __m128i
+#define V_ROUND(a) _mm_cvtps_epi32(a)
+#define V_FROM_INT(i) _mm_cvtepi32_ps(i)
+#define V_POW2(i) _mm_castsi128_ps(_mm_slli_epi32(_mm_add_epi32(i, _mm_set1_epi32(127)), 23))
+#define W_HALF(p) MS_NN__FN(half)(p)
+#define W_BRAIN(p) _mm_castsi128_ps(_mm_unpacklo_epi16(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)(p))))
+#define W_INT8(p) MS_NN__FN(int8)(p)
+MS_NN__INLINE V MS_NN__FN(if_greater)(V a, V b, V x, V y)
+{
+    V m = _mm_cmpgt_ps(a, b);
+    return _mm_or_ps(_mm_and_ps(m, x), _mm_andnot_ps(m, y));
+}
+MS_NN__INLINE float MS_NN__FN(sum)(V a)
+{
+    a = _mm_add_ps(a, _mm_movehl_ps(a, a));
+    return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
+}
+/* As ms_nn__half: the magnitude moves to the float's place and is scaled by 2^112; the top exponent stays special. */
+MS_NN__INLINE V MS_NN__FN(half)(const unsigned char *p)
+{
+    __m128i h = _mm_unpacklo_epi16(_mm_loadl_epi64((const __m128i *)(const void *)p), _mm_setzero_si128());
+    __m128i magnitude = _mm_slli_epi32(_mm_and_si128(h, _mm_set1_epi32(0x7fff)), 13);
+    __m128i sign = _mm_slli_epi32(_mm_and_si128(h, _mm_set1_epi32(0x8000)), 16);
+    __m128i special = _mm_and_si128(_mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x0f7fffff)), _mm_set1_epi32(0x7f800000));
+    V value = _mm_mul_ps(_mm_castsi128_ps(magnitude), _mm_set1_ps(5.192296858534828e33f));
+    return _mm_or_ps(_mm_or_ps(value, _mm_castsi128_ps(sign)), _mm_castsi128_ps(special));
+}
+MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
+{
+    int32_t four;
+    __m128i q;
+    memcpy(&four, p, 4);
+    q = _mm_cvtsi32_si128(four);
+    q = _mm_unpacklo_epi8(q, q);
+    return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(q, q), 24));
+}
+#elif MS_NN__ISA == 2
+#define L 4
+#define BLOCK 8
+#define TILE 2
+#define ROWS 4
+#define CHAINS 2
+#define V float32x4_t
+#define V_LOAD(p) vreinterpretq_f32_u8(vld1q_u8((const unsigned char *)(p)))
+#define V_STORE(p, v) vst1q_f32(p, v)
+#define V_SET(x) vdupq_n_f32(x)
+#define V_ADD(a, b) vaddq_f32(a, b)
+#define V_SUB(a, b) vsubq_f32(a, b)
+#define V_MUL(a, b) vmulq_f32(a, b)
+#define V_DIV(a, b) vdivq_f32(a, b)
+#define V_MADD(a, b, c) vfmaq_f32(c, a, b)
+#define V_MAX(a, b) vmaxq_f32(a, b)
+#define V_MIN(a, b) vminq_f32(a, b)
+#define V_IF_GREATER(a, b, x, y) vbslq_f32(vcgtq_f32(a, b), x, y)
+#define V_SUM(a) vaddvq_f32(a)
+#define V_INT int32x4_t
+#define V_ROUND(a) vcvtnq_s32_f32(a)
+#define V_FROM_INT(i) vcvtq_f32_s32(i)
+#define V_POW2(i) vreinterpretq_f32_s32(vshlq_n_s32(vaddq_s32(i, vdupq_n_s32(127)), 23))
+#define W_HALF(p) vcvt_f32_f16(vreinterpret_f16_u8(vld1_u8(p)))
+#define W_BRAIN(p) vreinterpretq_f32_u32(vshll_n_u16(vreinterpret_u16_u8(vld1_u8(p)), 16))
+#define W_INT8(p) MS_NN__FN(int8)(p)
+MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
+{
+    uint32_t four;
+    memcpy(&four, p, 4);
+    return vcvtq_f32_s32(vmovl_s16(vget_low_s16(vmovl_s8(vcreate_s8(four)))));
+}
+#elif MS_NN__ISA == 3
+#define L 8
+#define BLOCK 4
+#define TILE 3
+#define ROWS 2
+#define CHAINS 2
+#define V __m256
+#define V_LOAD(p) _mm256_loadu_ps((const float *)(const void *)(p))
+#define V_STORE(p, v) _mm256_storeu_ps(p, v)
+#define V_SET(x) _mm256_set1_ps(x)
+#define V_ADD(a, b) _mm256_add_ps(a, b)
+#define V_SUB(a, b) _mm256_sub_ps(a, b)
+#define V_MUL(a, b) _mm256_mul_ps(a, b)
+#define V_DIV(a, b) _mm256_div_ps(a, b)
+#define V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define V_MAX(a, b) _mm256_max_ps(a, b)
+#define V_MIN(a, b) _mm256_min_ps(a, b)
+#define V_IF_GREATER(a, b, x, y) _mm256_blendv_ps(y, x, _mm256_cmp_ps(a, b, _CMP_GT_OQ))
+#define V_SUM(a) MS_NN__FN(sum)(a)
+#define V_INT __m256i
+#define V_ROUND(a) _mm256_cvtps_epi32(a)
+#define V_FROM_INT(i) _mm256_cvtepi32_ps(i)
+#define V_POW2(i) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_add_epi32(i, _mm256_set1_epi32(127)), 23))
+#define W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
+#define W_BRAIN(p) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
+#define W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
+MS_NN__INLINE float MS_NN__FN(sum)(V v)
+{
+    __m128 a = _mm_add_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1));
+    a = _mm_add_ps(a, _mm_movehl_ps(a, a));
+    return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
+}
+#else
+#define L 16
+#define BLOCK 8
+#define TILE 3
+#define ROWS 4
+#define CHAINS 2
+#define V __m512
+#define V_LOAD(p) _mm512_loadu_ps(p)
+#define V_STORE(p, v) _mm512_storeu_ps(p, v)
+#define V_SET(x) _mm512_set1_ps(x)
+#define V_ADD(a, b) _mm512_add_ps(a, b)
+#define V_SUB(a, b) _mm512_sub_ps(a, b)
+#define V_MUL(a, b) _mm512_mul_ps(a, b)
+#define V_DIV(a, b) _mm512_div_ps(a, b)
+#define V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define V_MAX(a, b) _mm512_max_ps(a, b)
+#define V_MIN(a, b) _mm512_min_ps(a, b)
+#define V_IF_GREATER(a, b, x, y) _mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ), y, x)
+#define V_SUM(a) MS_NN__FN(sum)(a)
+#define V_INT __m512i
+#define V_ROUND(a) _mm512_cvtps_epi32(a)
+#define V_FROM_INT(i) _mm512_cvtepi32_ps(i)
+#define V_POW2(i) _mm512_castsi512_ps(_mm512_slli_epi32(_mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
+#define W_HALF(p) _mm512_cvtph_ps(_mm256_loadu_si256((const __m256i *)(const void *)(p)))
+#define W_BRAIN(p) _mm512_castsi512_ps(_mm512_slli_epi32(_mm512_cvtepu16_epi32(_mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
+#define W_INT8(p) _mm512_cvtepi32_ps(_mm512_cvtepi8_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))))
+MS_NN__INLINE float MS_NN__FN(sum)(V v)
+{
+    __m256 b = _mm256_add_ps(_mm512_castps512_ps256(v), _mm512_extractf32x8_ps(v, 1));
+    __m128 a = _mm_add_ps(_mm256_castps256_ps128(b), _mm256_extractf128_ps(b, 1));
+    a = _mm_add_ps(a, _mm_movehl_ps(a, a));
+    return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
+}
+#endif
+
+/* L weights of a type that is a constant where this is inlined. */
+MS_NN__INLINE V MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
+{
+    if (dtype == MS_NN_F32) return V_LOAD(p);
+    if (dtype == MS_NN_F16) return W_HALF(p);
+    if (dtype == MS_NN_BF16) return W_BRAIN(p);
+    return W_INT8(p);
+}
+
+/* n < L weights, zeros behind them; nothing behind them is read. */
+MS_NN__INLINE V MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype, size_t n)
+{
+#if MS_NN__ISA >= 4
+    if (dtype == MS_NN_F32) return _mm512_maskz_loadu_ps((__mmask16)((1u << n) - 1), p);
+#endif
+    {
+        unsigned char copy[4 * L];
+        memset(copy, 0, sizeof copy);
+        memcpy(copy, p, n * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2));
+        return MS_NN__FN(weight)(copy, dtype);
+    }
+}
+
+/* rows x batch dot products. Sum c runs over the columns L c + (0..L-1) modulo L CHAINS; then the rest; the sums are
+   added in pairs. The order depends on nothing but cols, so that tiles of any shape agree. */
+MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch)
+{
+    const ms_nn__matrix *m = job->m;
+    size_t cols = m->cols, size = dtype == MS_NN_F32 ? 4 : 2, k = 0;
+    const unsigned char *w[ROWS];
+    const float *x[3];
+    V sum[ROWS][3][CHAINS];
+    int r, b, c;
+    MS_NN__UNROLL
+    for (r = 0; r < rows; ++r) {
+        w[r] = m->w + (row + (size_t)r) * cols * size;
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) {
+            MS_NN__UNROLL
+            for (c = 0; c < CHAINS; ++c) sum[r][b][c] = V_SET(0.0f);
+        }
+    }
+    MS_NN__UNROLL
+    for (b = 0; b < batch; ++b) x[b] = job->x + ms_nn__min(sample + (size_t)b, (size_t)job->batch - 1) * cols;
+    for (; k + L * CHAINS <= cols; k += L * CHAINS) {
+        MS_NN__UNROLL
+        for (c = 0; c < CHAINS; ++c) {
+            V v[3];
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) v[b] = V_LOAD(x[b] + k + (size_t)c * L);
+            MS_NN__UNROLL
+            for (r = 0; r < rows; ++r) {
+                V u = MS_NN__FN(weight)(w[r] + (k + (size_t)c * L) * size, dtype);
+                MS_NN__UNROLL
+                for (b = 0; b < batch; ++b) sum[r][b][c] = V_MADD(u, v[b], sum[r][b][c]);
+            }
+        }
+    }
+    for (; k < cols; k += L) {
+        size_t n = ms_nn__min(cols - k, L);
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) {
+            V u = n == L ? MS_NN__FN(weight)(w[r] + k * size, dtype) : MS_NN__FN(weight_part)(w[r] + k * size, dtype, n);
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) {
+                V v = n == L ? V_LOAD(x[b] + k) : MS_NN__FN(weight_part)((const unsigned char *)(x[b] + k), MS_NN_F32, n);
+                sum[r][b][0] = V_MADD(u, v, sum[r][b][0]);
+            }
+        }
+    }
+    MS_NN__UNROLL
+    for (r = 0; r < rows; ++r) {
+        float bias = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + (size_t)r) : 0.0f;
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) {
+            V s = V_ADD(sum[r][b][0], sum[r][b][1]);
+#if CHAINS == 4
+            s = V_ADD(s, V_ADD(sum[r][b][2], sum[r][b][3]));
+#endif
+            if (sample + (size_t)b < (size_t)job->batch) job->y[(sample + (size_t)b) * m->rows + row + (size_t)r] = V_SUM(s) + bias;
+        }
+    }
+}
+
+/* A large matrix for one sample is read row by row, at the speed of memory; where it is read more than once or lies in
+   the cache, ROWS at a time. */
+MS_NN__INLINE void MS_NN__FN(dense_typed)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
+{
+    size_t row = row0, b;
+    int large = job->m->rows * job->m->cols > 2000000;
+    if (job->batch > 1 || !large) {
+        for (; row + ROWS <= row1; row += ROWS) {
+            if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, ROWS, 1);
+            else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, ROWS, 3);
+        }
+    }
+    for (; row < row1; ++row) {
+        if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, 1, 1);
+        else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, 1, 3);
+    }
+}
+
+/* sum_j w_j d_k,j of one row over columns [0, n), n <= MS_NN__RUN: exact in any order. */
+MS_NN__INLINE void MS_NN__FN(digit_sums)(const unsigned char *w, const signed char *const *d, size_t at, size_t n, const int32_t *const *sum,
+                                         size_t run, int32_t *out)
+{
+    size_t j = 0;
+    int k;
+#if MS_NN__ISA >= 3
+    /* unsigned x signed bytes: w + 128, put right at the end by 128 sum d. |255 * 64 * 2| fits 16 bits. */
+#if MS_NN__ISA >= 4
+    __m512i s[3], flip = _mm512_set1_epi8((char)-128);
+    MS_NN__UNROLL
+    for (k = 0; k < 3; ++k) s[k] = _mm512_setzero_si512();
+    for (; j < n; j += 64) {
+        __m512i u = n - j >= 64 ? _mm512_loadu_si512(w + j) : _mm512_maskz_loadu_epi8(((__mmask64)1 << (n - j)) - 1, w + j);
+        u = _mm512_xor_si512(u, flip);
+        MS_NN__UNROLL
+        for (k = 0; k < 3; ++k) {
+#if MS_NN__ISA == 5
+            s[k] = _mm512_dpbusd_epi32(s[k], u, _mm512_loadu_si512(d[k] + at + j));
+#else
+            s[k] = _mm512_add_epi32(s[k], _mm512_madd_epi16(_mm512_maddubs_epi16(u, _mm512_loadu_si512(d[k] + at + j)), _mm512_set1_epi16(1)));
+#endif
+        }
+    }
+    MS_NN__UNROLL
+    for (k = 0; k < 3; ++k) out[k] = _mm512_reduce_add_epi32(s[k]) - 128 * sum[k][run];
+#else
+    __m256i s[3], flip = _mm256_set1_epi8((char)-128);
+    MS_NN__UNROLL
+    for (k = 0; k < 3; ++k) s[k] = _mm256_setzero_si256();
+    for (; j < n; j += 32) {
+        unsigned char copy[32];
+        const unsigned char *p = w + j;
+        __m256i u;
+        if (n - j < 32) {
+            memset(copy, 0, sizeof copy);
+            memcpy(copy, p, n - j);
+            p = copy;
+        }
+        u = _mm256_xor_si256(_mm256_loadu_si256((const __m256i *)(const void *)p), flip);
+        MS_NN__UNROLL
+        for (k = 0; k < 3; ++k) {
+            __m256i e = _mm256_loadu_si256((const __m256i *)(const void *)(d[k] + at + j));
+            s[k] = _mm256_add_epi32(s[k], _mm256_madd_epi16(_mm256_maddubs_epi16(u, e), _mm256_set1_epi16(1)));
+        }
+    }
+    MS_NN__UNROLL
+    for (k = 0; k < 3; ++k) {
+        __m128i t = _mm_add_epi32(_mm256_castsi256_si128(s[k]), _mm256_extracti128_si256(s[k], 1));
+        t = _mm_add_epi32(t, _mm_shuffle_epi32(t, 0x4E));
+        out[k] = _mm_cvtsi128_si32(_mm_add_epi32(t, _mm_shuffle_epi32(t, 0xB1))) - 128 * sum[k][run];
+    }
+#endif
+#else
+    (void)sum;
+    (void)run;
+    for (k = 0; k < 3; ++k) out[k] = 0;
+#if MS_NN__ISA == 2 && defined(MS__X64)
+    {
+        __m128i s[3], zero = _mm_setzero_si128();
+        for (k = 0; k < 3; ++k) s[k] = zero;
+        for (; j + 16 <= n; j += 16) {
+            __m128i u = _mm_loadu_si128((const __m128i *)(const void *)(w + j));
+            __m128i low = _mm_srai_epi16(_mm_unpacklo_epi8(zero, u), 8), high = _mm_srai_epi16(_mm_unpackhi_epi8(zero, u), 8);
+            MS_NN__UNROLL
+            for (k = 0; k < 3; ++k) {
+                __m128i e = _mm_loadu_si128((const __m128i *)(const void *)(d[k] + at + j));
+                s[k] = _mm_add_epi32(s[k], _mm_madd_epi16(low, _mm_srai_epi16(_mm_unpacklo_epi8(zero, e), 8)));
+                s[k] = _mm_add_epi32(s[k], _mm_madd_epi16(high, _mm_srai_epi16(_mm_unpackhi_epi8(zero, e), 8)));
+            }
+        }
+        for (k = 0; k < 3; ++k) {
+            __m128i t = _mm_add_epi32(s[k], _mm_shuffle_epi32(s[k], 0x4E));
+            out[k] = _mm_cvtsi128_si32(_mm_add_epi32(t, _mm_shuffle_epi32(t, 0xB1)));
+        }
+    }
+#elif MS_NN__ISA == 2
+    {
+        int32x4_t s[3];
+        for (k = 0; k < 3; ++k) s[k] = vdupq_n_s32(0);
+        for (; j + 16 <= n; j += 16) {
+            int8x16_t u = vreinterpretq_s8_u8(vld1q_u8(w + j));
+            MS_NN__UNROLL
+            for (k = 0; k < 3; ++k) {
+                int8x16_t e = vld1q_s8(d[k] + at + j);
+                int16x8_t p = vmull_s8(vget_low_s8(u), vget_low_s8(e));
+                s[k] = vpadalq_s16(s[k], vmlal_s8(p, vget_high_s8(u), vget_high_s8(e)));
+            }
+        }
+        for (k = 0; k < 3; ++k) out[k] = vaddvq_s32(s[k]);
+    }
+#endif
+    for (; j < n; ++j) {
+        int32_t q = w[j] < 128 ? w[j] : w[j] - 256;
+        for (k = 0; k < 3; ++k) out[k] += q * d[k][at + j];
+    }
+#endif
+}
+
+/* y = scale unit (16384 s0 + 128 s1 + s2) + bias, in double; rounded once. */
+static void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1)
+{
+    const ms_nn__matrix *m = job->m;
+    size_t row, at;
+    int b;
+    for (row = row0; row < row1; ++row) {
+        const unsigned char *w = m->w + row * m->cols;
+        double scale = (double)ms_nn__float_at(m->scale, row);
+        double bias = m->bias && !job->linear ? (double)ms_nn__float_at(m->bias, row) : 0.0;
+        for (b = 0; b < job->batch; ++b) {
+            const ms_nn__digits *x = &job->digits[b];
+            int64_t total = 0;
+            for (at = 0; at < m->cols; at += MS_NN__RUN) {
+                int32_t s[3];
+                MS_NN__FN(digit_sums)(w + at, x->d, at, ms_nn__min(m->cols - at, MS_NN__RUN), x->sum, at / MS_NN__RUN, s);
+                total += (int64_t)s[0] * 16384 + (int64_t)s[1] * 128 + s[2];
+            }
+            job->y[(size_t)b * m->rows + row] = (float)((double)total * (scale * x->unit) + bias);
+        }
+    }
+}
+
+static void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
+{
+    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_F32);
+    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_F16);
+    else if (job->m->dtype == MS_NN_BF16) MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_BF16);
+    else MS_NN__FN(dense_int8)(job, row0, row1);
+}
+
+/* out += g_0 w_0 + ... + g_{rows-1} w_{rows-1} over columns [col0, col1), the rows in order. */
+MS_NN__INLINE void MS_NN__FN(axpy)(const ms_nn__matrix *m, const float *g, size_t row, size_t col0, size_t col1, float *out, ms_nn_dtype dtype,
+                                   int rows)
+{
+    size_t size = dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2, k;
+    const unsigned char *w = m->w + row * m->cols * size;
+    V factor[4];
+    int r;
+    MS_NN__UNROLL
+    for (r = 0; r < rows; ++r) factor[r] = V_SET(dtype == MS_NN_I8 ? g[r] * ms_nn__float_at(m->scale, row + (size_t)r) : g[r]);
+    for (k = col0; k + L <= col1; k += L) {
+        V sum = V_LOAD(out + k);
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) sum = V_MADD(factor[r], MS_NN__FN(weight)(w + ((size_t)r * m->cols + k) * size, dtype), sum);
+        V_STORE(out + k, sum);
+    }
+    if (k < col1) {
+        float last[L];
+        size_t n = col1 - k;
+        V sum;
+        memset(last, 0, sizeof last);
+        memcpy(last, out + k, n * sizeof(float));
+        sum = V_LOAD(last);
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) sum = V_MADD(factor[r], MS_NN__FN(weight_part)(w + ((size_t)r * m->cols + k) * size, dtype, n), sum);
+        V_STORE(last, sum);
+        memcpy(out + k, last, n * sizeof(float));
+    }
+}
+
+MS_NN__INLINE void MS_NN__FN(dense_back_typed)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out,
+                                               ms_nn_dtype dtype)
+{
+    const ms_nn__matrix *m = job->m;
+    size_t row = row0, b, from, to;
+    if (job->batch > 1) {
+        for (; row + 4 <= row1; row += 4)
+            for (from = col0; from < col1; from = to) { /* four row pieces stay in the first cache */
+                to = ms_nn__min(from + 1024, col1);
+                for (b = 0; b < (size_t)job->batch; ++b)
+                    MS_NN__FN(axpy)(m, job->x + b * m->rows + row, row, from, to, out + b * m->cols, dtype, 4);
+            }
+    }
+    for (; row < row1; ++row)
+        for (b = 0; b < (size_t)job->batch; ++b)
+            MS_NN__FN(axpy)(m, job->x + b * m->rows + row, row, col0, col1, out + b * m->cols, dtype, 1);
+}
+
+static void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out)
+{
+    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dense_back_typed)(job, row0, row1, col0, col1, out, MS_NN_F32);
+    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dense_back_typed)(job, row0, row1, col0, col1, out, MS_NN_F16);
+    else if (job->m->dtype == MS_NN_BF16) MS_NN__FN(dense_back_typed)(job, row0, row1, col0, col1, out, MS_NN_BF16);
+    else MS_NN__FN(dense_back_typed)(job, row0, row1, col0, col1, out, MS_NN_I8);
+}
+
+/* BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x + t). */
+MS_NN__INLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out, size_t out_plane,
+                                        size_t outs, int tile)
+{
+    size_t taps = v->kernel[0] * v->kernel[1], c, t;
+    V sum[BLOCK][TILE];
+    int i, j;
+    MS_NN__UNROLL
+    for (i = 0; i < BLOCK; ++i) {
+        MS_NN__UNROLL
+        for (j = 0; j < tile; ++j) sum[i][j] = V_SET(bias[i]);
+    }
+    for (c = 0; c < v->in.c; ++c, in += v->plane) {
+        for (t = 0; t < taps; ++t, w += BLOCK) {
+            const float *p = in + v->offset[t];
+            V x[TILE];
+            MS_NN__UNROLL
+            for (j = 0; j < tile; ++j) x[j] = V_LOAD(p + j * L);
+            MS_NN__UNROLL
+            for (i = 0; i < BLOCK; ++i) {
+                V u = V_SET(w[i]);
+                MS_NN__UNROLL
+                for (j = 0; j < tile; ++j) sum[i][j] = V_MADD(u, x[j], sum[i][j]);
+            }
+        }
+    }
+    MS_NN__UNROLL
+    for (i = 0; i < BLOCK; ++i) {
+        if ((size_t)i < outs) {
+            MS_NN__UNROLL
+            for (j = 0; j < tile; ++j) V_STORE(out + (size_t)i * out_plane + j * L, sum[i][j]);
+        }
+    }
+}
+
+static void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
+
+/* Items are (row, block of outputs). Tiles that stand over the row's end, or whose outputs lie apart, go through a
+   buffer. */
+static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t item0, size_t item1)
+{
+    const ms_nn__conv *v = job->conv;
+    size_t blocks = (v->out.c + BLOCK - 1) / BLOCK, item, x, i, j;
+    size_t stride = v->in.c * v->kernel[0] * v->kernel[1] * BLOCK;
+    for (item = item0; item < item1; ++item) {
+        size_t row = item / blocks, o = item % blocks * BLOCK, outs = ms_nn__min(BLOCK, v->out.c - o);
+        const float *in = job->padded + row * v->stride[0] * v->pitch, *w = v->packed + item % blocks * stride, *bias = v->bias + o;
+        float zero[BLOCK], *out = job->y + o * job->y_plane + row * job->y_row;
+        for (i = 0; i < BLOCK; ++i) zero[i] = 0;
+        if (job->linear) bias = zero;
+        for (x = 0; x < v->out.w;) {
+            size_t left = v->out.w - x, tile = left > L ? TILE : 1, width = ms_nn__min(left, tile * L);
+            float buffer[BLOCK * TILE * L];
+            int direct = width == tile * L && job->y_step == 1 && !job->accumulate;
+            float *to = direct ? out + x : buffer;
+            size_t plane = direct ? job->y_plane : TILE * L;
+            if (tile == TILE) MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, TILE);
+            else MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, 1);
+            for (i = 0; !direct && i < outs; ++i)
+                for (j = 0; j < width; ++j) {
+                    float *y = out + i * job->y_plane + (x + j) * job->y_step;
+                    *y = job->accumulate ? *y + buffer[i * TILE * L + j] : buffer[i * TILE * L + j];
+                }
+            x += width;
+        }
+        if (job->activation != MS_NN__LINEAR && !job->linear)
+            for (i = 0; i < outs; ++i) MS_NN__FN(activate)(out + i * job->y_plane, v->out.w, job->activation, job->alpha);
+    }
+}
+
+/* e^x - 1 for x in [-87, 88]: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - 1); e^r - 1 = r + r^2 q(r) with the Taylor
+   coefficients 1/2 to 1/5040, |r| <= 0.347: relative error below 2 ulp. */
+MS_NN__INLINE V MS_NN__FN(expm1)(V x)
+{
+    V r, q, s, t;
+    V_INT n;
+    x = V_MAX(V_SET(-87.0f), V_MIN(V_SET(88.0f), x));
+    n = V_ROUND(V_MUL(x, V_SET(1.44269504f)));
+    t = V_FROM_INT(n);
+    r = V_MADD(t, V_SET(-0.693145752f), x); /* ln 2 in two pieces: the first has 15 bits, t times it is exact */
+    r = V_MADD(t, V_SET(-1.42860677e-6f), r);
+    q = V_SET(1.0f / 5040);
+    q = V_MADD(q, r, V_SET(1.0f / 720));
+    q = V_MADD(q, r, V_SET(1.0f / 120));
+    q = V_MADD(q, r, V_SET(1.0f / 24));
+    q = V_MADD(q, r, V_SET(1.0f / 6));
+    q = V_MADD(q, r, V_SET(0.5f));
+    q = V_MADD(V_MUL(r, r), q, r);
+    s = V_POW2(n);
+    return V_MADD(s, q, V_SUB(s, V_SET(1.0f)));
+}
+
+/* ln(1 + e) for e in [0, 1]: 2 artanh(z), z = e / (2 + e) <= 1/3; the series to z^15 leaves 1e-9. */
+MS_NN__INLINE V MS_NN__FN(log1p)(V e)
+{
+    V z = V_DIV(e, V_ADD(e, V_SET(2.0f))), s = V_MUL(z, z), q = V_SET(1.0f / 15);
+    q = V_MADD(q, s, V_SET(1.0f / 13));
+    q = V_MADD(q, s, V_SET(1.0f / 11));
+    q = V_MADD(q, s, V_SET(1.0f / 9));
+    q = V_MADD(q, s, V_SET(1.0f / 7));
+    q = V_MADD(q, s, V_SET(0.2f));
+    q = V_MADD(q, s, V_SET(1.0f / 3));
+    return V_MUL(V_ADD(z, z), V_MADD(q, s, V_SET(1.0f)));
+}
+
+MS_NN__INLINE V MS_NN__FN(activated)(V x, ms_nn__activation activation, float alpha)
+{
+    V zero = V_SET(0.0f), one = V_SET(1.0f), magnitude, e;
+    if (activation == MS_NN__RELU) return V_MAX(zero, x);
+    if (activation == MS_NN__LEAKY) return V_IF_GREATER(x, zero, x, V_MUL(x, V_SET(alpha)));
+    if (activation == MS_NN__ELU) return V_IF_GREATER(x, zero, x, V_MUL(V_SET(alpha), MS_NN__FN(expm1)(V_MIN(zero, x))));
+    magnitude = V_MAX(V_SUB(zero, x), x);
+    if (activation == MS_NN__TANH) { /* (1 - e^-2|x|) / (1 + e^-2|x|) */
+        e = MS_NN__FN(expm1)(V_MUL(V_SET(-2.0f), magnitude));
+        e = V_DIV(V_SUB(zero, e), V_ADD(e, V_SET(2.0f)));
+        return V_IF_GREATER(zero, x, V_SUB(zero, e), e);
+    }
+    e = V_ADD(MS_NN__FN(expm1)(V_SUB(zero, magnitude)), one); /* e^-|x| */
+    if (activation == MS_NN__SIGMOID) return V_DIV(V_IF_GREATER(zero, x, e, one), V_ADD(e, one));
+    return V_ADD(V_MAX(zero, x), MS_NN__FN(log1p)(e)); /* softplus */
+}
+
+/* Slope where the activation's value is y. */
+MS_NN__INLINE V MS_NN__FN(slope)(V y, ms_nn__activation activation, float alpha)
+{
+    V zero = V_SET(0.0f), one = V_SET(1.0f);
+    if (activation == MS_NN__RELU) return V_IF_GREATER(y, zero, one, zero);
+    if (activation == MS_NN__LEAKY) return V_IF_GREATER(y, zero, one, V_SET(alpha));
+    if (activation == MS_NN__ELU) return V_IF_GREATER(y, zero, one, V_ADD(y, V_SET(alpha)));
+    if (activation == MS_NN__TANH) return V_MUL(V_SUB(one, y), V_ADD(one, y));
+    if (activation == MS_NN__SIGMOID) return V_MUL(y, V_SUB(one, y));
+    return V_SUB(zero, MS_NN__FN(expm1)(V_SUB(zero, y))); /* softplus: 1 - e^-y */
+}
+
+/* y = f(y), or g = f'(y) g where y is f's value. */
+MS_NN__INLINE void MS_NN__FN(activate_as)(float *y, size_t n, ms_nn__activation activation, float alpha)
+{
+    float last[L];
+    size_t i;
+    for (i = 0; i + L <= n; i += L) V_STORE(y + i, MS_NN__FN(activated)(V_LOAD(y + i), activation, alpha));
+    if (i == n) return;
+    memset(last, 0, sizeof last);
+    memcpy(last, y + i, (n - i) * sizeof(float));
+    V_STORE(last, MS_NN__FN(activated)(V_LOAD(last), activation, alpha));
+    memcpy(y + i, last, (n - i) * sizeof(float));
+}
+
+MS_NN__INLINE void MS_NN__FN(derive_as)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha)
+{
+    float last[2][L];
+    size_t i;
+    for (i = 0; i + L <= n; i += L) V_STORE(g + i, V_MUL(V_LOAD(g + i), MS_NN__FN(slope)(V_LOAD(y + i), activation, alpha)));
+    if (i == n) return;
+    memset(last, 0, sizeof last);
+    memcpy(last[0], y + i, (n - i) * sizeof(float));
+    memcpy(last[1], g + i, (n - i) * sizeof(float));
+    V_STORE(last[1], V_MUL(V_LOAD(last[1]), MS_NN__FN(slope)(V_LOAD(last[0]), activation, alpha)));
+    memcpy(g + i, last[1], (n - i) * sizeof(float));
+}
+
+static void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation, float alpha)
+{
+    switch (activation) {
+    case MS_NN__RELU: MS_NN__FN(activate_as)(y, n, MS_NN__RELU, alpha); break;
+    case MS_NN__LEAKY: MS_NN__FN(activate_as)(y, n, MS_NN__LEAKY, alpha); break;
+    case MS_NN__ELU: MS_NN__FN(activate_as)(y, n, MS_NN__ELU, alpha); break;
+    case MS_NN__TANH: MS_NN__FN(activate_as)(y, n, MS_NN__TANH, alpha); break;
+    case MS_NN__SIGMOID: MS_NN__FN(activate_as)(y, n, MS_NN__SIGMOID, alpha); break;
+    case MS_NN__SOFTPLUS: MS_NN__FN(activate_as)(y, n, MS_NN__SOFTPLUS, alpha); break;
+    default: break;
+    }
+}
+
+static void MS_NN__FN(derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha)
+{
+    switch (activation) {
+    case MS_NN__RELU: MS_NN__FN(derive_as)(y, g, n, MS_NN__RELU, alpha); break;
+    case MS_NN__LEAKY: MS_NN__FN(derive_as)(y, g, n, MS_NN__LEAKY, alpha); break;
+    case MS_NN__ELU: MS_NN__FN(derive_as)(y, g, n, MS_NN__ELU, alpha); break;
+    case MS_NN__TANH: MS_NN__FN(derive_as)(y, g, n, MS_NN__TANH, alpha); break;
+    case MS_NN__SIGMOID: MS_NN__FN(derive_as)(y, g, n, MS_NN__SIGMOID, alpha); break;
+    case MS_NN__SOFTPLUS: MS_NN__FN(derive_as)(y, g, n, MS_NN__SOFTPLUS, alpha); break;
+    default: break;
+    }
+}
+
+/* Maxima of 2 x 2 windows of two rows; a NaN wins. */
+static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
+{
+    size_t j;
+    for (j = 0; j < n; ++j, x += 2) {
+        float best = x[0];
+        best = x[1] > best || x[1] != x[1] ? x[1] : best;
+        best = x[row] > best || (x[row] != x[row] && best == best) ? x[row] : best;
+        best = x[row + 1] > best || (x[row + 1] != x[row + 1] && best == best) ? x[row + 1] : best;
+        y[j] = best;
+    }
+}
+
+static const ms_nn__kernels MS_NN__FN(table) = {BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(activate),
+                                                MS_NN__FN(derive), MS_NN__FN(pool2)};
+
+#undef MS_NN__LEVEL
+#undef MS_NN__ISA
+#undef L
+#undef BLOCK
+#undef TILE
+#undef ROWS
+#undef CHAINS
+#undef V
+#undef V_LOAD
+#undef V_STORE
+#undef V_SET
+#undef V_ADD
+#undef V_SUB
+#undef V_MUL
+#undef V_DIV
+#undef V_MADD
+#undef V_MAX
+#undef V_MIN
+#undef V_IF_GREATER
+#undef V_SUM
+#undef V_INT
+#undef V_ROUND
+#undef V_FROM_INT
+#undef V_POW2
+#undef W_HALF
+#undef W_BRAIN
+#undef W_INT8
+#endif /* kernels */
+
+/*
+These headers, their tests and their examples are in two licences; take whichever you prefer.
+
+--------------------------------------------------------------------------------
+ALTERNATIVE A - MIT License
+
+Copyright (c) 2026 the ms authors
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of
+this software and associated documentation files (the "Software"), to deal in
+the Software without restriction, including without limitation the rights to
+use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies
+of the Software, and to permit persons to whom the Software is furnished to do
+so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all
+copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+SOFTWARE.
+
+--------------------------------------------------------------------------------
+ALTERNATIVE B - Public Domain (www.unlicense.org)
+
+This is free and unencumbered software released into the public domain.
+
+Anyone is free to copy, modify, publish, use, compile, sell, or distribute this
+software, either in source code form or as a compiled binary, for any purpose,
+commercial or non-commercial, and by any means.
+
+In jurisdictions that recognize copyright laws, the author or authors of this
+software dedicate any and all copyright interest in the software to the public
+domain. We make this dedication for the benefit of the public at large and to
+the detriment of our heirs and successors. We intend this dedication to be an
+overt act of relinquishment in perpetuity of all present and future rights to
+this software under copyright law.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN
+ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION
+WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+*/
