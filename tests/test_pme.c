@@ -466,7 +466,7 @@ static void test_misbehaviour(void)
             ms_pme_function f = odd_function(&o, 0, scalar, low, high);
             ms_pme_options options = ms_pme_defaults();
             ms_pme_result result;
-            double x[2] = {0.1, 0.1};
+            double x[2] = {0.125, 0.125};
             options.method = method;
             options.max_cost = 600;
             CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
@@ -503,7 +503,7 @@ static void test_failing_callback(void)
             ms_pme_options options = ms_pme_defaults();
             test_memory memory;
             ms_error error;
-            double x[2] = {0.1, 0.1};
+            double x[2] = {0.125, 0.125};
             memset(&memory, 0, sizeof memory);
             options.allocator.user = &memory;
             options.allocator.alloc = test_memory_alloc;
@@ -512,7 +512,7 @@ static void test_failing_callback(void)
             o.fail_at = k;
             CHECK_INT(ms_pme_minimize(&f, &options, x, NULL, &error), MS_IO);
             CHECK_INT(error.status, MS_IO);
-            CHECK(x[0] == 0.1 && x[1] == 0.1);
+            CHECK(x[0] == 0.125 && x[1] == 0.125);
             CHECK_INT(memory.blocks, 0);
         }
 }
