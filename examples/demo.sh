@@ -1,0 +1,14 @@
+#!/bin/sh
+# make demo: runs the examples and leaves their pictures and tables in build/demo/.
+set -eu
+out=build/demo
+mkdir -p $out
+echo "profiles of skin1 -> $out/skin1.csv"
+build/profile skin1 --csv $out/skin1.csv >/dev/null
+echo "seven taps for skin1 -> $out/skin1_kernel.txt"
+build/sss_kernel skin1 --model preintegrated --taps 7 >$out/skin1_kernel.txt
+build/demo_sss $out
+echo "300 recommendations -> $out/recommended.csv, latent plane -> $out/latent.png"
+build/recommend examples/data/scores.csv --count 300 --out $out/recommended.csv >$out/recommend.txt
+build/latent examples/data/scores.csv $out/latent.png
+ls -l $out | awk 'NR > 1 {print "  " $NF, $5, "bytes"}'

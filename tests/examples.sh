@@ -1,0 +1,129 @@
+#!/bin/sh
+# Runs the example programs as a user would, good input and bad: sh tests/examples.sh OUT
+set -u
+out=$1
+mkdir -p "$out"
+passed=0
+failed=0
+root=$(pwd)
+ok() { # NAME, then a command that must succeed
+    name=$1
+    shift
+    if "$@" >"$out/log" 2>&1; then passed=$((passed + 1)); else
+        failed=$((failed + 1))
+        echo "FAIL $name: $*"
+        head -5 "$out/log"
+    fi
+}
+refuses() { # NAME, text of the message, then a command that must exit with 1 or 2, say why and print no result
+    name=$1
+    text=$2
+    shift 2
+    "$@" >"$out/log.out" 2>"$out/log"
+    rc=$?
+    if { [ $rc -eq 1 ] || [ $rc -eq 2 ]; } && grep -q -i -e "$text" "$out/log"; then passed=$((passed + 1)); else
+        failed=$((failed + 1))
+        echo "FAIL $name: exit $rc, message: $(head -1 "$out/log")"
+    fi
+}
+is() { # NAME, value, expected
+    if [ "$2" = "$3" ]; then passed=$((passed + 1)); else
+        failed=$((failed + 1))
+        echo "FAIL $1: '$2', expected '$3'"
+    fi
+}
+
+if [ -x build/profile ]; then
+    is "profile lists 11 materials" "$(build/profile --list | grep -c .)" 11
+    ok "profile of skin1" build/profile skin1 --csv "$out/skin1.csv"
+    is "one line of totals" "$(grep -c '^# total_reflectance,' "$out/skin1.csv")" 1
+    is "the column names" "$(grep -v '^#' "$out/skin1.csv" | head -1)" "r_mm,R,G,B"
+    ok "profile from coefficients" build/profile --mua 0.01,0.02,0.03 --mus 1,1,1 --eta 1.4
+    refuses "profile of nothing" "material" build/profile unobtainium
+    refuses "negative absorption" "mu" build/profile --mua -1,0,0 --mus 1,1,1 --eta 1.4
+    refuses "NaN scattering" "mu" build/profile --mua 1,0,0 --mus nan,1,1 --eta 1.4
+    refuses "no arguments" "usage" build/profile
+fi
+
+if [ -x build/mcml ]; then
+    mkdir -p "$out/mcml"
+    cat >"$out/mcml/two.mci" <<'MCI'
+1.0                  # file version
+2                    # number of runs
+a.mco A
+1000
+0.01 0.01
+20 20 10
+1
+1
+1.4 1 90 0.5 0.1
+1
+b.mco A
+1000
+0.01 0.01
+20 20 10
+2
+1
+1.4 1 90 0.5 0.1
+1.5 0 0 0 0.1
+1
+MCI
+    sed 's/1.4 1 90 0.5 0.1/1.4 -1 90 0.5 0.1/' "$out/mcml/two.mci" >"$out/mcml/bad.mci"
+    ok "mcml runs a file" sh -c "cd '$out/mcml' && '$root/build/mcml' -s 7 two.mci"
+    is "and writes both files" "$(ls "$out"/mcml/*.mco 2>/dev/null | wc -l | tr -d ' ')" 2
+    cp "$out/mcml/a.mco" "$out/mcml/first.mco"
+    ok "again with the same seed" sh -c "cd '$out/mcml' && '$root/build/mcml' -s 7 two.mci"
+    is "gives the same numbers" "$(grep -v -i -E 'time|^#' "$out/mcml/first.mco" | cksum)" "$(grep -v -i -E 'time|^#' "$out/mcml/a.mco" | cksum)"
+    rm -f "$out"/mcml/*.mco
+    refuses "mcml names the line" "line 9" sh -c "cd '$out/mcml' && '$root/build/mcml' bad.mci"
+    is "and writes nothing" "$(ls "$out"/mcml/*.mco 2>/dev/null | wc -l | tr -d ' ')" 0
+    refuses "mcml without the file" "missing.mci" build/mcml "$out/missing.mci"
+fi
+
+if [ -x build/sss_kernel ]; then
+    ok "kernel of a material" build/sss_kernel skin1 --model preintegrated --taps 7
+    ok "kernel of a CSV" build/sss_kernel "$out/skin1.csv" --taps 9
+    refuses "kernel of nothing" "unobtainium" build/sss_kernel unobtainium
+fi
+
+if [ -x build/sss_filter ]; then
+    # a 64 x 32 picture: the left half lit, at a depth of 2; little-endian PFM through awk and printf
+    pfm() { # FILE, channels, octal bytes of the left half's float, of the right half's
+        { if [ "$2" = 3 ]; then printf 'PF\n64 32\n-1.0\n'; else printf 'Pf\n64 32\n-1.0\n'; fi
+          awk -v n="$2" -v a="$3" -v b="$4" 'BEGIN {for (y = 0; y < 32; y++) for (x = 0; x < 64; x++) for (c = 0; c < n; c++) printf "%s", x < 32 ? a : b}' |
+              while read -r line; do printf "$line"; done; } >"$1"
+    }
+    one='\\000\\000\\200\\077\n'
+    zero='\\000\\000\\000\\000\n'
+    two='\\000\\000\\000\\100\n'
+    pfm "$out/e.pfm" 3 "$one" "$zero"
+    pfm "$out/d.pfm" 1 "$two" "$two"
+    ok "filter to PFM" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/f.pfm" --material skin1 --mm-per-unit 10
+    ok "filter to PNG" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/f.png" --profile "$out/skin1.csv" --taps 9 --ortho 2 --strength 0.5
+    is "the size stays" "$(head -c 9 "$out/f.pfm" | tail -c 6 | head -1)" "64 32"
+    head -c 3000 "$out/e.pfm" >"$out/cut.pfm"
+    rm -f "$out/never.pfm"
+    refuses "a truncated picture" "cut.pfm" build/sss_filter "$out/cut.pfm" "$out/d.pfm" "$out/never.pfm" --material skin1
+    refuses "an unknown material" "material" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/never.pfm" --material unobtainium
+    refuses "an even number of taps or none" "taps" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/never.pfm" --material skin1 --taps 0
+    is "nothing is written" "$(ls "$out/never.pfm" 2>/dev/null)" ""
+fi
+
+if [ -x build/recommend ]; then
+    awk 'BEGIN {srand(1); for (i = 0; i < 60; i++) {s = 0; for (j = 0; j < 4; j++) {x = rand(); printf "%.6f,", x; s += (x - 0.5) * (x - 0.5)} printf "%.3f\n", s < 0.4 ? 10 * (1 - s / 0.4) : 0}}' >"$out/scores.csv"
+    ok "recommendations" build/recommend "$out/scores.csv" --count 20 --tau 0.5 --seed 3 --out "$out/r.csv"
+    is "as many as asked for" "$(grep -v '^#' "$out/r.csv" | grep -c '^[0-9]')" 20
+    ok "the plane" build/latent "$out/scores.csv" "$out/plane.png"
+    printf '0.1,0.2,5\n0.1,nan,5\n' >"$out/bad.csv"
+    refuses "NaN in the scores" "2" build/recommend "$out/bad.csv"
+    refuses "no file" "missing.csv" build/recommend "$out/missing.csv"
+fi
+
+if [ -x build/nn_info ]; then
+    ok "layers of a network" build/nn_info tests/data/nn/renderer_f16.safetensors
+    printf 'not a network' >"$out/bad.safetensors"
+    refuses "not a network" "." build/nn_info "$out/bad.safetensors"
+fi
+
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]
