@@ -1,0 +1,245 @@
+/* Ground truth for ms_sss.h: an object of examples/scene.h as a random walk shows it, the irradiance and depth that a
+   filter starts from, the profile of the same walk below a flat surface, and the errors of filtered pictures. Include
+   ms_sss.h with its implementation first. */
+#ifndef TESTS_RENDER_TRUTH_H
+#define TESTS_RENDER_TRUTH_H
+#include "trace.h"
+
+enum { TRUTH_RINGS = 96 };
+
+typedef struct truth {
+    int width, height, pixels; /* pixels: that show the object */
+    float mm_per_unit, tan_half_fov, peak;
+    mesh m;
+    tracer *t;
+    trace_layers layers;
+    image irradiance;           /* over pi */
+    image half[2];              /* the random walk's picture, two independent estimates */
+    image unfiltered;           /* irradiance times reflectance */
+    ms_sss_profile *profile;    /* mm */
+    double reflectance[3], radius_mm, radius_px; /* of the flat profile; of 99% of the widest channel, px at the object's centre */
+} truth;
+
+static inline void truth_free(truth *t)
+{
+    int i;
+    trace_destroy(t->t);
+    mesh_free(&t->m);
+    trace_layers_free(&t->layers);
+    image_free(&t->irradiance);
+    image_free(&t->unfiltered);
+    for (i = 0; i < 2; ++i) image_free(&t->half[i]);
+    ms_sss_profile_destroy(t->profile);
+    memset(t, 0, sizeof *t);
+}
+
+/* Coefficients of thesis 5.9.2 (marble) and 5.9.7 (skin1), 1/mm. The objects shrink to figurines so that the profile
+   spans pixels: 40 mm of skin, 50 mm of marble. */
+static inline void truth_material(scene_object object, float mu_s[3], float mu_a[3], float *mm_per_unit)
+{
+    static const float skin_s[3] = {0.74f, 0.88f, 1.01f}, skin_a[3] = {0.032f, 0.17f, 0.48f};
+    static const float marble_s[3] = {2.19f, 2.62f, 3.00f}, marble_a[3] = {0.0021f, 0.0041f, 0.0071f};
+    int skin = object == SCENE_BUST, c;
+    for (c = 0; c < 3; ++c) {
+        mu_s[c] = skin ? skin_s[c] : marble_s[c];
+        mu_a[c] = skin ? skin_a[c] : marble_a[c];
+    }
+    *mm_per_unit = skin ? 0.25f : 0.6f;
+}
+
+/* One lamp, the key; samples: walks a pixel and estimate. 0: something failed (message in *problem). */
+static inline int truth_make(truth *t, scene_object object, int width, int height, int samples, const char **problem)
+{
+    float mu_s[3], mu_a[3], scene_mu_s[3], scene_mu_a[3];
+    double edge[TRUTH_RINGS + 1], energy[TRUTH_RINGS], *value[3];
+    scene_light light[SCENE_LIGHTS];
+    scene_camera camera = scene_camera_of(object);
+    const double *rings[3];
+    int c, i, k;
+    memset(t, 0, sizeof *t);
+    t->width = width;
+    t->height = height;
+    t->tan_half_fov = camera.tan_half_fov;
+    truth_material(object, mu_s, mu_a, &t->mm_per_unit);
+    scene_lights(object, light);
+    *problem = "the mesh could not be made";
+    if (!mesh_make(&t->m, object, object == SCENE_BUST ? 2.5f : 1.0f)) return 0;
+    *problem = "Embree could not build the scene";
+    t->t = trace_create(&t->m, light, 1);
+    if (t->t == NULL || !trace_primary(t->t, &camera, width, height, &t->layers)) return 0;
+    t->irradiance = image_new(width, height, 3);
+    t->unfiltered = image_new(width, height, 3);
+    trace_irradiance(t->t, &t->layers, 64, 1, &t->irradiance);
+    for (c = 0; c < 3; ++c) { /* the scene's unit is not 1 mm */
+        scene_mu_s[c] = mu_s[c] * t->mm_per_unit;
+        scene_mu_a[c] = mu_a[c] * t->mm_per_unit;
+    }
+    for (k = 0; k < 2; ++k) {
+        t->half[k] = image_new(width, height, 3);
+        trace_subsurface(t->t, &t->layers, scene_mu_s, scene_mu_a, samples, 2 + (uint32_t)k, &t->half[k]);
+    }
+
+    edge[0] = 0;
+    for (i = 1; i <= TRUTH_RINGS; ++i) edge[i] = 0.01 * pow(1e4, (i - 1) / (TRUTH_RINGS - 1.0)); /* 10 um to 100 mm */
+    for (c = 0; c < 3; ++c) {
+        rings[c] = value[c] = (double *)malloc(TRUTH_RINGS * sizeof(double));
+        if (value[c] == NULL) abort();
+        trace_flat_profile(mu_s[c], mu_a[c], edge + 1, TRUTH_RINGS, 1 << 18, 4, energy);
+        for (i = 0; i < TRUTH_RINGS; ++i)
+            value[c][i] = (energy[i] - (i ? energy[i - 1] : 0)) / (3.14159265358979 * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]));
+    }
+    *problem = "the flat profile was refused";
+    i = ms_sss_profile_from_rings(&t->profile, TRUTH_RINGS, edge, rings, 1, NULL, NULL);
+    for (c = 0; c < 3; ++c) free(value[c]);
+    if (i != MS_OK) return 0;
+    ms_sss_profile_reflectance(t->profile, t->reflectance);
+    {
+        double radius[3];
+        ms_sss_profile_radius(t->profile, 0.99, radius);
+        for (c = 0; c < 3; ++c) t->radius_mm = radius[c] > t->radius_mm ? radius[c] : t->radius_mm;
+        t->radius_px = t->radius_mm / t->mm_per_unit * height / (2 * (double)t->tan_half_fov * (double)scene_length(camera.eye));
+    }
+    for (i = 0; i < width * height; ++i) {
+        t->pixels += t->layers.triangle[i] >= 0;
+        for (c = 0; c < 3; ++c) {
+            t->unfiltered.pixels[3 * i + c] = t->irradiance.pixels[3 * i + c] * (float)t->reflectance[c];
+            t->peak = scene__max(t->peak, t->unfiltered.pixels[3 * i + c]);
+        }
+    }
+    return 1;
+}
+
+typedef struct truth_error {
+    double relative, psnr; /* root mean square error over that of the truth; dB below the brightest unfiltered value */
+} truth_error;
+
+/* On the object's pixels. The truth's noise drops out: the mean of (F - A)(F - B) over two independent estimates A and B
+   of T has the expectation (F - T)^2. */
+static inline truth_error truth_compare(const truth *t, const image *picture)
+{
+    double error = 0, power = 0;
+    truth_error e;
+    int i, c;
+    for (i = 0; i < t->width * t->height; ++i)
+        for (c = 0; c < 3 && t->layers.triangle[i] >= 0; ++c) {
+            double f = (double)picture->pixels[3 * i + c], a = (double)t->half[0].pixels[3 * i + c], b = (double)t->half[1].pixels[3 * i + c];
+            error += (f - a) * (f - b);
+            power += a * b;
+        }
+    e.relative = error > 0 ? sqrt(error / power) : 0;
+    e.psnr = -10 * log10(error / (3.0 * t->pixels * (double)t->peak * (double)t->peak));
+    return e;
+}
+
+/* The irradiance filtered by a separable kernel, times reflectance, into out (of the same size). */
+static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel, image *out)
+{
+    ms_sss_frame frame;
+    ms_sss_filter_options options = ms_sss_filter_defaults();
+    size_t size;
+    void *workspace;
+    ms_status status;
+    int i, c;
+    memset(&frame, 0, sizeof frame);
+    frame.width = t->width;
+    frame.height = t->height;
+    frame.input = ms_sss_interleaved(t->irradiance.pixels, 3, 0);
+    frame.output = ms_sss_interleaved(out->pixels, 3, 0);
+    frame.depth = ms_sss_map(t->layers.depth.pixels, 1, 0); /* 0 beside the object: takes no part */
+    options.fov_degrees = 2 * atanf(t->tan_half_fov) * (180 / 3.14159265f);
+    options.mm_per_unit = t->mm_per_unit;
+    size = ms_sss_filter_workspace(t->width, t->height, kernel, 1, &options);
+    workspace = malloc(size);
+    if (workspace == NULL) return MS_OUT_OF_MEMORY;
+    status = ms_sss_filter(&frame, kernel, 1, &options, workspace, size, NULL);
+    free(workspace);
+    for (i = 0; i < t->width * t->height; ++i)
+        for (c = 0; c < 3; ++c) out->pixels[3 * i + c] *= (float)t->reflectance[c];
+    return status;
+}
+
+/* The same by the true 2D kernel, pixel by pixel: weights averaged over rings one pixel wide, the separable filter's
+   treatment of depth (sigma a third of the radius, renormalised). */
+static inline void truth_filter_2d(const truth *t, image *out)
+{
+    enum { steps = 4096 };
+    double (*disc)[3] = (double (*)[3])malloc((steps + 1) * sizeof *disc);
+    double reach = t->radius_mm * 1.5, sigma = t->radius_mm / 3;
+    int x, y, i, c;
+    if (disc == NULL) abort();
+    for (i = 0; i <= steps; ++i) ms_sss_profile_disc(t->profile, reach * i / steps, disc[i]);
+    for (y = 0; y < t->height; ++y)
+        for (x = 0; x < t->width; ++x) {
+            int at = y * t->width + x, n, dx, dy;
+            double z = (double)t->layers.depth.pixels[at], pixel, sum[3] = {0, 0, 0}, weights[3] = {0, 0, 0};
+            if (t->layers.triangle[at] < 0) continue;
+            pixel = 2 * (double)t->tan_half_fov * z * (double)t->mm_per_unit / t->height; /* mm */
+            n = (int)(reach / pixel);
+            for (dy = -n; dy <= n; ++dy)
+                for (dx = -n; dx <= n; ++dx) {
+                    int qx = x + dx, qy = y + dy, q = qy * t->width + qx, inner, outer;
+                    double r = sqrt((double)(dx * dx + dy * dy)) * pixel, low, high, dz, near_by;
+                    if (qx < 0 || qy < 0 || qx >= t->width || qy >= t->height || t->layers.triangle[q] < 0) continue;
+                    low = r > 0 ? r - 0.5 * pixel : 0;
+                    high = r > 0 ? r + 0.5 * pixel : pixel / sqrt(3.14159265358979);
+                    if (high > reach) continue;
+                    inner = (int)(low / reach * steps + 0.5);
+                    outer = (int)(high / reach * steps + 0.5);
+                    if (outer <= inner) outer = inner + 1;
+                    dz = ((double)t->layers.depth.pixels[q] - z) * (double)t->mm_per_unit;
+                    near_by = exp(-dz * dz / (2 * sigma * sigma)) / (high * high - low * low);
+                    for (c = 0; c < 3; ++c) {
+                        double w = near_by * (disc[outer][c] - disc[inner][c]);
+                        weights[c] += w;
+                        sum[c] += w * (double)t->irradiance.pixels[3 * q + c];
+                    }
+                }
+            for (c = 0; c < 3; ++c) out->pixels[3 * at + c] = (float)(t->reflectance[c] * sum[c] / weights[c]);
+        }
+    free(disc);
+}
+
+/* The models of the table, with dense taps unless said otherwise. */
+typedef struct truth_model {
+    const char *name;
+    ms_sss_model model;
+    int terms, taps;
+} truth_model;
+
+static const truth_model truth_models[] = {{"R_d sampled along the axis", MS_SSS_SLICE, 1, MS_SSS_DENSE},
+                                           {"one Gaussian", MS_SSS_GAUSSIANS, 1, MS_SSS_DENSE},
+                                           {"SVD rank 1, normalised", MS_SSS_SVD_NORMALISED, 1, MS_SSS_DENSE},
+                                           {"artist, fitted", MS_SSS_ARTIST, 1, MS_SSS_DENSE},
+                                           {"guided, k = 2", MS_SSS_GUIDED, 1, MS_SSS_DENSE},
+                                           {"pre-integrated", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE},
+                                           {"image-optimal", MS_SSS_IMAGE_OPTIMAL, 1, MS_SSS_DENSE},
+                                           {"image-optimal, 7 taps", MS_SSS_IMAGE_OPTIMAL, 1, 7},
+                                           {"SVD rank 3, normalised", MS_SSS_SVD_NORMALISED, 3, MS_SSS_DENSE},
+                                           {"pre-integrated + 1 residual", MS_SSS_RESIDUAL, 2, MS_SSS_DENSE},
+                                           {"six Gaussians", MS_SSS_GAUSSIANS, 6, MS_SSS_DENSE}};
+
+enum { TRUTH_MODELS = sizeof truth_models / sizeof truth_models[0] };
+
+static inline ms_status truth_kernel(const ms_sss_designer *designer, const truth_model *model, ms_sss_kernel *kernel)
+{
+    ms_sss_kernel_options options = ms_sss_kernel_defaults();
+    options.model = model->model;
+    options.term_count = model->terms;
+    options.tap_count = model->taps;
+    options.guide_k = 2;
+    return ms_sss_kernel_build(kernel, designer, &options, NULL);
+}
+
+/* A linear picture for people: the peak just below white, sRGB. */
+static inline const char *truth_save(const truth *t, const image *picture, const char *path)
+{
+    image shown = image_new(picture->width, picture->height, 3);
+    const char *problem;
+    size_t i;
+    for (i = 0; i < image_count(&shown); ++i) shown.pixels[i] = scene_tone(picture->pixels[i] * 1.2f / t->peak);
+    image_to_srgb(&shown);
+    problem = image_write(path, &shown);
+    image_free(&shown);
+    return problem;
+}
+#endif
