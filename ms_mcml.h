@@ -125,11 +125,176 @@ static inline const char *ms_simd_string(ms_simd level)
 
 /* --- materials --------------------------------------------------------------------------------------------- */
 
+/* A homogeneous half-space. Isotropic data sets give mu_s as the reduced coefficient with g = 0. */
+typedef struct ms_mcml_medium {
+    double mu_a_per_mm; /* absorption, >= 0 */
+    double mu_s_per_mm; /* scattering, >= 0; mu_a + mu_s > 0 */
+    double g;           /* mean cosine of scattering, in (-1, 1) */
+    double eta;         /* refractive index over that of the outside, 0.1 to 10 */
+} ms_mcml_medium;
+
+typedef struct ms_mcml_material {
+    const char *name; /* lower case, e.g. "skin1" */
+    double mu_a_per_mm[3], mu_s_per_mm[3]; /* R, G, B; g = 0 */
+    double eta;
+} ms_mcml_material;
+
+/* The 11 materials of the dissertation's sections 5.9.2 to 5.9.12 (measured by Jensen, Marschner, Levoy, Hanrahan
+   2001); count (may be NULL) gets 11. */
+MS_API const ms_mcml_material *ms_mcml_materials(int *count);
+
+/* By name, upper and lower case alike; NULL if there is none of that name. */
+MS_API const ms_mcml_material *ms_mcml_find_material(const char *name);
+
+/* One channel (0 R, 1 G, 2 B) of a material. */
+MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, int channel);
+
 /* --- half-space solver ------------------------------------------------------------------------------------- */
+
+#define MS_MCML_RATES_MAX 112
+#define MS_MCML_CONE_MAX 64
+
+/* Knobs of the deterministic solver; zero is the default. Time and error of each: the table in the head comment. */
+typedef struct ms_mcml_halfspace_options {
+    double depth_step;     /* log spacing of the exponentials in depth, 0.28 to 1; 0: 0.3 */
+    double frequency_step; /* log spacing of the spatial frequencies, 0.2 to 1; 0: 0.25 */
+    ms_allocator allocator;
+} ms_mcml_halfspace_options;
+
+/* The diffuse reflectance of a half-space under a pencil beam at normal incidence, per incident energy, without the
+   specular reflection at entry. Exact in form: single scattering is a sum of exponentials, multiple scattering a sum
+   of Bessel functions, all with positive energies, so the profile is positive, falls with r, and ends in the tail
+   exp(-decay r) / r^2 of transport theory.
+
+     energy beyond radius r      sum single_energy exp(-single_rate r) + sum energy (rate r) K1(rate r)
+     spectrum, and the energy at |x| > x0 of a line    single scattering as the same kind of sum: line_energy, line_rate
+
+   A plain value: copy it freely; nothing to release. */
+typedef struct ms_mcml_halfspace {
+    ms_mcml_medium medium;  /* as given */
+    double mu_t_per_mm;     /* mu_a + (1 - g) mu_s: similarity to isotropic scattering where g is not 0 */
+    double albedo;          /* (1 - g) mu_s / mu_t */
+    double specular;        /* reflected at entry: ((eta - 1) / (eta + 1))^2; not part of any number below */
+    double total;           /* diffuse reflectance: single + multiple scattering */
+    double total_single;
+    double decay_per_mm;    /* of the far tail: the Case eigenvalue nu_0 mu_t */
+    double fit_error;       /* largest relative misfit of the multiple-scattering spectrum at the solved frequencies */
+    int singles, rates, lines;
+    double single_rate_per_mm[MS_MCML_CONE_MAX], single_energy[MS_MCML_CONE_MAX];  /* [singles] ascending rates */
+    double rate_per_mm[MS_MCML_RATES_MAX], energy[MS_MCML_RATES_MAX];              /* [rates] ascending */
+    double line_rate_per_mm[MS_MCML_RATES_MAX], line_energy[MS_MCML_RATES_MAX];    /* [lines] ascending */
+} ms_mcml_halfspace;
+
+/* Solves one medium: about 2 ms, no thread, memory from options->allocator (0.4 MB, released before it returns).
+   options may be NULL. The same bits on every machine with the same math library.
+   MS_INVALID_ARGUMENT: a value outside its range. MS_OUT_OF_MEMORY. *out untouched on failure. */
+MS_API ms_status ms_mcml_halfspace_solve(const ms_mcml_medium *medium, const ms_mcml_halfspace_options *options,
+                                         ms_mcml_halfspace *out, ms_error *error);
+
+/* Energy that leaves farther than r_mm >= 0 from the beam; at 0 the total. */
+MS_API double ms_mcml_halfspace_beyond(const ms_mcml_halfspace *solution, double r_mm);
+
+/* Mean of R_d over the ring r0_mm <= r < r1_mm in 1/mm^2, r0_mm < r1_mm. */
+MS_API double ms_mcml_halfspace_ring(const ms_mcml_halfspace *solution, double r0_mm, double r1_mm);
+
+/* Two-dimensional Fourier transform of R_d at k_per_mm (radians), which is also the cosine transform of a_p. */
+MS_API double ms_mcml_halfspace_spectrum(const ms_mcml_halfspace *solution, double k_per_mm);
+
+/* Energy that leaves at x > x_mm >= 0 on one side of the beam: the integral of the pre-integrated kernel a_p from
+   there on; at 0 half the total. */
+MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *solution, double x_mm);
 
 /* --- white Monte Carlo ------------------------------------------------------------------------------------- */
 
+/* Photons that left a half-space of isotropic scattering without absorption, counted by ring and by the number of
+   collisions j before they left: R_d(r) of any albedo a is the sum over j of a^j times the share of j. One run serves
+   every albedo and mean free path at one refractive index. */
+typedef struct ms_mcml_white ms_mcml_white;
+
+typedef struct ms_mcml_white_options {
+    uint64_t photons;       /* at most 2^32; 0: 1000000 */
+    uint64_t first_photon;  /* photons first_photon to first_photon + photons - 1 of the seed's sequence */
+    uint64_t seed;
+    const double *edge_mfp; /* [rings + 1] increasing, from >= 0, in mean free paths; NULL: 0, then 0.05 to 2000, 8% apart */
+    int rings;              /* with edge_mfp: 1 to 65535 */
+    ms_simd simd;
+    ms_parallel parallel;
+    ms_progress progress;   /* asked after every 2^18 photons */
+    ms_allocator allocator;
+} ms_mcml_white_options;
+
+/* Runs the photons; about 260 collisions each. options may be NULL. A photon draws its numbers from (seed, its index,
+   its collision), and the tallies are counts, so the result is the same for any thread count and any split; levels of
+   instruction sets differ in the last bit of a path, so that a photon may fall into a neighbouring ring.
+   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED: *white NULL. Release with ms_mcml_white_destroy. */
+MS_API ms_status ms_mcml_white_run(ms_mcml_white **white, double eta, const ms_mcml_white_options *options, ms_error *error);
+
+/* Adds the photons of other, made with the same eta and rings, to white. MS_INVALID_ARGUMENT if they differ. */
+MS_API ms_status ms_mcml_white_merge(ms_mcml_white *white, const ms_mcml_white *other, ms_error *error);
+
+/* Ring averages and totals for one albedo in [0, 1], lengths in mean free paths.
+   rd, rd_error  [rings] per mean free path squared, and one standard error; either may be NULL
+   total, total_error  of all that leaves, beyond the last ring too; either may be NULL */
+MS_API ms_status ms_mcml_white_profile(const ms_mcml_white *white, double albedo, double *rd, double *rd_error, double *total,
+                                       double *total_error, ms_error *error);
+
+/* The rings in use; *rings (may be NULL) gets their number. Lives as long as white. */
+MS_API const double *ms_mcml_white_edges(const ms_mcml_white *white, int *rings);
+
+/* NULL is fine. */
+MS_API void ms_mcml_white_destroy(ms_mcml_white *white);
+
 /* --- diffusion profiles ------------------------------------------------------------------------------------ */
+
+typedef enum ms_mcml_method {
+    MS_MCML_AUTO = 0,          /* photons = 0: deterministic; else white where every g is 0 and direct where not */
+    MS_MCML_DETERMINISTIC = 1, /* no noise; exact for g = 0, similarity for other g */
+    MS_MCML_WHITE = 2,         /* Monte Carlo, one run for all channels; g = 0 and one eta only */
+    MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g */
+} ms_mcml_method;
+
+typedef struct ms_mcml_profile_options {
+    int method;            /* ms_mcml_method */
+    uint64_t photons;      /* Monte Carlo only, a channel; 0: 1000000, at most 2^32 */
+    uint64_t seed;
+    const double *edge_mm; /* [rings + 1] increasing, from >= 0; NULL: rings of equal width ring_mm from 0 */
+    int rings;             /* 0 (with edge_mm NULL, ring_mm 0): rings that suit the media, see ms_mcml_profile */
+    double ring_mm;
+    double depth_step, frequency_step; /* deterministic: see ms_mcml_halfspace_options */
+    ms_simd simd;
+    ms_parallel parallel;
+    ms_progress progress;
+    ms_allocator allocator;
+} ms_mcml_profile_options;
+
+/* Diffuse reflectance of `channels` half-spaces over common rings, per incident energy, specular reflection excluded.
+   Arrays belong to the profile. Row c of an array [channels][n] starts at element c * n. */
+typedef struct ms_mcml_profile {
+    int channels, rings;
+    int method;                     /* that was used */
+    double *edge_mm;          /* [rings + 1] */
+    double *rd_per_mm2;       /* [channels][rings] mean over each ring */
+    double *rd_error_per_mm2; /* [channels][rings] standard error; zeros if deterministic */
+    double *within;           /* [channels][rings + 1] energy that leaves nearer than the edge */
+    double *ap_per_mm;        /* [channels][rings] mean of the pre-integrated kernel a_p over edge_i <= x < edge_i+1;
+                                       NULL from Monte Carlo (ms_sss.h integrates rings) */
+    double *total;            /* [channels] of all that leaves */
+    double *total_error;      /* [channels] */
+    void *memory;
+    size_t memory_size;
+    ms_allocator allocator;
+} ms_mcml_profile;
+
+/* The profile of media[0 .. channels - 1]. options may be NULL. Without rings in the options: equal width, a twentieth
+   of the shortest mean free path, up to that path; from there each 4% wider than the one before, out to where every
+   channel has 1e-5 of its energy left. Release with ms_mcml_profile_destroy.
+   The same bits for any thread count. MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED, MS_UNSUPPORTED (white with
+   g or several eta): *profile is zeroed. */
+MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_medium *media, int channels,
+                                      const ms_mcml_profile_options *options, ms_error *error);
+
+/* NULL and a zeroed profile are fine. */
+MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile);
 
 #ifdef __cplusplus
 }
@@ -444,6 +609,8 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
 
+#include <math.h>
+
 /* --- tissue and runs --------------------------------------------------------------------------------------- */
 
 /* --- direct Monte Carlo ------------------------------------------------------------------------------------ */
@@ -454,13 +621,1478 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 /* --- materials --------------------------------------------------------------------------------------------- */
 
+MS_API const ms_mcml_material *ms_mcml_materials(int *count)
+{
+    static const ms_mcml_material table[] = {
+        {"apple", {0.0030, 0.0034, 0.0460}, {2.2900, 2.3900, 1.9700}, 1.3},
+        {"chicken1", {0.0150, 0.0770, 0.1900}, {0.1500, 0.2100, 0.3800}, 1.3},
+        {"chicken2", {0.0180, 0.0880, 0.2000}, {0.1900, 0.2500, 0.3200}, 1.3},
+        {"cream", {0.0002, 0.0028, 0.0163}, {7.3800, 5.4700, 3.1500}, 1.3},
+        {"ketchup", {0.0610, 0.9700, 1.4500}, {0.1800, 0.0700, 0.0300}, 1.3},
+        {"marble", {0.0021, 0.0041, 0.0071}, {2.1900, 2.6200, 3.0000}, 1.5},
+        {"potato", {0.0024, 0.0090, 0.1200}, {0.6800, 0.7000, 0.5500}, 1.3},
+        {"skimmilk", {0.0014, 0.0025, 0.0142}, {0.7000, 1.2200, 1.9000}, 1.3},
+        {"skin1", {0.0320, 0.1700, 0.4800}, {0.7400, 0.8800, 1.0100}, 1.3},
+        {"skin2", {0.0130, 0.0700, 0.1450}, {1.0900, 1.5900, 1.7900}, 1.3},
+        {"wholemilk", {0.0011, 0.0024, 0.0140}, {2.5500, 3.2100, 3.7700}, 1.3},
+    };
+    if (count) *count = (int)(sizeof table / sizeof table[0]);
+    return table;
+}
+
+MS_API const ms_mcml_material *ms_mcml_find_material(const char *name)
+{
+    int count, i;
+    const ms_mcml_material *table = ms_mcml_materials(&count);
+    for (i = 0; name && i < count; ++i) {
+        const char *a = name, *b = table[i].name;
+        while (*a && (*a == *b || (*a >= 'A' && *a <= 'Z' && *a - 'A' + 'a' == *b))) ++a, ++b;
+        if (*a == 0 && *b == 0) return &table[i];
+    }
+    return NULL;
+}
+
+MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, int channel)
+{
+    ms_mcml_medium medium;
+    medium.mu_a_per_mm = material->mu_a_per_mm[channel];
+    medium.mu_s_per_mm = material->mu_s_per_mm[channel];
+    medium.g = 0;
+    medium.eta = material->eta;
+    return medium;
+}
+
 /* --- half-space solver ------------------------------------------------------------------------------------- */
+
+/* Lengths in mean free paths 1 / mu_t. The lateral Fourier transform q(z; k) of the collision density under a pencil
+   beam obeys  q(z) = exp(-z) + a integral_0^inf K(z, z') q(z') dz'  with  K(z, z') = L(|z - z'|) + M(z + z'),
+
+     L(z) = 1/2 int_1^inf exp(-w z) / w ds,           w = sqrt(s^2 + k^2)              flight from z' to z
+     M(z) = 1/2 int_0^1 R(mu) exp(-z / mu) J0(k z tan theta) dmu / mu                  flight by way of the surface
+
+   and what leaves is  a int_0^inf E(z) q(z) dz,  E(z) = 1/2 int_0^1 T(mu) exp(-z / mu) J0(k z tan theta) dmu.
+   R = 1 - T is Fresnel's reflection inside; with T = 0 M(z) is L(z), so M is that minus an integral over the cone of
+   directions that leave. Laplace transforms of L, M, E have closed forms or one smooth integral over the cone:
+
+     G(b) = 1/2 int_1^inf ds / (w (b + w))            of L
+     F(b) = 1/2 int_cone T dmu / sqrt((b mu + 1)^2 + k^2 sin^2 theta)       of the cone's part of M
+     E(b) = the same with mu T                        of E
+
+   Galerkin's method with the functions exp(-b_i z), b_i on a logarithmic lattice that contains 1, turns q - exp(-z)
+   into a symmetric positive definite system whose entries are G, and divided differences of G - F. Its spacing h sets
+   the error, about exp(-pi^2 / h), and the condition number, about exp(pi^2 / h): 0.3 is where they meet.
+
+   The spectrum R(k) of multiple scattering is a Stieltjes function of k^2 with a cut from -nu_0^2 downwards, nu_0
+   being Case's eigenvalue  a atanh(nu) / nu = 1.  So it is a sum of  energy / (1 + k^2 / b^2)  with b >= nu_0 and
+   positive energies. They are found by non-negative least squares from R at k^2 = t^2 - nu_0^2, t on a logarithmic
+   lattice: frequencies on both sides of k = 0, and up to the branch point, where the far tail of the profile shows. */
+
+/* The cone of directions that leave: nodes of a double exponential rule in mu on [mu_c, 1]. It clusters them at both
+   ends, where T has its square root and where tan theta has its own. */
+typedef struct ms_mcml__cone {
+    int count;
+    double mu[MS_MCML_CONE_MAX], sin2[MS_MCML_CONE_MAX];
+    double weight[MS_MCML_CONE_MAX]; /* T dmu / 2 */
+} ms_mcml__cone;
+
+static void ms_mcml__cone_make(ms_mcml__cone *cone, double eta)
+{
+    double mu_c = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0, step = 6.6 / MS_MCML_CONE_MAX;
+    int i;
+    cone->count = 0;
+    for (i = 0; i < MS_MCML_CONE_MAX; ++i) {
+        double x = (i + 0.5 - 0.5 * MS_MCML_CONE_MAX) * step;
+        double e = exp(-3.14159265358979324 * sinh(x));
+        double above = (1 - mu_c) / (1 + e), below = (1 - mu_c) * e / (1 + e); /* mu - mu_c, 1 - mu */
+        double mu = mu_c + above;
+        double mu_out = eta > 1 ? eta * sqrt(above * (mu + mu_c)) : sqrt((1 - eta) * (1 + eta) + eta * eta * mu * mu);
+        double s = eta * mu + mu_out, p = eta * mu_out + mu;
+        double transmitted = 2 * eta * mu * mu_out * (1 / (s * s) + 1 / (p * p)); /* Fresnel, unpolarised */
+        cone->mu[i] = mu;
+        cone->sin2[i] = below * (1 + mu);
+        cone->weight[i] = 0.5 * transmitted * step * 3.14159265358979324 * cosh(x) * above * e / (1 + e);
+        cone->count = i + 1;
+    }
+}
+
+/* Case's eigenvalue in [0, 1]: with y = atanh(nu), tanh(y) = a y. absorption = 1 - a, given apart because it may be
+   far below the rounding of a. */
+static double ms_mcml__case_eigenvalue(double albedo, double absorption)
+{
+    double y = 1 / albedo, next, residual, slope, tanh_y;
+    int i;
+    if (!(absorption > 0)) return 0;
+    for (i = 0; i < 100; ++i) {
+        tanh_y = tanh(y);
+        if (y < 0.1) { /* y - tanh(y) without cancellation */
+            double y2 = y * y;
+            residual = y * (y2 * (1 / 3.0 + y2 * (-2 / 15.0 + y2 * (17 / 315.0 + y2 * (-62 / 2835.0 + y2 * (1382 / 155925.0))))) -
+                            absorption);
+        } else {
+            residual = albedo * y - tanh_y;
+        }
+        slope = tanh_y * tanh_y - absorption; /* convex from the right: Newton falls monotonically */
+        if (!(slope > 0)) break;
+        next = y - residual / slope;
+        if (!(next > 0 && next < y)) break;
+        y = next;
+    }
+    return tanh(y);
+}
+
+/* G(b) and its derivative. With T = 1 / (1 + sqrt(1 + k^2)) and y = T / (1 + b T),
+   G = y S(x),  x = (b^2 - k^2) y^2,  S(x) = atanh(sqrt x) / sqrt x = 1 + x / 3 + x^2 / 5 + ... */
+static double ms_mcml__flight(double b, double k2, double *derivative)
+{
+    double t = 1 / (1 + sqrt(1 + k2)), y = t / (1 + b * t), d2 = b * b - k2, x = d2 * y * y, s, ds;
+    if (fabs(x) < 0.3) {
+        int m;
+        for (s = 0, ds = 0, m = 30; m >= 1; --m) {
+            ds = ds * x + m / (2 * m + 1.0);
+            s = s * x + 1 / (2 * m + 1.0);
+        }
+        s = s * x + 1;
+    } else {
+        double root = sqrt(fabs(x));
+        /* atanh through 1 - sqrt x = (1 - x) / (1 + sqrt x), and 1 - x = (1 + 2 b T + k^2 T^2) (y / T)^2 */
+        double one_minus_x = (1 + 2 * b * t + k2 * t * t) * (y / t) * (y / t);
+        s = x > 0 ? log((1 + root) * (1 + root) / one_minus_x) / (2 * root) : atan(root) / root;
+        ds = (1 / one_minus_x - s) / (2 * x);
+    }
+    *derivative = -y * y * s + y * ds * (2 * b * y * y - 2 * d2 * y * y * y);
+    return y * s;
+}
+
+#define MS_MCML__DEPTH_MAX 64
+
+/* R(k) of multiple scattering without the factor 1 - R_sp. t = sqrt(k^2 + nu_0^2) is the slowest decay in depth.
+   matrix: MS_MCML__DEPTH_MAX^2 doubles of workspace. */
+static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double k2, double t, double h, double *matrix)
+{
+    double b[MS_MCML__DEPTH_MAX], scale[MS_MCML__DEPTH_MAX], g[MS_MCML__DEPTH_MAX], dg[MS_MCML__DEPTH_MAX];
+    double m[MS_MCML__DEPTH_MAX], dm[MS_MCML__DEPTH_MAX], escape[MS_MCML__DEPTH_MAX], u[MS_MCML__DEPTH_MAX];
+    /* The solution decays at the rate t and at every rate above sqrt(1 + k^2); at the surface down to a layer 1 / k.
+       So: a lattice from three steps below to 60 times the fastest, and t apart where it lies below the lattice. */
+    double edge = sqrt(1 + k2), low = exp(-3 * h) * (edge < 1 ? edge : 1);
+    int apart = t < 0.6 * low, first, last = (int)ceil(log(60 * (t > 1 ? t : 1)) / h), n = 0, one, i, j, c;
+    double sum;
+    if (!apart && low > exp(-3 * h) * t) low = exp(-3 * h) * t;
+    first = (int)floor(log(low) / h);
+    if (apart) b[n++] = t;
+    one = n - first;
+    for (i = first; i <= last && n < MS_MCML__DEPTH_MAX; ++i) b[n++] = exp(h * i);
+    for (i = 0; i < n; ++i) {
+        double f = 0, df = 0, e = 0;
+        scale[i] = sqrt(2 * b[i]); /* 1 / norm of exp(-b z) */
+        g[i] = ms_mcml__flight(b[i], k2, &dg[i]);
+        for (c = 0; c < cone->count; ++c) {
+            double v = b[i] * cone->mu[c] + 1, square = v * v + k2 * cone->sin2[c];
+            double term = cone->weight[c] / sqrt(square);
+            f += term;
+            e += term * cone->mu[c];
+            df -= term * v * cone->mu[c] / square;
+        }
+        escape[i] = e;
+        m[i] = g[i] - f;
+        dm[i] = dg[i] - df;
+    }
+    for (i = 0; i < n; ++i) { /* scaled <b_i, (1 - a K) b_j> */
+        double *row = matrix + i * MS_MCML__DEPTH_MAX;
+        for (j = 0; j <= i; ++j) {
+            double image = i == j ? -dm[i] : (m[j] - m[i]) / (b[i] - b[j]);
+            row[j] = scale[i] * scale[j] * ((1 - albedo * (g[i] + g[j])) / (b[i] + b[j]) - albedo * image);
+        }
+        sum = i == one ? -dm[i] : (m[i] - m[one]) / (b[one] - b[i]);
+        u[i] = scale[i] * ((g[i] + g[one]) / (b[i] + b[one]) + sum); /* <b_i, K exp(-z)> */
+    }
+    for (i = 0; i < n; ++i) { /* Cholesky, and the forward solution */
+        double *row = matrix + i * MS_MCML__DEPTH_MAX;
+        for (j = 0; j <= i; ++j) {
+            const double *other = matrix + j * MS_MCML__DEPTH_MAX;
+            for (sum = row[j], c = 0; c < j; ++c) sum -= row[c] * other[c];
+            if (j < i) row[j] = sum * other[j];
+        }
+        row[i] = sum > 1e-16 ? 1 / sqrt(sum) : 0; /* a function that depends on the others in double drops out */
+        for (c = 0; c < i; ++c) u[i] -= row[c] * u[c];
+        u[i] *= row[i];
+    }
+    for (i = n - 1; i >= 0; --i) {
+        u[i] *= matrix[i * MS_MCML__DEPTH_MAX + i];
+        for (c = 0; c < i; ++c) u[c] -= matrix[i * MS_MCML__DEPTH_MAX + c] * u[i];
+    }
+    for (sum = 0, i = 0; i < n; ++i) sum += scale[i] * escape[i] * u[i];
+    return albedo * albedo * sum;
+}
+
+/* Non-negative least squares (Lawson & Hanson 1974, chapter 23): minimises sum_i (sum_j a[j][i] x[j] - 1)^2 with
+   x >= 0. Columns have unit length. QR by Householder reflections that are appended as columns enter and rebuilt from
+   the place where one leaves. work: columns * rows + 3 * rows + columns doubles. */
+typedef struct ms_mcml__nnls {
+    int rows, columns, active;
+    const double *a;                  /* [columns][rows] */
+    double *x;                        /* [columns] */
+    double *qr;                       /* [rows] a column: reflection below, R above the diagonal */
+    double *diagonal, *rhs, *residual;   /* [rows] */
+    double *solution;                 /* [columns] */
+    int list[MS_MCML_RATES_MAX];      /* the active columns */
+    signed char state[MS_MCML_RATES_MAX]; /* 1 active, -1 refused until the next success */
+} ms_mcml__nnls;
+
+static void ms_mcml__reflect(const double *v, int from, int rows, double *target)
+{
+    double dot = 0;
+    int i;
+    for (i = from; i < rows; ++i) dot += v[i] * target[i];
+    for (i = from; i < rows; ++i) target[i] -= dot * v[i]; /* |v|^2 = 2 */
+}
+
+static void ms_mcml__nnls_factor(ms_mcml__nnls *p, int from)
+{
+    int c, k, i, rows = p->rows;
+    for (c = from; c < p->active; ++c) {
+        double *v = p->qr + c * rows, norm = 0;
+        memcpy(v, p->a + p->list[c] * rows, (size_t)rows * sizeof *v);
+        for (k = 0; k < c; ++k) ms_mcml__reflect(p->qr + k * rows, k, rows, v);
+        for (i = c; i < rows; ++i) norm += v[i] * v[i];
+        norm = sqrt(norm);
+        p->diagonal[c] = v[c] > 0 ? -norm : norm;
+        v[c] -= p->diagonal[c];
+        if (norm > 0) {
+            double factor = 1 / sqrt(norm * fabs(v[c])); /* |v|^2 = 2 norm |v_c| */
+            for (i = c; i < rows; ++i) v[i] *= factor;
+        }
+    }
+    for (i = 0; i < rows; ++i) p->rhs[i] = 1;
+    for (c = 0; c < p->active; ++c) ms_mcml__reflect(p->qr + c * rows, c, rows, p->rhs);
+    for (c = p->active - 1; c >= 0; --c) {
+        double sum = p->rhs[c];
+        for (k = c + 1; k < p->active; ++k) sum -= p->qr[k * rows + c] * p->solution[k];
+        p->solution[c] = sum / p->diagonal[c];
+    }
+}
+
+static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
+{
+    int i, c, round, rows = p->rows;
+    p->active = 0;
+    for (c = 0; c < p->columns; ++c) {
+        p->x[c] = 0;
+        p->state[c] = 0;
+    }
+    for (i = 0; i < rows; ++i) p->residual[i] = 1;
+    for (round = 0; round < 4 * p->columns && p->active < rows; ++round) {
+        double best = 1e-11;
+        int enters = -1;
+        for (c = 0; c < p->columns; ++c) {
+            double dot = 0;
+            if (p->state[c]) continue;
+            for (i = 0; i < rows; ++i) dot += p->a[c * rows + i] * p->residual[i];
+            if (dot > best) {
+                best = dot;
+                enters = c;
+            }
+        }
+        if (enters < 0) break;
+        p->list[p->active++] = enters;
+        p->state[enters] = 1;
+        ms_mcml__nnls_factor(p, p->active - 1);
+        if (!(p->solution[p->active - 1] > 0)) { /* rounding: it would enter with the wrong sign */
+            p->state[enters] = -1;
+            p->active--;
+            continue;
+        }
+        for (;;) {
+            double step = 1;
+            int leaves = -1, kept = 0, first;
+            for (c = 0; c < p->active; ++c) {
+                double x = p->x[p->list[c]];
+                if (p->solution[c] <= 0 && x / (x - p->solution[c]) < step) {
+                    step = x / (x - p->solution[c]);
+                    leaves = c;
+                }
+            }
+            for (c = 0; c < p->active; ++c) p->x[p->list[c]] += step * (p->solution[c] - p->x[p->list[c]]);
+            if (leaves < 0) break;
+            for (first = p->active, c = 0; c < p->active; ++c) {
+                int column = p->list[c];
+                if (c == leaves || !(p->x[column] > 0)) {
+                    p->x[column] = 0;
+                    p->state[column] = 0;
+                    if (c < first) first = c;
+                } else {
+                    p->list[kept++] = column;
+                }
+            }
+            p->active = kept;
+            ms_mcml__nnls_factor(p, first);
+        }
+        for (i = 0; i < rows; ++i) p->residual[i] = 1;
+        for (c = 0; c < p->active; ++c)
+            for (i = 0; i < rows; ++i) p->residual[i] -= p->x[p->list[c]] * p->a[p->list[c] * rows + i];
+        for (c = 0; c < p->columns; ++c)
+            if (p->state[c] < 0) p->state[c] = 0;
+    }
+}
+
+/* rate[j], energy[j] > 0 with  sum energy / (1 + k^2 / rate^2) = spectrum[i]  at k^2 = t[i]^2 - edge^2, rates on a
+   lattice sqrt(edge^2 + tau^2) of log spacing `step` in tau. Returns how many; *misfit is relative. total is the
+   spectrum at k = 0, which the energies are scaled to. work: ms_mcml__fit_doubles. */
+#define MS_MCML__FIT_DOUBLES (2 * MS_MCML_RATES_MAX * MS_MCML_RATES_MAX + 8 * MS_MCML_RATES_MAX)
+
+static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double edge, double step, double total,
+                              double *rate, double *energy, double *misfit, double *work)
+{
+    double tau[MS_MCML_RATES_MAX], *norm;
+    ms_mcml__nnls p;
+    int i, c, count = 0;
+    double sum = 0;
+    double *a = work;
+    p.rows = rows;
+    p.columns = 0;
+    if (edge > 0) tau[p.columns++] = 0;
+    for (i = 0; p.columns < MS_MCML_RATES_MAX && t[0] * exp(step * (i - 1)) < 20 * t[rows - 1]; ++i)
+        tau[p.columns++] = t[0] * exp(step * i);
+    p.a = a;
+    p.qr = a + MS_MCML_RATES_MAX * MS_MCML_RATES_MAX;
+    p.x = p.qr + MS_MCML_RATES_MAX * MS_MCML_RATES_MAX;
+    p.diagonal = p.x + MS_MCML_RATES_MAX;
+    p.rhs = p.diagonal + MS_MCML_RATES_MAX;
+    p.residual = p.rhs + MS_MCML_RATES_MAX;
+    p.solution = p.residual + MS_MCML_RATES_MAX;
+    norm = p.solution + MS_MCML_RATES_MAX;
+    for (c = 0; c < p.columns; ++c) {
+        for (norm[c] = 0, i = 0; i < rows; ++i) { /* misfit relative to the spectrum */
+            double v = 1 / ((t[i] * t[i] + tau[c] * tau[c]) * spectrum[i]);
+            a[c * rows + i] = v;
+            norm[c] += v * v;
+        }
+        norm[c] = 1 / sqrt(norm[c]);
+        for (i = 0; i < rows; ++i) a[c * rows + i] *= norm[c];
+    }
+    ms_mcml__nnls_solve(&p);
+    for (*misfit = 0, i = 0; i < rows; ++i)
+        if (fabs(p.residual[i]) > *misfit) *misfit = fabs(p.residual[i]);
+    for (c = 0; c < p.columns; ++c) {
+        double square = edge * edge + tau[c] * tau[c];
+        if (!(p.x[c] > 0)) continue;
+        rate[count] = sqrt(square);
+        energy[count] = p.x[c] * norm[c] / square;
+        sum += energy[count++];
+    }
+    for (c = 0; c < count; ++c) energy[c] *= total / sum;
+    return count;
+}
+
+static ms_status ms_mcml__check_medium(const ms_mcml_medium *medium, ms_error *error)
+{
+    double mu_a = medium->mu_a_per_mm, mu_s = medium->mu_s_per_mm;
+    if (!ms__finite(mu_a) || mu_a < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_a_per_mm is %g, expected a number >= 0", mu_a);
+    if (!ms__finite(mu_s) || mu_s < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_s_per_mm is %g, expected a number >= 0", mu_s);
+    if (!(mu_a + mu_s >= 1e-100 && mu_a + mu_s <= 1e100))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_a_per_mm + mu_s_per_mm is %g, expected 1e-100 to 1e100", mu_a + mu_s);
+    if (!ms__finite(medium->g) || !(medium->g > -1 && medium->g < 1))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "g is %g, expected more than -1 and less than 1", medium->g);
+    if (!ms__finite(medium->eta) || !(medium->eta >= 0.1 && medium->eta <= 10))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "eta is %g, expected 0.1 to 10", medium->eta);
+    return MS_OK;
+}
+
+#define MS_MCML__SOLVE_BYTES ((MS_MCML__FIT_DOUBLES + MS_MCML__DEPTH_MAX * MS_MCML__DEPTH_MAX) * sizeof(double))
+
+/* A medium that was checked; h and step are the two knobs, work has MS_MCML__SOLVE_BYTES. */
+static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, ms_mcml_halfspace *out, double *work)
+{
+    const double slowest = 1e-7, fastest = 200; /* of the lattice of t, per mean free path */
+    ms_mcml_halfspace s;
+    ms_mcml__cone cone;
+    double t[MS_MCML_RATES_MAX], spectrum[MS_MCML_RATES_MAX];
+    double absorption, entering, nu, misfit, multiple, low;
+    int i, rows;
+
+    memset(&s, 0, sizeof s);
+    s.medium = *medium;
+    s.mu_t_per_mm = medium->mu_a_per_mm + medium->mu_s_per_mm * (1 - medium->g);
+    s.albedo = medium->mu_s_per_mm * (1 - medium->g) / s.mu_t_per_mm;
+    s.specular = (medium->eta - 1) / (medium->eta + 1);
+    s.specular *= s.specular;
+    absorption = medium->mu_a_per_mm / s.mu_t_per_mm;
+    entering = 1 - s.specular;
+    if (!(s.albedo > 0)) { /* nothing comes back */
+        s.decay_per_mm = s.mu_t_per_mm;
+        *out = s;
+        return;
+    }
+    ms_mcml__cone_make(&cone, medium->eta);
+
+    /* Single scattering at angle theta to the normal:  energy beyond r is  exp(-r / u),  u = tan(theta / 2) */
+    for (i = 0; i < cone.count; ++i) {
+        double mu = cone.mu[i];
+        s.single_rate_per_mm[i] = (1 + mu) / sqrt(cone.sin2[i]);
+        s.single_energy[i] = entering * s.albedo * cone.weight[i] * mu / (1 + mu);
+        s.total_single += s.single_energy[i];
+    }
+    s.singles = cone.count;
+    low = s.single_rate_per_mm[0];
+    rows = 0;
+    for (i = 0; rows < MS_MCML_RATES_MAX && 0.01 * low * exp(step * (i - 1)) < 1e4; ++i) {
+        double sum = 0;
+        int c;
+        t[rows] = 0.01 * low * exp(step * i);
+        for (c = 0; c < s.singles; ++c) { /* energy / sqrt(1 + k^2 / rate^2) at k^2 = t^2 - low^2 */
+            double rate = s.single_rate_per_mm[c];
+            sum += s.single_energy[c] * rate / sqrt((rate - low) * (rate + low) + t[rows] * t[rows]);
+        }
+        spectrum[rows++] = sum;
+    }
+    s.lines = ms_mcml__stieltjes(t, spectrum, rows, low, 1.2 * step, s.total_single, s.line_rate_per_mm, s.line_energy,
+                                 &misfit, work);
+
+    nu = ms_mcml__case_eigenvalue(s.albedo, absorption);
+    multiple = entering * ms_mcml__multiple(&cone, s.albedo, 0, nu > slowest ? nu : slowest, h, work);
+    if (!(absorption > 0)) multiple = entering - s.total_single; /* all that enters leaves */
+    s.total = s.total_single + multiple;
+    low = 0.01 * nu > slowest ? 0.01 * nu : slowest;
+    rows = 0;
+    for (i = 0; rows < MS_MCML_RATES_MAX && low * exp(step * (i - 1)) < fastest; ++i) {
+        t[rows] = low * exp(step * i);
+        spectrum[rows] = entering * ms_mcml__multiple(&cone, s.albedo, t[rows] * t[rows] - nu * nu, t[rows], h, work);
+        ++rows;
+    }
+    s.rates = ms_mcml__stieltjes(t, spectrum, rows, nu, 1.2 * step, multiple, s.rate_per_mm, s.energy, &s.fit_error, work);
+
+    for (i = 0; i < s.singles; ++i) s.single_rate_per_mm[i] *= s.mu_t_per_mm;
+    for (i = 0; i < s.lines; ++i) s.line_rate_per_mm[i] *= s.mu_t_per_mm;
+    for (i = 0; i < s.rates; ++i) s.rate_per_mm[i] *= s.mu_t_per_mm;
+    s.decay_per_mm = nu * s.mu_t_per_mm;
+    *out = s;
+}
+
+static ms_status ms_mcml__check_steps(double *depth_step, double *frequency_step, ms_error *error)
+{
+    if (!(*depth_step >= 0.28 && *depth_step <= 1) && !(*depth_step >= 0 && *depth_step <= 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth_step is %g, expected 0.28 to 1, or 0", *depth_step);
+    if (!(*frequency_step >= 0.2 && *frequency_step <= 1) && !(*frequency_step >= 0 && *frequency_step <= 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frequency_step is %g, expected 0.2 to 1, or 0", *frequency_step);
+    if (!(*depth_step > 0)) *depth_step = 0.3;
+    if (!(*frequency_step > 0)) *frequency_step = 0.25;
+    return MS_OK;
+}
+
+MS_API ms_status ms_mcml_halfspace_solve(const ms_mcml_medium *medium, const ms_mcml_halfspace_options *options,
+                                         ms_mcml_halfspace *out, ms_error *error)
+{
+    ms_mcml_halfspace_options o;
+    double *work;
+    ms_status status;
+    memset(&o, 0, sizeof o);
+    if (options) o = *options;
+    if (medium == NULL || out == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "medium and out must not be NULL");
+    status = ms_mcml__check_medium(medium, error);
+    if (status == MS_OK) status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
+    if (status) return status;
+    work = (double *)ms__alloc(&o.allocator, MS_MCML__SOLVE_BYTES);
+    if (work == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver", (size_t)MS_MCML__SOLVE_BYTES);
+    ms_mcml__solve(medium, o.depth_step, o.frequency_step, out, work);
+    ms__release(&o.allocator, work, MS_MCML__SOLVE_BYTES);
+    return MS_OK;
+}
+
+/* x K1(x), relative error 6e-12: the power series up to 2, then sqrt(x) exp(x) K1(x) as a polynomial in 2 / x, which
+   interpolates at the Chebyshev nodes of [0, 1]. */
+static double ms_mcml__x_bessel_k1(double x)
+{
+    static const double p[] = {1.2533141373223884, 0.23499639828639249, -0.036718040184640545, 0.016060675864789022,
+                               -0.011250123789009064, 0.010517606692691388, -0.01136402908770562, 0.012188203438317703,
+                               -0.011308843515876503, 0.0081313856435097981, -0.0040970924956295601,
+                               0.0012653699962738531, -0.00017867465249178075};
+    double sum = 0, y;
+    int i;
+    if (!(x > 0)) return 1;
+    if (x <= 2) { /* 1 + x^2 / 2 sum (x^2 / 4)^m / (m! (m+1)!) (ln(x / 2) - (psi(m+1) + psi(m+2)) / 2) */
+        double term = 1, log_half = log(0.5 * x), psi = -0.57721566490153286 + 0.5;
+        y = 0.25 * x * x;
+        for (i = 0; i < 12; ++i) {
+            sum += term * (log_half - psi);
+            term *= y / ((i + 1) * (i + 2));
+            psi += 0.5 / (i + 1) + 0.5 / (i + 2);
+        }
+        return 1 + 2 * y * sum;
+    }
+    y = 2 / x;
+    for (i = (int)(sizeof p / sizeof p[0]) - 1; i >= 0; --i) sum = sum * y + p[i];
+    return sum * sqrt(x) * exp(-x);
+}
+
+MS_API double ms_mcml_halfspace_beyond(const ms_mcml_halfspace *s, double r_mm)
+{
+    double sum = 0;
+    int i;
+    for (i = 0; i < s->singles && s->single_rate_per_mm[i] * r_mm < 745; ++i)
+        sum += s->single_energy[i] * exp(-s->single_rate_per_mm[i] * r_mm);
+    for (i = 0; i < s->rates && s->rate_per_mm[i] * r_mm < 745; ++i)
+        sum += s->energy[i] * ms_mcml__x_bessel_k1(s->rate_per_mm[i] * r_mm);
+    return sum;
+}
+
+MS_API double ms_mcml_halfspace_ring(const ms_mcml_halfspace *s, double r0_mm, double r1_mm)
+{
+    double r0 = r0_mm, r1 = r1_mm, sum = 0;
+    int i;
+    if (r1 - r0 < 1e-4 * r1) { /* a narrower ring has the same mean to 1e-9 (rate r)^2, but would cancel */
+        double middle = 0.5 * (r0 + r1);
+        r0 = (1 - 0.5e-4) * middle;
+        r1 = (1 + 0.5e-4) * middle;
+    }
+    for (i = 0; i < s->singles && s->single_rate_per_mm[i] * r0 < 745; ++i)
+        sum -= s->single_energy[i] * exp(-s->single_rate_per_mm[i] * r0) * expm1(-s->single_rate_per_mm[i] * (r1 - r0));
+    for (i = 0; i < s->rates && s->rate_per_mm[i] * r0 < 745; ++i)
+        sum += s->energy[i] * (ms_mcml__x_bessel_k1(s->rate_per_mm[i] * r0) - ms_mcml__x_bessel_k1(s->rate_per_mm[i] * r1));
+    return sum / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
+}
+
+MS_API double ms_mcml_halfspace_spectrum(const ms_mcml_halfspace *s, double k_per_mm)
+{
+    double sum = 0;
+    int i;
+    for (i = 0; i < s->singles; ++i) {
+        double x = k_per_mm / s->single_rate_per_mm[i];
+        sum += s->single_energy[i] / sqrt(1 + x * x);
+    }
+    for (i = 0; i < s->rates; ++i) {
+        double x = k_per_mm / s->rate_per_mm[i];
+        sum += s->energy[i] / (1 + x * x);
+    }
+    return sum;
+}
+
+MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *s, double x_mm)
+{
+    double sum = 0;
+    int i;
+    for (i = 0; i < s->lines && s->line_rate_per_mm[i] * x_mm < 745; ++i)
+        sum += s->line_energy[i] * exp(-s->line_rate_per_mm[i] * x_mm);
+    for (i = 0; i < s->rates && s->rate_per_mm[i] * x_mm < 745; ++i)
+        sum += s->energy[i] * exp(-s->rate_per_mm[i] * x_mm);
+    return 0.5 * sum;
+}
 
 /* --- white Monte Carlo ------------------------------------------------------------------------------------- */
 
+/* Lengths in mean free paths. Flight j of a photon takes the four words of the Philox block (seed, photon, j): length,
+   cosine, azimuth, and what happens at the surface (upper bits) or at a halving (lowest bit). At collisions 1024,
+   2048, 4096, ... half of the photons end and the rest count double, so that P_j needs no cutoff: it falls as j^-3/2,
+   and the mean number of flights stays near 260. A photon leaves at most once, with a weight that j alone fixes;
+   counts are therefore all that has to be kept, for the means and for their errors. */
+
+#define MS_MCML__HALVING 1024u      /* first halving, a power of 2 */
+#define MS_MCML__BATCH 32768        /* photons a task: the longest path of a batch runs alone */
+
+/* Where and after how many collisions photons first .. first + count - 1 leave: r squared and j; j = 0: ended. */
+typedef struct ms_mcml__white_batch {
+    uint64_t seed, first;
+    int count;
+    float eta;
+    float *r2;     /* [count] */
+    uint32_t *j;   /* [count] */
+} ms_mcml__white_batch;
+
+#define MS_MCML__WHITE_STREAM 0x57484954u /* word 1 of the counter: apart from ms__rng streams of the same seed */
+
+typedef void (*ms_mcml__white_function)(const ms_mcml__white_batch *batch);
+static ms_mcml__white_function ms_mcml__white_kernel(ms_simd level);
+
+/* Collision numbers in bins: one each below 256, then 128 an octave. */
+#define MS_MCML__WHITE_BINS (256 + 23 * 128)
+
+static int ms_mcml__white_bin(uint32_t j)
+{
+    int octave = 0;
+    while (j >> (octave + 8)) ++octave; /* j < 2^(8 + octave) */
+    if (octave > 23) return MS_MCML__WHITE_BINS - 1;
+    return octave ? 128 + 128 * octave + (int)((j >> octave) - 128) : (int)j;
+}
+
+/* Mean collision number of a bin. */
+static double ms_mcml__white_bin_mean(int bin)
+{
+    int octave = bin < 256 ? 0 : (bin - 128) / 128;
+    double low = bin < 256 ? bin : (double)((bin - 128) % 128 + 128) * (double)(1u << octave);
+    return low + 0.5 * ((double)(1u << octave) - 1);
+}
+
+/* What a photon counts for that leaves after j collisions. */
+static double ms_mcml__white_weight(double j)
+{
+    double weight = 1;
+    for (; j >= MS_MCML__HALVING; j *= 0.5) weight *= 2;
+    return weight;
+}
+
+struct ms_mcml_white {
+    ms_allocator allocator;
+    size_t size;
+    double eta, photons;
+    int rings;
+    double *edge;    /* [rings + 1] */
+    double *square;  /* [rings + 1] edge squared */
+    uint32_t *count; /* [bins][rings + 1]; the last is beyond the rings (and inside the first edge) */
+};
+
+/* Ring of squared radius r2 by bisection; rings if outside. */
+static int ms_mcml__ring_of(const double *square, int rings, double r2)
+{
+    int low = 0, high = rings;
+    if (!(r2 >= square[0] && r2 < square[rings])) return rings;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        if (r2 < square[middle]) high = middle;
+        else low = middle;
+    }
+    return low;
+}
+
+/* Photons in waves of 16 batches, each wave tallied in the order of its photons on the calling thread. */
+#define MS_MCML__WAVE 16
+
+typedef struct ms_mcml__white_wave {
+    ms_mcml__white_batch batch[MS_MCML__WAVE];
+    ms_mcml__white_function kernel;
+} ms_mcml__white_wave;
+
+static void ms_mcml__white_task(void *context, int index)
+{
+    const ms_mcml__white_wave *wave = (const ms_mcml__white_wave *)context;
+    wave->kernel(&wave->batch[index]);
+}
+
+static ms_status ms_mcml__white_photons(double eta, uint64_t first, uint64_t photons, uint64_t seed, ms_simd simd,
+                                        const ms_parallel *parallel, const ms_progress *progress,
+                                        const ms_allocator *allocator,
+                                        void (*tally)(void *context, const float *r2, const uint32_t *j, int count),
+                                        void *context, ms_error *error)
+{
+    const size_t events = (size_t)MS_MCML__WAVE * MS_MCML__BATCH, size = events * (sizeof(float) + sizeof(uint32_t));
+    float *r2 = (float *)ms__alloc(allocator, size);
+    uint32_t *j;
+    uint64_t done = 0;
+    ms_mcml__white_wave wave;
+    ms_status status = MS_OK;
+    if (r2 == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for a wave of photons", size);
+    j = (uint32_t *)(void *)(r2 + events);
+    wave.kernel = ms_mcml__white_kernel(ms__simd_pick(simd));
+    while (done < photons) {
+        int total = photons - done < events ? (int)(photons - done) : (int)events, tasks = 0, at;
+        for (at = 0; at < total; at += MS_MCML__BATCH) {
+            ms_mcml__white_batch *batch = &wave.batch[tasks++];
+            batch->seed = seed;
+            batch->first = first + done + (uint64_t)at;
+            batch->count = total - at < MS_MCML__BATCH ? total - at : MS_MCML__BATCH;
+            batch->eta = (float)eta;
+            batch->r2 = r2 + at;
+            batch->j = j + at;
+        }
+        ms__run(parallel, tasks, ms_mcml__white_task, &wave);
+        tally(context, r2, j, total);
+        done += (uint64_t)total;
+        if (progress && progress->report && done < photons &&
+            progress->report(progress->user, (double)done / (double)photons)) {
+            status = ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
+            break;
+        }
+    }
+    ms__release(allocator, r2, size);
+    return status;
+}
+
+static ms_status ms_mcml__check_edges(const double *edge, int rings, int most, ms_error *error)
+{
+    int i;
+    if (rings < 1 || rings > most)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rings is %d, expected 1 to %d", rings, most);
+    for (i = 0; edge && i <= rings; ++i)
+        if (!ms__finite(edge[i]) || edge[i] < 0 || edge[i] > 1e100 || (i > 0 && !(edge[i] > edge[i - 1])))
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i, "ring edge %d is %g, expected increasing numbers from 0 to 1e100",
+                            i, edge[i]);
+    return MS_OK;
+}
+
+static ms_status ms_mcml__check_photons(uint64_t photons, double eta, ms_error *error)
+{
+    if (photons > 0xffffffffu)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%g photons, expected at most 2^32 - 1", (double)photons);
+    if (!ms__finite(eta) || !(eta >= 0.1 && eta <= 10))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "eta is %g, expected 0.1 to 10", eta);
+    return MS_OK;
+}
+
+static void ms_mcml__white_tally(void *context, const float *r2, const uint32_t *j, int count)
+{
+    ms_mcml_white *white = (ms_mcml_white *)context;
+    int i;
+    for (i = 0; i < count; ++i)
+        if (j[i])
+            white->count[(size_t)ms_mcml__white_bin(j[i]) * (size_t)(white->rings + 1) +
+                         (size_t)ms_mcml__ring_of(white->square, white->rings, (double)r2[i])]++;
+    white->photons += count;
+}
+
+MS_API ms_status ms_mcml_white_run(ms_mcml_white **white, double eta, const ms_mcml_white_options *options, ms_error *error)
+{
+    ms_mcml_white_options o;
+    ms_mcml_white *w;
+    size_t head = (sizeof *w + 63) / 64 * 64, edges, counts;
+    ms_status status;
+    int i;
+    if (white == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "white must not be NULL");
+    *white = NULL;
+    memset(&o, 0, sizeof o);
+    if (options) o = *options;
+    if (o.photons == 0) o.photons = 1000000;
+    if (o.edge_mfp == NULL) o.rings = 138; /* 0.05 * 1.08^138 is 2050 */
+    status = ms_mcml__check_photons(o.photons, eta, error);
+    if (status == MS_OK) status = ms_mcml__check_edges(o.edge_mfp, o.rings, 65535, error);
+    if (status) return status;
+    edges = ms__size_mul((size_t)o.rings + 1, 2 * sizeof(double));
+    counts = ms__size_mul(ms__size_mul((size_t)o.rings + 1, MS_MCML__WHITE_BINS), sizeof(uint32_t));
+    w = (ms_mcml_white *)ms__alloc(&o.allocator, ms__size_add(head, ms__size_add(edges, counts)));
+    if (w == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the counts of %d rings", o.rings);
+    w->allocator = o.allocator;
+    w->size = head + edges + counts;
+    w->eta = eta;
+    w->photons = 0;
+    w->rings = o.rings;
+    w->edge = (double *)(void *)((char *)w + head);
+    w->square = w->edge + o.rings + 1;
+    w->count = (uint32_t *)(void *)(w->square + o.rings + 1);
+    memset(w->count, 0, counts);
+    for (i = 0; i <= o.rings; ++i) {
+        w->edge[i] = o.edge_mfp ? o.edge_mfp[i] : i ? 0.05 * pow(1.08, i - 1) : 0;
+        w->square[i] = w->edge[i] * w->edge[i];
+    }
+    status = ms_mcml__white_photons(eta, o.first_photon, o.photons, o.seed, o.simd, &o.parallel, &o.progress, &o.allocator,
+                                    ms_mcml__white_tally, w, error);
+    if (status) {
+        ms_mcml_white_destroy(w);
+        return status;
+    }
+    *white = w;
+    return MS_OK;
+}
+
+MS_API ms_status ms_mcml_white_merge(ms_mcml_white *white, const ms_mcml_white *other, ms_error *error)
+{
+    size_t i, n;
+    if (white == NULL || other == NULL || white == other)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "two different runs expected");
+    if (white->eta < other->eta || white->eta > other->eta || white->rings != other->rings ||
+        memcmp(white->edge, other->edge, ((size_t)white->rings + 1) * sizeof(double)) != 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "runs of eta %g and %g, %d and %d rings: expected the same eta and edges",
+                        white->eta, other->eta, white->rings, other->rings);
+    if (white->photons + other->photons > 4294967295.0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%g photons together, expected at most 2^32 - 1",
+                        white->photons + other->photons);
+    n = ((size_t)white->rings + 1) * MS_MCML__WHITE_BINS;
+    for (i = 0; i < n; ++i) white->count[i] += other->count[i];
+    white->photons += other->photons;
+    return MS_OK;
+}
+
+/* Mean of n photons whose scores sum to `sum`, their squares to `squares`; its standard error. */
+static double ms_mcml__mean_error(double sum, double squares, double n)
+{
+    double variance = squares / n - (sum / n) * (sum / n);
+    return n > 1 && variance > 0 ? sqrt(variance / (n - 1)) : 0;
+}
+
+MS_API ms_status ms_mcml_white_profile(const ms_mcml_white *white, double albedo, double *rd, double *rd_error, double *total,
+                                       double *total_error, ms_error *error)
+{
+    double power[MS_MCML__WHITE_BINS], entering, sum_all = 0, squares_all = 0;
+    int ring, bin;
+    if (white == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "white must not be NULL");
+    if (!ms__finite(albedo) || albedo < 0 || albedo > 1)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "albedo is %g, expected 0 to 1", albedo);
+    entering = (white->eta - 1) / (white->eta + 1);
+    entering = 1 - entering * entering;
+    for (bin = 0; bin < MS_MCML__WHITE_BINS; ++bin) {
+        double j = ms_mcml__white_bin_mean(bin);
+        power[bin] = entering * ms_mcml__white_weight(j) * (albedo > 0 ? exp(j * log(albedo)) : 0);
+    }
+    for (ring = 0; ring <= white->rings; ++ring) {
+        const uint32_t *count = white->count + ring;
+        double sum = 0, squares = 0;
+        for (bin = 0; bin < MS_MCML__WHITE_BINS; ++bin) {
+            double n = count[(size_t)bin * (size_t)(white->rings + 1)];
+            sum += n * power[bin];
+            squares += n * power[bin] * power[bin];
+        }
+        sum_all += sum;
+        squares_all += squares;
+        if (ring < white->rings) {
+            double area = 3.14159265358979324 * (white->square[ring + 1] - white->square[ring]);
+            if (rd) rd[ring] = sum / white->photons / area;
+            if (rd_error) rd_error[ring] = ms_mcml__mean_error(sum, squares, white->photons) / area;
+        }
+    }
+    if (total) *total = sum_all / white->photons;
+    if (total_error) *total_error = ms_mcml__mean_error(sum_all, squares_all, white->photons);
+    return MS_OK;
+}
+
+MS_API const double *ms_mcml_white_edges(const ms_mcml_white *white, int *rings)
+{
+    if (rings) *rings = white->rings;
+    return white->edge;
+}
+
+MS_API void ms_mcml_white_destroy(ms_mcml_white *white)
+{
+    ms_allocator allocator;
+    if (white == NULL) return;
+    allocator = white->allocator;
+    ms__release(&allocator, white, white->size);
+}
+
 /* --- diffusion profiles ------------------------------------------------------------------------------------ */
 
+/* Everything that tasks share; a task is a channel. */
+typedef struct ms_mcml__profile_job {
+    const ms_mcml_medium *media;
+    ms_mcml_profile *profile;
+    ms_mcml_halfspace *solution; /* [channels] */
+    double *work;                /* MS_MCML__SOLVE_BYTES for each channel, or for one if they run in turn */
+    size_t work_stride;
+    double depth_step, frequency_step;
+    double *sum, *squares;       /* [channels][rings + 2] scores: inside the first edge, rings, beyond the last */
+    double *log_albedo, *mu_t;   /* [channels] */
+} ms_mcml__profile_job;
+
+static void ms_mcml__profile_solve(void *context, int channel)
+{
+    const ms_mcml__profile_job *job = (const ms_mcml__profile_job *)context;
+    ms_mcml__solve(&job->media[channel], job->depth_step, job->frequency_step, &job->solution[channel],
+                   job->work + (size_t)channel * job->work_stride);
+}
+
+/* Rings from the closed forms; where the difference of two edges would cancel, from the ring itself. */
+static void ms_mcml__profile_fill(void *context, int channel)
+{
+    const ms_mcml__profile_job *job = (const ms_mcml__profile_job *)context;
+    const ms_mcml_profile *p = job->profile;
+    const ms_mcml_halfspace *s = &job->solution[channel];
+    size_t row = (size_t)channel * (size_t)p->rings;
+    double *within = p->within + row + channel;
+    double beyond = ms_mcml_halfspace_beyond(s, p->edge_mm[0]), line = ms_mcml_halfspace_line_beyond(s, p->edge_mm[0]);
+    int i;
+    within[0] = s->total - beyond;
+    for (i = 0; i < p->rings; ++i) {
+        double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1], next = ms_mcml_halfspace_beyond(s, r1);
+        double line_next = ms_mcml_halfspace_line_beyond(s, r1);
+        within[i + 1] = s->total - next;
+        p->rd_per_mm2[row + (size_t)i] = beyond - next > 1e-6 * beyond ? (beyond - next) / (3.14159265358979324 * (r1 - r0) * (r1 + r0))
+                                                                      : ms_mcml_halfspace_ring(s, r0, r1);
+        p->rd_error_per_mm2[row + (size_t)i] = 0;
+        p->ap_per_mm[row + (size_t)i] = (line - line_next) / (r1 - r0);
+        beyond = next;
+        line = line_next;
+    }
+    p->total[channel] = s->total;
+    p->total_error[channel] = 0;
+}
+
+/* Each photon of a wave counts in every channel with its own albedo, at a radius that its own mean free path sets. */
+static void ms_mcml__profile_tally(void *context, const float *r2, const uint32_t *j, int count)
+{
+    const ms_mcml__profile_job *job = (const ms_mcml__profile_job *)context;
+    const ms_mcml_profile *p = job->profile;
+    int channel, i, rings = p->rings;
+    for (channel = 0; channel < p->channels; ++channel) {
+        double *sum = job->sum + (size_t)channel * (size_t)(rings + 2), scale = 1 / job->mu_t[channel];
+        double *squares = job->squares + (size_t)channel * (size_t)(rings + 2), log_albedo = job->log_albedo[channel];
+        double first = p->edge_mm[0];
+        for (i = 0; i < count; ++i) {
+            double r, weight;
+            size_t ring;
+            if (j[i] == 0) continue;
+            weight = ms_mcml__white_weight((double)j[i]) * exp((double)j[i] * log_albedo);
+            r = scale * sqrt((double)r2[i]);
+            ring = r < first ? 0 : (size_t)ms_mcml__ring_of(p->edge_mm, rings, r) + 1;
+            sum[ring] += weight;
+            squares[ring] += weight * weight;
+        }
+    }
+}
+
+/* Radius beyond which a channel has 1e-5 of its energy left. */
+static double ms_mcml__profile_radius(const ms_mcml_halfspace *s)
+{
+    double low = 1e-3 / s->mu_t_per_mm, high = 1e8 / s->mu_t_per_mm;
+    int i;
+    for (i = 0; i < 40; ++i) {
+        double middle = sqrt(low * high);
+        if (ms_mcml_halfspace_beyond(s, middle) > 1e-5 * s->total) low = middle;
+        else high = middle;
+    }
+    return high;
+}
+
+/* The rings that suit the media. edge NULL: only counts them. */
+static int ms_mcml__profile_rings(const ms_mcml_halfspace *solution, int channels, double *edge)
+{
+    double radius = 0, mu_t = 0, r = 0;
+    int c, n;
+    for (c = 0; c < channels; ++c) {
+        double far = solution[c].total > 0 ? ms_mcml__profile_radius(&solution[c]) : 1 / solution[c].mu_t_per_mm;
+        if (far > radius) radius = far;
+        if (solution[c].mu_t_per_mm > mu_t) mu_t = solution[c].mu_t_per_mm;
+    }
+    if (edge) edge[0] = 0;
+    for (n = 0; r < radius || n < 20; ++n) {
+        r = n < 20 ? (n + 1) * 0.05 / mu_t : r * 1.04;
+        if (edge) edge[n + 1] = r;
+    }
+    return n;
+}
+
+static ms_status ms_mcml__profile_white(ms_mcml__profile_job *job, const ms_mcml_profile_options *o, ms_error *error)
+{
+    ms_mcml_profile *p = job->profile;
+    double eta = job->media[0].eta, entering = (eta - 1) / (eta + 1), n = (double)o->photons;
+    size_t stride = (size_t)p->rings + 2;
+    ms_status status;
+    int c, i;
+    entering = 1 - entering * entering;
+    status = ms_mcml__white_photons(eta, 0, o->photons, o->seed, o->simd, &o->parallel, &o->progress, &o->allocator,
+                                    ms_mcml__profile_tally, job, error);
+    if (status) return status;
+    for (c = 0; c < p->channels; ++c) {
+        const double *sum = job->sum + (size_t)c * stride, *squares = job->squares + (size_t)c * stride;
+        size_t row = (size_t)c * (size_t)p->rings;
+        double *within = p->within + row + c, all = sum[0] + sum[p->rings + 1], all_squares = squares[0] + squares[p->rings + 1];
+        within[0] = entering * sum[0] / n;
+        for (i = 0; i < p->rings; ++i) {
+            double area = 3.14159265358979324 * (p->edge_mm[i + 1] - p->edge_mm[i]) * (p->edge_mm[i + 1] + p->edge_mm[i]);
+            p->rd_per_mm2[row + (size_t)i] = entering * sum[i + 1] / n / area;
+            p->rd_error_per_mm2[row + (size_t)i] = entering * ms_mcml__mean_error(sum[i + 1], squares[i + 1], n) / area;
+            within[i + 1] = within[i] + entering * sum[i + 1] / n;
+            all += sum[i + 1];
+            all_squares += squares[i + 1];
+        }
+        p->total[c] = entering * all / n;
+        p->total_error[c] = entering * ms_mcml__mean_error(all, all_squares, n);
+    }
+    return MS_OK;
+}
+
+MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_medium *media, int channels,
+                                      const ms_mcml_profile_options *options, ms_error *error)
+{
+    ms_mcml_profile_options o;
+    ms_mcml_profile p;
+    ms_mcml__profile_job job;
+    size_t solve_size = 0, tally_size = 0, n, c;
+    ms_status status = MS_OK;
+    int i, anisotropic = 0, solve;
+    if (profile) memset(profile, 0, sizeof *profile);
+    if (profile == NULL || media == NULL || channels < 1 || channels > 65536)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d channels, expected 1 to 65536; profile and media not NULL", channels);
+    memset(&o, 0, sizeof o);
+    if (options) o = *options;
+    for (i = 0; i < channels; ++i) {
+        status = ms_mcml__check_medium(&media[i], error);
+        if (status) return status;
+        anisotropic |= media[i].g < 0 || media[i].g > 0;
+    }
+    if (o.method < MS_MCML_AUTO || o.method > MS_MCML_DIRECT)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected one of ms_mcml_method", o.method);
+    if (o.method == MS_MCML_AUTO) o.method = o.photons == 0 ? MS_MCML_DETERMINISTIC : anisotropic ? MS_MCML_DIRECT : MS_MCML_WHITE;
+    if (o.photons == 0) o.photons = 1000000;
+    status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
+    if (status == MS_OK) status = ms_mcml__check_photons(o.photons, media[0].eta, error);
+    if (status == MS_OK && (o.rings != 0 || o.edge_mm)) status = ms_mcml__check_edges(o.edge_mm, o.rings, 1 << 24, error);
+    if (status) return status;
+    if (o.edge_mm == NULL && o.rings != 0 && !(ms__finite(o.ring_mm) && o.ring_mm > 0 && o.ring_mm <= 1e100))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected a positive number", o.ring_mm);
+    for (i = 0; o.method == MS_MCML_WHITE && i < channels; ++i)
+        if (anisotropic || media[i].eta < media[0].eta || media[i].eta > media[0].eta)
+            return ms__fail(error, MS_UNSUPPORTED, 0, "white Monte Carlo needs g = 0 and one eta for all channels");
+    if (o.method == MS_MCML_DIRECT)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "direct");
+
+    memset(&job, 0, sizeof job);
+    memset(&p, 0, sizeof p);
+    job.media = media;
+    job.profile = &p;
+    job.depth_step = o.depth_step;
+    job.frequency_step = o.frequency_step;
+    job.work_stride = o.parallel.run ? MS_MCML__SOLVE_BYTES / sizeof(double) : 0;
+    p.channels = channels;
+    p.rings = o.rings;
+    p.method = o.method;
+    p.allocator = o.allocator;
+    c = (size_t)channels;
+    solve = o.method == MS_MCML_DETERMINISTIC || o.rings == 0;
+    if (solve) {
+        n = (o.parallel.run ? c : 1) * MS_MCML__SOLVE_BYTES;
+        solve_size = ms__size_add(n, c * sizeof(ms_mcml_halfspace));
+        job.work = (double *)ms__alloc(&o.allocator, solve_size);
+        if (job.work == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver", solve_size);
+        job.solution = (ms_mcml_halfspace *)(void *)((char *)job.work + n);
+        ms__run(&o.parallel, channels, ms_mcml__profile_solve, &job);
+    }
+    if (o.rings == 0) p.rings = ms_mcml__profile_rings(job.solution, channels, NULL);
+    n = (size_t)p.rings;
+    p.memory_size = ms__size_mul(ms__size_add(ms__size_mul(c, ms__size_add(ms__size_mul(4, n), 3)), n + 1), sizeof(double));
+    p.memory = ms__alloc(&o.allocator, p.memory_size);
+    if (p.memory) {
+        p.edge_mm = (double *)p.memory;
+        p.within = p.edge_mm + n + 1;
+        p.rd_per_mm2 = p.within + c * (n + 1);
+        p.rd_error_per_mm2 = p.rd_per_mm2 + c * n;
+        p.ap_per_mm = p.rd_error_per_mm2 + c * n;
+        p.total = p.ap_per_mm + c * n;
+        p.total_error = p.total + c;
+        if (o.rings == 0) ms_mcml__profile_rings(job.solution, channels, p.edge_mm);
+        for (i = 0; o.rings != 0 && i <= p.rings; ++i) p.edge_mm[i] = o.edge_mm ? o.edge_mm[i] : i * o.ring_mm;
+        if (o.method == MS_MCML_DETERMINISTIC) {
+            ms__run(&o.parallel, channels, ms_mcml__profile_fill, &job);
+        } else {
+            tally_size = ms__size_mul(ms__size_mul(c, 2 * n + 6), sizeof(double));
+            job.sum = (double *)ms__alloc(&o.allocator, tally_size);
+            if (job.sum == NULL) {
+                status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tallies", tally_size);
+            } else {
+                job.squares = job.sum + c * (n + 2);
+                job.log_albedo = job.squares + c * (n + 2);
+                job.mu_t = job.log_albedo + c;
+                memset(job.sum, 0, tally_size);
+                for (i = 0; i < channels; ++i) {
+                    job.mu_t[i] = media[i].mu_a_per_mm + media[i].mu_s_per_mm;
+                    job.log_albedo[i] = log(media[i].mu_s_per_mm / job.mu_t[i]);
+                }
+                status = ms_mcml__profile_white(&job, &o, error);
+                ms__release(&o.allocator, job.sum, tally_size);
+            }
+            p.ap_per_mm = NULL;
+        }
+    } else {
+        status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d channels of %d rings", channels, p.rings);
+    }
+    ms__release(&o.allocator, job.work, solve_size);
+    if (status) ms_mcml_profile_destroy(&p);
+    else *profile = p;
+    return status;
+}
+
+MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile)
+{
+    ms_allocator allocator;
+    if (profile == NULL) return;
+    allocator = profile->allocator;
+    ms__release(&allocator, profile->memory, profile->memory_size);
+    memset(profile, 0, sizeof *profile);
+}
+
+/* --- kernels, one set a level ------------------------------------------------------------------------------------ */
+
+#ifndef MS_MCML_FILENAME
+#define MS_MCML_FILENAME "ms_mcml.h"
+#endif
+
+static MS__UNUSED float ms_mcml__bits_float(uint32_t bits)
+{
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static MS__UNUSED uint32_t ms_mcml__float_bits(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+#if defined(MS__NEON)
+static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
+{
+    const uint32_t place[4] = {1, 2, 4, 8};
+    return vaddvq_u32(vandq_u32(mask, vld1q_u32(place)));
+}
+#endif
+
+#define MS_MCML__JOIN2(a, b) a##b
+#define MS_MCML__JOIN(a, b) MS_MCML__JOIN2(a, b)
+#define MS_MCML__FN(name) MS_MCML__JOIN(MS_MCML__JOIN(ms_mcml__##name, _), MS_MCML__LEVEL)
+
+#define MS_MCML__PASS 1
+#define MS_MCML__LEVEL scalar
+#define MS_MCML__ISA 1
+#include MS_MCML_FILENAME
+
+#if defined(MS__X64) || defined(MS__NEON)
+#define MS_MCML__LEVEL base
+#define MS_MCML__ISA 2
+#include MS_MCML_FILENAME
+#endif
+
+#if defined(MS__X64)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC push_options
+#pragma GCC target("avx2,fma,f16c")
+#endif
+#define MS_MCML__LEVEL avx2
+#define MS_MCML__ISA 3
+#include MS_MCML_FILENAME
+#if defined(__clang__)
+#pragma clang attribute pop
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#endif
+#endif /* MS__X64 */
+#undef MS_MCML__PASS
+
+static ms_mcml__white_function ms_mcml__white_kernel(ms_simd level)
+{
+#if defined(MS__X64)
+    if (level >= MS_SIMD_AVX2) return ms_mcml__white_avx2; /* sixteen lanes were no faster: the longest path of a batch runs alone */
+#endif
+#if defined(MS__X64) || defined(MS__NEON)
+    if (level == MS_SIMD_BASE) return ms_mcml__white_base;
+#endif
+    (void)level;
+    return ms_mcml__white_scalar;
+}
 #endif /* MS_MCML_IMPLEMENTATION */
+
+#if defined(MS_MCML_IMPLEMENTATION) && defined(MS_MCML__PASS)
+/* --- kernels --------------------------------------------------------------------------------------------------
+
+   Read once a level. V is a vector of L floats, U of L 32-bit words, M a comparison's result. */
+
+#if MS_MCML__ISA == 1
+#define L 1
+#define V float
+#define U uint32_t
+#define M int
+#define V_LOAD(p) (*(p))
+#define V_STORE(p, a) (*(p) = (a))
+#define V_SET(a) (a)
+#define V_ADD(a, b) ((a) + (b))
+#define V_SUB(a, b) ((a) - (b))
+#define V_MUL(a, b) ((a) * (b))
+#define V_DIV(a, b) ((a) / (b))
+#define V_MADD(a, b, c) ((a) * (b) + (c))
+#define V_SQRT(a) sqrtf(a)
+#define V_MAX(a, b) ((a) > (b) ? (a) : (b))
+#define V_LESS(a, b) ((a) < (b))
+#define V_SELECT(m, a, b) ((m) ? (a) : (b))
+#define V_FROM_INT(a) ((float)(int32_t)(a))
+#define V_BITS(a) ms_mcml__bits_float(a)
+#define U_BITS(a) ms_mcml__float_bits(a)
+#define U_LOAD(p) (*(p))
+#define U_STORE(p, a) (*(p) = (a))
+#define U_SET(a) (a)
+#define U_ADD(a, b) ((a) + (b))
+#define U_SUB(a, b) ((a) - (b))
+#define U_AND(a, b) ((a) & (b))
+#define U_XOR(a, b) ((a) ^ (b))
+#define U_RIGHT(a, n) ((a) >> (n))
+#define U_LEFT(a, n) ((a) << (n))
+#define U_IS_ZERO(a) ((a) == 0)
+#define U_WIDE(a, m, high, low) ((high) = (uint32_t)(((uint64_t)(a) * (m)) >> 32), (low) = (a) * (m))
+#define M_BITS(m) ((unsigned)(m))
+
+#elif MS_MCML__ISA == 2 && defined(MS__X64)
+#define L 4
+#define V __m128
+#define U __m128i
+#define M __m128
+#define V_LOAD(p) _mm_loadu_ps(p)
+#define V_STORE(p, a) _mm_storeu_ps(p, a)
+#define V_SET(a) _mm_set1_ps(a)
+#define V_ADD(a, b) _mm_add_ps(a, b)
+#define V_SUB(a, b) _mm_sub_ps(a, b)
+#define V_MUL(a, b) _mm_mul_ps(a, b)
+#define V_DIV(a, b) _mm_div_ps(a, b)
+#define V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define V_SQRT(a) _mm_sqrt_ps(a)
+#define V_MAX(a, b) _mm_max_ps(a, b)
+#define V_LESS(a, b) _mm_cmplt_ps(a, b)
+#define V_SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
+#define V_FROM_INT(a) _mm_cvtepi32_ps(a)
+#define V_BITS(a) _mm_castsi128_ps(a)
+#define U_BITS(a) _mm_castps_si128(a)
+#define U_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
+#define U_STORE(p, a) _mm_storeu_si128((__m128i *)(void *)(p), a)
+#define U_SET(a) _mm_set1_epi32((int)(a))
+#define U_ADD(a, b) _mm_add_epi32(a, b)
+#define U_SUB(a, b) _mm_sub_epi32(a, b)
+#define U_AND(a, b) _mm_and_si128(a, b)
+#define U_XOR(a, b) _mm_xor_si128(a, b)
+#define U_RIGHT(a, n) _mm_srli_epi32(a, n)
+#define U_LEFT(a, n) _mm_slli_epi32(a, n)
+#define U_IS_ZERO(a) _mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))
+#define U_WIDE(a, m, high, low) /* even lanes, odd lanes, and sorted together again */                         \
+    do {                                                                                                       \
+        __m128i even_ = _mm_mul_epu32(a, m), odd_ = _mm_mul_epu32(_mm_srli_epi64(a, 32), m);                   \
+        __m128i upper_ = _mm_set_epi32(-1, 0, -1, 0);                                                          \
+        (high) = _mm_or_si128(_mm_srli_epi64(even_, 32), _mm_and_si128(odd_, upper_));                         \
+        (low) = _mm_or_si128(_mm_andnot_si128(upper_, even_), _mm_slli_epi64(odd_, 32));                       \
+    } while (0)
+#define M_BITS(m) ((unsigned)_mm_movemask_ps(m))
+
+#elif MS_MCML__ISA == 2
+#define L 4
+#define V float32x4_t
+#define U uint32x4_t
+#define M uint32x4_t
+#define V_LOAD(p) vld1q_f32(p)
+#define V_STORE(p, a) vst1q_f32(p, a)
+#define V_SET(a) vdupq_n_f32(a)
+#define V_ADD(a, b) vaddq_f32(a, b)
+#define V_SUB(a, b) vsubq_f32(a, b)
+#define V_MUL(a, b) vmulq_f32(a, b)
+#define V_DIV(a, b) vdivq_f32(a, b)
+#define V_MADD(a, b, c) vfmaq_f32(c, a, b)
+#define V_SQRT(a) vsqrtq_f32(a)
+#define V_MAX(a, b) vmaxq_f32(a, b)
+#define V_LESS(a, b) vcltq_f32(a, b)
+#define V_SELECT(m, a, b) vbslq_f32(m, a, b)
+#define V_FROM_INT(a) vcvtq_f32_s32(vreinterpretq_s32_u32(a))
+#define V_BITS(a) vreinterpretq_f32_u32(a)
+#define U_BITS(a) vreinterpretq_u32_f32(a)
+#define U_LOAD(p) vld1q_u32(p)
+#define U_STORE(p, a) vst1q_u32(p, a)
+#define U_SET(a) vdupq_n_u32(a)
+#define U_ADD(a, b) vaddq_u32(a, b)
+#define U_SUB(a, b) vsubq_u32(a, b)
+#define U_AND(a, b) vandq_u32(a, b)
+#define U_XOR(a, b) veorq_u32(a, b)
+#define U_RIGHT(a, n) vshrq_n_u32(a, n)
+#define U_LEFT(a, n) vshlq_n_u32(a, n)
+#define U_IS_ZERO(a) vceqq_u32(a, vdupq_n_u32(0))
+#define U_WIDE(a, m, high, low)                                                                                \
+    do {                                                                                                       \
+        uint32x4_t first_ = vreinterpretq_u32_u64(vmull_u32(vget_low_u32(a), vget_low_u32(m)));                \
+        uint32x4_t second_ = vreinterpretq_u32_u64(vmull_u32(vget_high_u32(a), vget_high_u32(m)));             \
+        (low) = vuzp1q_u32(first_, second_);                                                                   \
+        (high) = vuzp2q_u32(first_, second_);                                                                  \
+    } while (0)
+#define M_BITS(m) ms_mcml__neon_bits(m)
+
+#else
+#define L 8
+#define V __m256
+#define U __m256i
+#define M __m256
+#define V_LOAD(p) _mm256_loadu_ps(p)
+#define V_STORE(p, a) _mm256_storeu_ps(p, a)
+#define V_SET(a) _mm256_set1_ps(a)
+#define V_ADD(a, b) _mm256_add_ps(a, b)
+#define V_SUB(a, b) _mm256_sub_ps(a, b)
+#define V_MUL(a, b) _mm256_mul_ps(a, b)
+#define V_DIV(a, b) _mm256_div_ps(a, b)
+#define V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define V_SQRT(a) _mm256_sqrt_ps(a)
+#define V_MAX(a, b) _mm256_max_ps(a, b)
+#define V_LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
+#define V_SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
+#define V_FROM_INT(a) _mm256_cvtepi32_ps(a)
+#define V_BITS(a) _mm256_castsi256_ps(a)
+#define U_BITS(a) _mm256_castps_si256(a)
+#define U_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
+#define U_STORE(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), a)
+#define U_SET(a) _mm256_set1_epi32((int)(a))
+#define U_ADD(a, b) _mm256_add_epi32(a, b)
+#define U_SUB(a, b) _mm256_sub_epi32(a, b)
+#define U_AND(a, b) _mm256_and_si256(a, b)
+#define U_XOR(a, b) _mm256_xor_si256(a, b)
+#define U_RIGHT(a, n) _mm256_srli_epi32(a, n)
+#define U_LEFT(a, n) _mm256_slli_epi32(a, n)
+#define U_IS_ZERO(a) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))
+#define U_WIDE(a, m, high, low)                                                                                \
+    do {                                                                                                       \
+        __m256i even_ = _mm256_mul_epu32(a, m), odd_ = _mm256_mul_epu32(_mm256_srli_epi64(a, 32), m);          \
+        (high) = _mm256_blend_epi32(_mm256_srli_epi64(even_, 32), odd_, 0xAA);                                 \
+        (low) = _mm256_blend_epi32(even_, _mm256_slli_epi64(odd_, 32), 0xAA);                                  \
+    } while (0)
+#define M_BITS(m) ((unsigned)_mm256_movemask_ps(m))
+
+#endif
+
+/* A photon a lane; a lane whose photon ended takes the next one of the batch. An iteration is collision j (0: the entry)
+   and the flight from there. */
+static void MS_MCML__FN(white)(const ms_mcml__white_batch *batch)
+{
+    float lane_x[L], lane_y[L], lane_z[L], lane_r2[L];
+    uint32_t lane_j[L], lane_low[L], lane_high[L], lane_word[L], key0[10], key1[10];
+    int slot[L], lane, next = 0, active = 0, round;
+    const V zero = V_SET(0.0f), one = V_SET(1.0f), eta = V_SET(batch->eta);
+    const U m0 = U_SET(0xD2511F53u), m1 = U_SET(0xCD9E8D57u);
+    V x = zero, y = zero, z = zero;
+    U j = U_SET(0u), low, high;
+    for (round = 0; round < 10; ++round) {
+        key0[round] = (uint32_t)batch->seed + 0x9E3779B9u * (uint32_t)round;
+        key1[round] = (uint32_t)(batch->seed >> 32) + 0xBB67AE85u * (uint32_t)round;
+    }
+    for (lane = 0; lane < L; ++lane) {
+        uint64_t photon = batch->first + (uint64_t)next;
+        slot[lane] = next < batch->count ? next++ : -1;
+        active += slot[lane] >= 0;
+        lane_low[lane] = (uint32_t)photon;
+        lane_high[lane] = (uint32_t)(photon >> 32);
+    }
+    low = U_LOAD(lane_low);
+    high = U_LOAD(lane_high);
+    while (active > 0) {
+        U c0 = j, c1 = U_SET(MS_MCML__WHITE_STREAM), c2 = low, c3 = high, high0, low0, high1, low1, bits;
+        V u, t, s, mu, dx, dy, z_next;
+        M mask;
+        unsigned leaves, ends;
+        for (round = 0; round < 10; ++round) { /* ms__philox */
+            U_WIDE(c0, m0, high0, low0);
+            U_WIDE(c2, m1, high1, low1);
+            c0 = U_XOR(U_XOR(high1, c1), U_SET(key0[round]));
+            c2 = U_XOR(U_XOR(high0, c3), U_SET(key1[round]));
+            c1 = low1;
+            c3 = low0;
+        }
+        /* s = -log(u), u = (1 + t) 2^e with 1 + t in [sqrt(1/2), sqrt(2)): log(1 + t) = t - t^2 / 2 + t^3 P(t), error 1e-8 */
+        u = V_MADD(V_FROM_INT(U_RIGHT(c0, 1)), V_SET(1.0f / 2147483648.0f), V_SET(1.0f / 4294967296.0f));
+        bits = U_ADD(U_SUB(U_BITS(u), U_SET(0x3f3504f3u)), U_SET(64u << 23));
+        t = V_SUB(V_BITS(U_ADD(U_AND(bits, U_SET(0x7fffffu)), U_SET(0x3f3504f3u))), one);
+        s = V_MADD(t, V_SET(-0.0810155815f), V_SET(0.127123076f));
+        s = V_MADD(s, t, V_SET(-0.12972239f));
+        s = V_MADD(s, t, V_SET(0.142021738f));
+        s = V_MADD(s, t, V_SET(-0.166422476f));
+        s = V_MADD(s, t, V_SET(0.200014686f));
+        s = V_MADD(s, t, V_SET(-0.250002965f));
+        s = V_MADD(s, t, V_SET(0.333333286f));
+        s = V_MADD(V_MADD(s, t, V_SET(-0.5f)), V_MUL(t, t), t);
+        s = V_MADD(V_SUB(V_SET(64.0f), V_FROM_INT(U_RIGHT(bits, 23))), V_SET(0.693147181f), V_SUB(zero, s));
+        /* Direction: the cosine even in (-1, 1], the azimuth in a quarter turn, mirrored and turned by two bits. */
+        mu = V_MADD(V_FROM_INT(U_RIGHT(c1, 8)), V_SET(-1.0f / 8388608.0f), one);
+        mu = V_SELECT(U_IS_ZERO(j), one, mu);
+        u = V_MADD(V_FROM_INT(U_RIGHT(c2, 8)), V_SET(1.57079633f / 16777216.0f), V_SET(-0.785398163f));
+        t = V_MUL(u, u);
+        dx = V_MADD(V_MADD(t, V_SET(-0.000195879498f), V_SET(0.00833274863f)), t, V_SET(-0.166666647f));
+        dx = V_MADD(V_MUL(dx, t), u, u);
+        dy = V_MADD(V_MADD(t, V_SET(2.45497663e-05f), V_SET(-0.0013888317f)), t, V_SET(0.0416666649f));
+        dy = V_MADD(V_MADD(dy, t, V_SET(-0.5f)), t, one);
+        dy = V_BITS(U_XOR(U_BITS(dy), U_LEFT(c2, 31)));
+        mask = U_IS_ZERO(U_AND(c2, U_SET(2u)));
+        u = V_SELECT(mask, dx, dy);
+        dy = V_SELECT(mask, dy, dx);
+        t = V_MUL(V_SQRT(V_MAX(zero, V_SUB(one, V_MUL(mu, mu)))), s);
+        dx = V_MUL(u, t);
+        dy = V_MUL(dy, t);
+        z_next = V_MADD(s, mu, z);
+
+        leaves = M_BITS(V_LESS(z_next, zero));
+        if (leaves) { /* Fresnel, unpolarised: T = 2 eta mu mu_out (1 / a^2 + 1 / b^2), 0 beyond the critical angle */
+            V in = V_SUB(zero, mu), square = V_SUB(one, V_MUL(V_MUL(eta, eta), V_SUB(one, V_MUL(mu, mu))));
+            V out = V_SQRT(V_MAX(zero, square)), a = V_MADD(eta, in, out), b = V_MADD(eta, out, in), ab = V_MUL(a, b);
+            u = V_MUL(V_ADD(V_FROM_INT(U_RIGHT(c3, 8)), V_SET(0.5f)), V_SET(1.0f / 16777216.0f));
+            t = V_MUL(V_MUL(V_MUL(V_ADD(eta, eta), in), out), V_MADD(a, a, V_MUL(b, b)));
+            leaves &= M_BITS(V_LESS(V_MUL(u, V_MUL(ab, ab)), t));
+        }
+        ends = M_BITS(U_IS_ZERO(U_AND(j, U_SET(MS_MCML__HALVING - 1))));
+        if (ends) { /* half of the photons end at collisions 1024, 2048, 4096, ... */
+            unsigned candidates = ends;
+            U_STORE(lane_j, j);
+            U_STORE(lane_word, c3);
+            for (ends = 0, lane = 0; lane < L; ++lane)
+                if (candidates >> lane & 1 && lane_j[lane] && (lane_j[lane] & (lane_j[lane] - 1)) == 0 && lane_word[lane] & 1)
+                    ends |= 1u << lane;
+        }
+        if (leaves | ends) {
+            t = V_DIV(z, V_SUB(z, z_next)); /* the part of the flight before the surface */
+            u = V_MADD(dx, t, x);
+            t = V_MADD(dy, t, y);
+            V_STORE(lane_r2, V_MADD(u, u, V_MUL(t, t)));
+            U_STORE(lane_j, j);
+            x = V_ADD(x, dx);
+            y = V_ADD(y, dy);
+            V_STORE(lane_x, x);
+            V_STORE(lane_y, y);
+            V_STORE(lane_z, z_next);
+            U_STORE(lane_low, low);
+            U_STORE(lane_high, high);
+            for (lane = 0; lane < L; ++lane) {
+                uint64_t photon = batch->first + (uint64_t)next;
+                if (!((leaves | ends) >> lane & 1)) {
+                    lane_j[lane]++;
+                    continue;
+                }
+                if (slot[lane] >= 0) {
+                    int left = !(ends >> lane & 1);
+                    batch->j[slot[lane]] = left ? lane_j[lane] : 0;
+                    batch->r2[slot[lane]] = left ? lane_r2[lane] : 0;
+                    --active;
+                }
+                slot[lane] = next < batch->count ? next++ : -1;
+                active += slot[lane] >= 0;
+                lane_x[lane] = lane_y[lane] = lane_z[lane] = 0;
+                lane_j[lane] = 0;
+                lane_low[lane] = (uint32_t)photon;
+                lane_high[lane] = (uint32_t)(photon >> 32);
+            }
+            x = V_LOAD(lane_x);
+            y = V_LOAD(lane_y);
+            z_next = V_LOAD(lane_z);
+            j = U_LOAD(lane_j);
+            low = U_LOAD(lane_low);
+            high = U_LOAD(lane_high);
+        } else {
+            x = V_ADD(x, dx);
+            y = V_ADD(y, dy);
+            j = U_ADD(j, U_SET(1u));
+        }
+        z = V_BITS(U_AND(U_BITS(z_next), U_SET(0x7fffffffu))); /* reflected: the mirror image */
+    }
+}
+
+#undef MS_MCML__LEVEL
+#undef MS_MCML__ISA
+#undef L
+#undef M
+#undef M_BITS
+#undef U
+#undef U_ADD
+#undef U_AND
+#undef U_BITS
+#undef U_IS_ZERO
+#undef U_LEFT
+#undef U_LOAD
+#undef U_RIGHT
+#undef U_SET
+#undef U_STORE
+#undef U_SUB
+#undef U_WIDE
+#undef U_XOR
+#undef V
+#undef V_ADD
+#undef V_BITS
+#undef V_DIV
+#undef V_FROM_INT
+#undef V_LESS
+#undef V_LOAD
+#undef V_MADD
+#undef V_MAX
+#undef V_MUL
+#undef V_SELECT
+#undef V_SET
+#undef V_SQRT
+#undef V_STORE
+#undef V_SUB
+#endif /* kernels */
 
 /*
 These headers, their tests and their examples are in two licences; take whichever you prefer.

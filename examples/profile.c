@@ -1,0 +1,150 @@
+/* The diffusion profile of a material as a table: r_mm,R,G,B in 1/mm^2, rings of equal width, r_mm their middle.
+
+     build/profile skin1
+     build/profile --mua 0.032,0.17,0.48 --mus 0.74,0.88,1.01 --eta 1.3 --photons 10000000 --csv skin1.csv
+     build/profile --list
+
+   Without --photons the half-space solver: no noise, milliseconds. With it, Monte Carlo. --csv saves the table to a
+   file; then only the comment lines are printed. Exit: 0, 1 if something failed, 2 if the arguments are wrong. */
+#define MS_MCML_IMPLEMENTATION
+#include "ms_mcml.h"
+#include <stdio.h>
+
+static int usage(const char *problem, const char *value)
+{
+    fprintf(stderr, "profile: %s%s%s\n", problem, value ? ": " : "", value ? value : "");
+    fprintf(stderr, "usage: profile MATERIAL | --mua R,G,B --mus R,G,B --eta N   [--photons N] [--csv FILE]\n"
+                    "       profile --list        the materials; coefficients are per mm\n");
+    return 2;
+}
+
+/* "1,2,3" into three numbers, or "1" into one: whether text is just that. */
+static int parse_numbers(const char *text, double *out, int count)
+{
+    char *end;
+    int i;
+    for (i = 0; i < count; ++i) {
+        out[i] = strtod(text, &end);
+        if (end == text || *end != (i + 1 < count ? ',' : 0)) return 0;
+        text = end + 1;
+    }
+    return 1;
+}
+
+static void list_materials(void)
+{
+    int count, i;
+    const ms_mcml_material *m = ms_mcml_materials(&count);
+    printf("%-10s %-24s %-24s %s\n", "material", "mu_a R,G,B [1/mm]", "mu_s R,G,B [1/mm]", "eta");
+    for (i = 0; i < count; ++i, ++m) {
+        char mu_a[64], mu_s[64];
+        snprintf(mu_a, sizeof mu_a, "%.4f,%.4f,%.4f", m->mu_a_per_mm[0], m->mu_a_per_mm[1], m->mu_a_per_mm[2]);
+        snprintf(mu_s, sizeof mu_s, "%.4f,%.4f,%.4f", m->mu_s_per_mm[0], m->mu_s_per_mm[1], m->mu_s_per_mm[2]);
+        printf("%-10s %-24s %-24s %g\n", m->name, mu_a, mu_s, m->eta);
+    }
+}
+
+static void print_head(FILE *f, const char *name, const ms_mcml_material *m, const ms_mcml_profile *p, double photons)
+{
+    const double *a = m->mu_a_per_mm, *s = m->mu_s_per_mm;
+    fprintf(f, "# %s: mu_a %g,%g,%g mu_s %g,%g,%g per mm, g 0, eta %g\n", name, a[0], a[1], a[2], s[0], s[1], s[2], m->eta);
+    if (p->method == MS_MCML_DETERMINISTIC) fprintf(f, "# half-space solver\n");
+    else fprintf(f, "# Monte Carlo, %.0f photons\n", photons);
+    fprintf(f, "# total_reflectance,%.9g,%.9g,%.9g\n", p->total[0], p->total[1], p->total[2]);
+    if (p->method != MS_MCML_DETERMINISTIC)
+        fprintf(f, "# standard_error,%.3g,%.3g,%.3g\n", p->total_error[0], p->total_error[1], p->total_error[2]);
+    fprintf(f, "# %d rings %.9g mm wide; R_d is the mean over each, r_mm its middle\n", p->rings, p->edge_mm[1]);
+}
+
+static void print_table(FILE *f, const ms_mcml_profile *p)
+{
+    const double *rd = p->rd_per_mm2;
+    int i;
+    fprintf(f, "r_mm,R,G,B\n");
+    for (i = 0; i < p->rings; ++i)
+        fprintf(f, "%.9g,%.9g,%.9g,%.9g\n", 0.5 * (p->edge_mm[i] + p->edge_mm[i + 1]), rd[i], rd[p->rings + i],
+                rd[2 * p->rings + i]);
+}
+
+int main(int argc, char **argv)
+{
+    const char *name = NULL, *csv = NULL;
+    ms_mcml_material custom;
+    const ms_mcml_material *material = NULL;
+    ms_mcml_medium medium[3];
+    ms_mcml_profile_options options;
+    ms_mcml_profile profile;
+    ms_error error;
+    double photons = 0, shortest = 0, longest = 0, rings;
+    int i, given = 0, failed;
+    memset(&custom, 0, sizeof custom);
+    memset(&options, 0, sizeof options);
+    for (i = 1; i < argc; ++i) {
+        const char *value = i + 1 < argc ? argv[i + 1] : "";
+        if (strcmp(argv[i], "--list") == 0) {
+            list_materials();
+            return 0;
+        }
+        if (strncmp(argv[i], "--", 2) != 0) {
+            if (name) return usage("more than one material", argv[i]);
+            name = argv[i];
+            continue;
+        }
+        if (strcmp(argv[i], "--mua") == 0) {
+            if (!parse_numbers(value, custom.mu_a_per_mm, 3)) return usage("--mua needs three numbers R,G,B, not", value);
+            given |= 1;
+        } else if (strcmp(argv[i], "--mus") == 0) {
+            if (!parse_numbers(value, custom.mu_s_per_mm, 3)) return usage("--mus needs three numbers R,G,B, not", value);
+            given |= 2;
+        } else if (strcmp(argv[i], "--eta") == 0) {
+            if (!parse_numbers(value, &custom.eta, 1)) return usage("--eta needs a number, not", value);
+            given |= 4;
+        } else if (strcmp(argv[i], "--photons") == 0) {
+            if (!parse_numbers(value, &photons, 1) || !(photons >= 1 && photons < 4294967296.0))
+                return usage("--photons needs a number from 1 to 4294967295, not", value);
+        } else if (strcmp(argv[i], "--csv") == 0) {
+            if (value[0] == 0) return usage("--csv needs a file name", NULL);
+            csv = value;
+        } else {
+            return usage("unknown option", argv[i]);
+        }
+        ++i;
+    }
+    if (name && given) return usage("a material's name or coefficients, not both", NULL);
+    if (!name && given != 7) return usage(given ? "--mua, --mus and --eta go together" : "no material", NULL);
+    material = name ? ms_mcml_find_material(name) : &custom;
+    if (material == NULL) return usage("no such material (see --list)", name);
+
+    /* Section 5.9: rings of a twentieth of the shortest mean free path, out to 32 of the longest. */
+    for (i = 0; i < 3; ++i) {
+        double path;
+        medium[i] = ms_mcml_material_medium(material, i);
+        path = 1 / (medium[i].mu_a_per_mm + medium[i].mu_s_per_mm);
+        if (i == 0 || path < shortest) shortest = path;
+        if (i == 0 || path > longest) longest = path;
+    }
+    rings = ceil(32 * longest / (shortest / 20));
+    options.rings = rings >= 1 && rings <= 20000 ? (int)rings : 20000;
+    options.ring_mm = rings <= 20000 ? shortest / 20 : 32 * longest / 20000;
+    options.photons = (uint64_t)photons;
+    if (ms_mcml_profile_make(&profile, medium, 3, &options, &error)) {
+        fprintf(stderr, "profile: %s\n", error.message);
+        return 1;
+    }
+    print_head(stdout, name ? name : "medium", material, &profile, photons);
+    if (csv) {
+        FILE *f = fopen(csv, "w");
+        if (f) {
+            print_head(f, name ? name : "medium", material, &profile, photons);
+            print_table(f, &profile);
+        }
+        failed = f == NULL || ferror(f);
+        if (f) failed |= fclose(f) != 0;
+    } else {
+        print_table(stdout, &profile);
+        failed = fflush(stdout) != 0 || ferror(stdout);
+    }
+    ms_mcml_profile_destroy(&profile);
+    if (failed) fprintf(stderr, "profile: cannot write %s\n", csv ? csv : "the table");
+    return failed;
+}
