@@ -132,10 +132,11 @@ static inline float scene__ear(scene_vec p) /* from the ear's centre; x points o
     scene_vec q = scene_v(x, 0.985f * p.y + 0.17f * z0, 0.985f * z0 - 0.17f * p.y);    /* and leans back by 10 */
     k = sqrtf(q.y * q.y / (30.0f * 30.0f) + q.z * q.z / (17.5f * 17.5f));
     d = scene__ellipsoid(q, 0, 0, 0, 4.5f, 30, 17.5f);
-    d = scene__cut(d, scene__ellipsoid(q, 6, -3, 2, 7.5f, 18, 10), 3);
-    rim = sqrtf((k - 0.92f) * (k - 0.92f) * 420 + (q.x - 1.5f) * (q.x - 1.5f)) - 2.5f;
+    d = scene__cut(d, scene__ellipsoid(q, 5.5f, -6, 4, 8.5f, 13, 8.5f), 3);
+    d = scene__cut(d, scene__ellipsoid(q, 4.5f, 12, 0, 4, 11, 9), 4);
+    rim = sqrtf((k - 0.9f) * (k - 0.9f) * 420 + (q.x - 2) * (q.x - 2)) - 2.7f;
     d = scene__join(d, rim, 2.5f);
-    d = scene__join(d, scene__capsule(q, scene_v(1, 13, -4), scene_v(0.5f, -13, -6), 2.2f, 1.6f), 4); /* antihelix */
+    d = scene__join(d, scene__capsule(q, scene_v(2, 12, -6), scene_v(1.5f, -14, -6), 2.4f, 2.2f), 3); /* antihelix */
     d = scene__join(d, scene__ellipsoid(q, 0.5f, -27, 5, 3.6f, 8, 6.5f), 5);                       /* lobe */
     return scene__join(d, scene__ellipsoid(q, 1, -5, 14, 3.5f, 6, 4), 4);                          /* tragus */
 }
@@ -153,20 +154,20 @@ static inline float scene__face(scene_vec p, scene_vec q, float d) /* adds the f
     if (p.z > 55) d = scene__cut(d, opening, 1.3f);
 
     /* nose */
-    d = scene__join(d, scene__capsule(p, scene_v(0, 12, 83), scene_v(0, -31, 100), 5.5f, 7.5f), 13);
-    d = scene__join(d, scene__ellipsoid(p, 0, -35, 102, 9.5f, 8.5f, 10.5f), 9);
-    d = scene__join(d, scene__ellipsoid(q, 12, -39, 91, 6.3f, 7, 10), 7);
-    d = scene__cut(d, scene__ellipsoid(q, 6.5f, -46, 98, 3.4f, 4.2f, 6), 3);
+    d = scene__join(d, scene__capsule(p, scene_v(0, 12, 83), scene_v(0, -29, 99), 5.5f, 7.5f), 13);
+    d = scene__join(d, scene__ellipsoid(p, 0, -33.5f, 101, 9.5f, 8.2f, 10), 10);
+    d = scene__join(d, scene__ellipsoid(q, 12, -38.5f, 90, 6, 6.8f, 11), 9);
+    d = scene__cut(d, scene__ellipsoid(q, 6.3f, -45.5f, 97, 3.3f, 3.6f, 5.5f), 3);
 
     /* mouth: a mound, two lips, the seam between them, its corners, the hollows above and below */
-    d = scene__join(d, scene__ellipsoid(p, 0, -68, 68, 29, 24, 25), 14);
-    d = scene__cut(d, scene__capsule(p, scene_v(0, -50, 98), scene_v(0, -61, 98.5f), 2.4f, 3.6f), 4);
-    d = scene__join(d, scene__capsule(q, scene_v(3.5f, -66, 93), scene_v(23, -70.5f, 83), 4.8f, 2.2f), 5);
-    d = scene__join(d, scene__capsule(q, scene_v(0, -76, 91.5f), scene_v(20, -73, 83.5f), 5.8f, 2.8f), 5);
+    d = scene__join(d, scene__ellipsoid(p, 0, -68, 66, 29, 24, 25), 16);
+    d = scene__cut(d, scene__capsule(p, scene_v(0, -50, 97), scene_v(0, -61, 96.5f), 2.2f, 2.8f), 6);
+    d = scene__join(d, scene__capsule(q, scene_v(2.5f, -66.3f, 90.5f), scene_v(23, -70.5f, 81.5f), 4.6f, 2.2f), 5);
+    d = scene__join(d, scene__capsule(q, scene_v(0, -76, 89.5f), scene_v(21, -73, 82), 5.8f, 3), 5);
     seam = p.y + 70.8f + 1.1f * scene__bump(ax, 3.5f) - 0.9f * scene__bump(ax - 11, 5);
     d += 1.5f * scene__bump(seam, 0.75f) * scene__step(27, 18, ax) * scene__step(72, 78, p.z);
-    d = scene__cut(d, scene__ellipsoid(q, 28, -71, 84, 3, 3, 4), 6);
-    d = scene__cut(d, scene__ellipsoid(p, 0, -86.5f, 95, 15, 3.6f, 5), 8);
+    d = scene__cut(d, scene__ellipsoid(q, 27, -71.5f, 86, 3, 2.5f, 4), 6);
+    d = scene__cut(d, scene__ellipsoid(p, 0, -86.5f, 94, 15, 3.6f, 5), 8);
     return scene__min(d, scene__eyeball(p));
 }
 
@@ -176,20 +177,20 @@ static inline float scene_bust(scene_vec p)
     float d = scene__ellipsoid(p, 0, 36, -10, 72, 76, 95);
     d = scene__join(d, scene__ellipsoid(p, 0, -28, 20, 59, 82, 62), 26);
     d = scene__join(d, scene__capsule(q, scene_v(45, -58, 2), scene_v(7, -99, 58), 16, 14), 26);
-    d = scene__join(d, scene__ellipsoid(p, 0, -99, 71, 19, 15, 15), 18);
-    d = scene__join(d, scene__ellipsoid(q, 41, -18, 54, 18, 12, 17), 24);
-    d = scene__join(d, scene__capsule(q, scene_v(0, 17, 79), scene_v(47, 21, 63), 8, 6), 14);
-    if (p.y < -40) { /* neck, shoulders, chest */
-        float body = scene__capsule(p, scene_v(0, -70, -24), scene_v(0, -200, -38), 49, 55);
+    d = scene__join(d, scene__ellipsoid(p, 0, -98, 74, 17, 14, 14), 20);
+    d = scene__join(d, scene__ellipsoid(q, 40, -17, 53, 18, 12, 17), 24);
+    d = scene__join(d, scene__capsule(q, scene_v(0, 17, 79), scene_v(52, 19, 55), 8, 4.5f), 17);
+    if (p.y < 20) { /* neck, shoulders, chest */
+        float body = scene__capsule(p, scene_v(0, -50, -34), scene_v(0, -200, -36), 46, 55);
         body = scene__join(body, scene__capsule(q, scene_v(22, -128, -55), scene_v(118, -212, -42), 30, 26), 40);
         body = scene__join(body, scene__capsule(q, scene_v(0, -238, -30), scene_v(150, -246, -34), 46, 44), 34);
         body = scene__join(body, scene__ellipsoid(q, 160, -262, -32, 52, 60, 52), 30);
         body = scene__join(body, scene__ellipsoid(p, 0, -292, -14, 160, 92, 72), 40);
-        body = scene__join(body, scene__capsule(q, scene_v(58, -52, -22), scene_v(12, -196, 24), 10, 8), 14);
-        body = scene__join(body, scene__capsule(q, scene_v(16, -202, 34), scene_v(140, -198, 2), 6, 7), 14);
-        body = scene__join(body, scene__ellipsoid(p, 0, -140, 26, 9, 15, 9), 16);
-        body = scene__cut(body, scene__ellipsoid(p, 0, -199, 44, 9, 11, 12), 14);
-        d = scene__max(scene__join(d, body, 18), -p.y - 250);
+        body = scene__join(body, scene__capsule(q, scene_v(58, -52, -22), scene_v(12, -196, 20), 9, 7), 18);
+        body = scene__join(body, scene__capsule(q, scene_v(26, -204, 12), scene_v(140, -198, -2), 5, 7), 16);
+        body = scene__join(body, scene__ellipsoid(p, 0, -138, 17, 8, 15, 7), 18);
+        body = scene__cut(body, scene__ellipsoid(p, 0, -198, 38, 8, 10, 10), 14);
+        d = scene__max(scene__join(d, body, 24), -p.y - 250);
     }
     if (q.x > 45 && p.z < 40) d = scene__join(d, scene__ear(scene_v(q.x - 70, p.y + 12, p.z + 6)), 9);
     return p.z > 35 && p.y < 45 && p.y > -125 ? scene__face(p, q, d) : d;
@@ -237,6 +238,14 @@ static inline float scene_distance(scene_object object, scene_vec p)
     return object == SCENE_BUST ? scene_bust(p) : scene_knot(p);
 }
 
+/* The outward normal: differences over the corners of a tetrahedron of size e. */
+static inline scene_vec scene_gradient(scene_object object, scene_vec p, float e)
+{
+    float a = scene_distance(object, scene_v(p.x + e, p.y - e, p.z - e)), b = scene_distance(object, scene_v(p.x - e, p.y - e, p.z + e));
+    float c = scene_distance(object, scene_v(p.x - e, p.y + e, p.z - e)), d = scene_distance(object, scene_v(p.x + e, p.y + e, p.z + e));
+    return scene_normalize(scene_v(a - b - c + d, -a - b + c + d, -a + b - c + d));
+}
+
 /* A box around the object, with room for fillets. */
 static inline void scene_bounds(scene_object object, scene_vec *low, scene_vec *high)
 {
@@ -277,7 +286,7 @@ enum { SCENE_LIGHTS = 3 };
 static inline void scene_lights(scene_object object, scene_light light[SCENE_LIGHTS])
 {
     static const float bust[SCENE_LIGHTS][7] = {{-560, 330, 250, 55, 3.3f, 2.95f, 2.5f},  /* key: warm, from the left */
-                                                {330, 240, -520, 60, 1.6f, 2.1f, 2.8f},   /* rim: cold, from behind */
+                                                {420, 260, -520, 60, 1.3f, 1.75f, 2.4f},   /* rim: cold, from behind */
                                                 {560, 40, 420, 220, 0.07f, 0.09f, 0.125f}}; /* fill: large and weak */
     static const float knot[SCENE_LIGHTS][7] = {{-190, 210, 60, 20, 3.3f, 3.0f, 2.6f},
                                                 {170, 120, -190, 30, 1.0f, 1.35f, 1.9f},
@@ -431,16 +440,14 @@ static inline float scene__openness(const scene_grid *g, scene_vec p, scene_vec 
     return scene__clamp(1 - 0.52f * sum, 0, 1);
 }
 
-static inline float scene__field(const scene_grid *g, int what, scene_vec p)
+static inline scene_vec scene__normal(const scene_grid *g, int what, scene_vec p)
 {
-    return what == SCENE_BACKDROP ? scene__backdrop(g->object, p) : scene_distance(g->object, p);
-}
-
-static inline scene_vec scene__gradient(const scene_grid *g, int what, scene_vec p, float e)
-{
-    float a = scene__field(g, what, scene_v(p.x + e, p.y - e, p.z - e)), b = scene__field(g, what, scene_v(p.x - e, p.y - e, p.z + e));
-    float c = scene__field(g, what, scene_v(p.x - e, p.y + e, p.z - e)), d = scene__field(g, what, scene_v(p.x + e, p.y + e, p.z + e));
-    return scene_normalize(scene_v(a - b - c + d, -a - b + c + d, -a + b - c + d));
+    scene_vec n = scene_v(0, 1, 0);
+    float e = 1;
+    if (what != SCENE_BACKDROP) return scene_gradient(g->object, p, 0.02f);
+    n.y = scene__backdrop(g->object, scene_v(p.x, p.y + e, p.z)) - scene__backdrop(g->object, scene_v(p.x, p.y - e, p.z));
+    n.z = scene__backdrop(g->object, scene_v(p.x, p.y, p.z + e)) - scene__backdrop(g->object, scene_v(p.x, p.y, p.z - e));
+    return scene_normalize(n);
 }
 
 /* --- surfaces --- */
@@ -518,8 +525,8 @@ static inline scene_surface scene__surface(const scene_grid *g, int what, scene_
             s.albedo[c] *= scene__mix(1, lip[c], lips);
             s.albedo[c] *= scene__mix(1, hair[c], 0.9f * brow);
         }
-        s.roughness = scene__mix(0.47f, 0.33f, lips);
-        s.coat = scene__mix(0.22f, 0.5f, lips);
+        s.roughness = scene__mix(0.50f, 0.36f, lips);
+        s.coat = scene__mix(0.14f, 0.4f, lips);
         s.reflectance *= 1 - 0.6f * brow;
     } else { /* marble: thin dark veins where a folded noise crosses zero */
         scene_vec q = scene_add(scene_mul(p, 0.045f), scene_mul(scene_v(scene_fractal(scene_mul(p, 0.05f), 4),
@@ -589,7 +596,7 @@ static inline scene_vec scene_ray(const scene_camera *c, int width, int height, 
 static inline void scene__shade(scene *s, const scene_grid *g, const scene_light *light, scene_hit hit, scene_vec ray,
                                 const float color[3], size_t pixel)
 {
-    scene_vec p = scene_mad(ray, hit.t, s->camera.eye), n = scene__gradient(g, hit.what, p, 0.02f), smooth = n, v = scene_mul(ray, -1), r;
+    scene_vec p = scene_mad(ray, hit.t, s->camera.eye), n = scene__normal(g, hit.what, p), smooth = n, v = scene_mul(ray, -1), r;
     scene_surface m = scene__surface(g, hit.what, p, color);
     float open = scene__openness(g, p, n), nv, studio[3], fresnel, up;
     float *e = s->irradiance.pixels + 3 * pixel, *spec = s->specular.pixels + 3 * pixel;
@@ -719,8 +726,9 @@ static inline const char *scene_render(scene *s, scene_object object, int width,
 static inline float scene_tone(float v) { return scene__clamp(v * (2.51f * v + 0.03f) / (v * (2.43f * v + 0.59f) + 0.14f), 0, 1); }
 
 /* out: sRGB-encoded RGB in [0, 1], for image_write. irradiance: the scene's own, or a filtered copy of it. */
-static inline const char *scene_compose(const scene *s, const image *irradiance, float exposure, image *out)
+static inline const char *scene_compose(const scene *s, const image *irradiance, image *out)
 {
+    float exposure = s->object == SCENE_BUST ? 2.2f : 1.3f;
     int x, y, i, c;
     *out = image_new(s->width, s->height, 3);
     if (out->pixels == NULL) return "out of memory";

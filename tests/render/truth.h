@@ -9,7 +9,8 @@ enum { TRUTH_RINGS = 96 };
 
 typedef struct truth {
     int width, height, pixels; /* pixels: that show the object */
-    float mm_per_unit, tan_half_fov, peak;
+    scene_camera camera;
+    float mm_per_unit, peak;
     mesh m;
     tracer *t;
     trace_layers layers;
@@ -53,20 +54,19 @@ static inline int truth_make(truth *t, scene_object object, int width, int heigh
     float mu_s[3], mu_a[3], scene_mu_s[3], scene_mu_a[3];
     double edge[TRUTH_RINGS + 1], energy[TRUTH_RINGS], *value[3];
     scene_light light[SCENE_LIGHTS];
-    scene_camera camera = scene_camera_of(object);
     const double *rings[3];
     int c, i, k;
     memset(t, 0, sizeof *t);
     t->width = width;
     t->height = height;
-    t->tan_half_fov = camera.tan_half_fov;
+    t->camera = scene_camera_of(object);
     truth_material(object, mu_s, mu_a, &t->mm_per_unit);
     scene_lights(object, light);
     *problem = "the mesh could not be made";
     if (!mesh_make(&t->m, object, object == SCENE_BUST ? 2.5f : 1.0f)) return 0;
     *problem = "Embree could not build the scene";
     t->t = trace_create(&t->m, light, 1);
-    if (t->t == NULL || !trace_primary(t->t, &camera, width, height, &t->layers)) return 0;
+    if (t->t == NULL || !trace_primary(t->t, &t->camera, width, height, &t->layers)) return 0;
     t->irradiance = image_new(width, height, 3);
     t->unfiltered = image_new(width, height, 3);
     trace_irradiance(t->t, &t->layers, 64, 1, &t->irradiance);
@@ -97,7 +97,7 @@ static inline int truth_make(truth *t, scene_object object, int width, int heigh
         double radius[3];
         ms_sss_profile_radius(t->profile, 0.99, radius);
         for (c = 0; c < 3; ++c) t->radius_mm = radius[c] > t->radius_mm ? radius[c] : t->radius_mm;
-        t->radius_px = t->radius_mm / t->mm_per_unit * height / (2 * (double)t->tan_half_fov * (double)scene_length(camera.eye));
+        t->radius_px = t->radius_mm / t->mm_per_unit * height / (2 * (double)t->camera.tan_half_fov * (double)scene_length(t->camera.eye));
     }
     for (i = 0; i < width * height; ++i) {
         t->pixels += t->layers.triangle[i] >= 0;
@@ -132,7 +132,7 @@ static inline truth_error truth_compare(const truth *t, const image *picture)
 }
 
 /* The irradiance filtered by a separable kernel, times reflectance, into out (of the same size). */
-static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel, image *out)
+static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel, double sigma, image *out)
 {
     ms_sss_frame frame;
     ms_sss_filter_options options = ms_sss_filter_defaults();
@@ -146,8 +146,9 @@ static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel
     frame.input = ms_sss_interleaved(t->irradiance.pixels, 3, 0);
     frame.output = ms_sss_interleaved(out->pixels, 3, 0);
     frame.depth = ms_sss_map(t->layers.depth.pixels, 1, 0); /* 0 beside the object: takes no part */
-    options.fov_degrees = 2 * atanf(t->tan_half_fov) * (180 / 3.14159265f);
+    options.fov_degrees = 2 * atanf(t->camera.tan_half_fov) * (180 / 3.14159265f);
     options.mm_per_unit = t->mm_per_unit;
+    options.depth_sigma_mm = (float)(t->radius_mm * sigma); /* the same for every kernel, however far its last tap is */
     size = ms_sss_filter_workspace(t->width, t->height, kernel, 1, &options);
     workspace = malloc(size);
     if (workspace == NULL) return MS_OUT_OF_MEMORY;
@@ -158,38 +159,51 @@ static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel
     return status;
 }
 
-/* The same by the true 2D kernel, pixel by pixel: weights averaged over rings one pixel wide, the separable filter's
-   treatment of depth (sigma a third of the radius, renormalised). */
-static inline void truth_filter_2d(const truth *t, image *out)
+/* The same by the profile itself, pixel by pixel: each pixel gives its share of the ring as wide as itself,
+   renormalised. in_space 1: distances between the points on the surface, pixels as large as the surface they show.
+   in_space 0: what a screen-space filter approximates, distances on the screen and its treatment of depth (sigma a
+   third of the radius). */
+static inline void truth_filter_2d(const truth *t, int in_space, image *out)
 {
     enum { steps = 4096 };
     double (*disc)[3] = (double (*)[3])malloc((steps + 1) * sizeof *disc);
+    double *size = (double *)malloc((size_t)t->width * (size_t)t->height * sizeof *size);
     double reach = t->radius_mm * 1.5, sigma = t->radius_mm / 3;
     int x, y, i, c;
-    if (disc == NULL) abort();
+    if (disc == NULL || size == NULL) abort();
     for (i = 0; i <= steps; ++i) ms_sss_profile_disc(t->profile, reach * i / steps, disc[i]);
+    for (i = 0; i < t->width * t->height; ++i) { /* mm along the side of a pixel, or of the square of surface that it shows */
+        scene_vec to_eye = scene_sub(t->camera.eye, t->layers.position[i]);
+        double facing = (double)(scene_dot(to_eye, t->layers.normal[i]) / scene_length(to_eye));
+        size[i] = 2 * (double)t->camera.tan_half_fov * (double)t->layers.depth.pixels[i] * (double)t->mm_per_unit / t->height;
+        if (in_space) size[i] /= sqrt(facing > 0.1 ? facing : 0.1);
+    }
     for (y = 0; y < t->height; ++y)
         for (x = 0; x < t->width; ++x) {
             int at = y * t->width + x, n, dx, dy;
-            double z = (double)t->layers.depth.pixels[at], pixel, sum[3] = {0, 0, 0}, weights[3] = {0, 0, 0};
+            double sum[3] = {0, 0, 0}, weights[3] = {0, 0, 0};
             if (t->layers.triangle[at] < 0) continue;
-            pixel = 2 * (double)t->tan_half_fov * z * (double)t->mm_per_unit / t->height; /* mm */
-            n = (int)(reach / pixel);
+            n = (int)(reach / (2 * (double)t->camera.tan_half_fov * (double)t->layers.depth.pixels[at] * (double)t->mm_per_unit / t->height));
             for (dy = -n; dy <= n; ++dy)
                 for (dx = -n; dx <= n; ++dx) {
                     int qx = x + dx, qy = y + dy, q = qy * t->width + qx, inner, outer;
-                    double r = sqrt((double)(dx * dx + dy * dy)) * pixel, low, high, dz, near_by;
+                    double r, low, high, weight;
                     if (qx < 0 || qy < 0 || qx >= t->width || qy >= t->height || t->layers.triangle[q] < 0) continue;
-                    low = r > 0 ? r - 0.5 * pixel : 0;
-                    high = r > 0 ? r + 0.5 * pixel : pixel / sqrt(3.14159265358979);
+                    r = in_space ? (double)(scene_length(scene_sub(t->layers.position[q], t->layers.position[at])) * t->mm_per_unit)
+                                 : sqrt((double)(dx * dx + dy * dy)) * size[at];
+                    low = r > 0 ? scene__max((float)(r - 0.5 * size[q]), 0) : 0;
+                    high = r > 0 ? r + 0.5 * size[q] : size[q] / sqrt(3.14159265358979);
                     if (high > reach) continue;
                     inner = (int)(low / reach * steps + 0.5);
                     outer = (int)(high / reach * steps + 0.5);
                     if (outer <= inner) outer = inner + 1;
-                    dz = ((double)t->layers.depth.pixels[q] - z) * (double)t->mm_per_unit;
-                    near_by = exp(-dz * dz / (2 * sigma * sigma)) / (high * high - low * low);
+                    weight = size[q] * size[q] / (high * high - low * low);
+                    if (!in_space) {
+                        double dz = (double)(t->layers.depth.pixels[q] - t->layers.depth.pixels[at]) * (double)t->mm_per_unit;
+                        weight *= exp(-dz * dz / (2 * sigma * sigma));
+                    }
                     for (c = 0; c < 3; ++c) {
-                        double w = near_by * (disc[outer][c] - disc[inner][c]);
+                        double w = weight * (disc[outer][c] - disc[inner][c]);
                         weights[c] += w;
                         sum[c] += w * (double)t->irradiance.pixels[3 * q + c];
                     }
@@ -197,6 +211,7 @@ static inline void truth_filter_2d(const truth *t, image *out)
             for (c = 0; c < 3; ++c) out->pixels[3 * at + c] = (float)(t->reflectance[c] * sum[c] / weights[c]);
         }
     free(disc);
+    free(size);
 }
 
 /* The models of the table, with dense taps unless said otherwise. */
