@@ -2,8 +2,8 @@
 
    Sections (search for the line in full)
      PROFILES, KERNELS, ERRORS, TRANSLUCENCY, FILTER, PYRAMID, GPU TEXT           declarations
-     SMALL MATHS, PROFILE TABLES, PRE-INTEGRATION, TAPS, KERNEL MODELS,
-     KERNEL ERRORS, TRANSLUCENCY TABLES, FILTER CODE, PYRAMID CODE, GPU CODE      implementation
+     SMALL MATHS, PROFILE TABLES, PRE-INTEGRATION, CELLS AND SPECTRA,
+     KERNEL ERRORS, TAPS, KERNEL MODELS, TRANSLUCENCY TABLES, FILTER CODE, PYRAMID CODE, GPU CODE      implementation
      FILTER KERNELS, PYRAMID KERNELS                                             SIMD pass
 */
 #ifndef MS_SSS_H
@@ -1289,11 +1289,1453 @@ MS_SSS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double o
     }
 }
 
+/* ----------------------------------------------------- CELLS AND SPECTRA */
+
+/* Everything below counts lengths in cells, which are the pixels of the design size, and frequencies in cycles per 512
+   pixels. A kernel is even in x and y and symmetric under their exchange: cells are kept for i, j >= 0, its real
+   spectrum for 0 <= k2 <= k1 <= 256. */
+#define MS_SSS__SIZE 512
+#define MS_SSS__HALF 256
+#define MS_SSS__OCTANT ((MS_SSS__HALF + 1) * (MS_SSS__HALF + 2) / 2)
+#define MS_SSS__CELLS_MAX 128
+#define MS_SSS__SIGNALS 6
+#define MS_SSS__TEXTURE 5 /* the last of ms_sss_errors */
+
+struct ms_sss_designer {
+    int cells;                          /* from the centre to the edge of the square that holds the kernel */
+    double cell_mm;
+    double reflectance[3], width[3];    /* 99% radius of each channel, cells */
+    int widest;                         /* channel */
+    double cosine[MS_SSS__SIZE];        /* cos(2 pi i / 512) */
+    double variance[MS_SSS__SIGNALS];   /* of the signals after the true convolution, channels summed */
+    double *cell[3];                    /* [cells + 1][cells + 1], the sum over all quadrants is 1 */
+    double *slice[3];                   /* [cells + 1] R_d along the axis, any scale */
+    double *spectrum[3];                /* [OCTANT] of cell */
+    float *power[MS_SSS__SIGNALS];      /* [OCTANT] |signal|^2, summed over the 8 bins that share a value */
+    size_t bytes;
+    ms_allocator allocator;
+};
+
+static int ms_sss__octant(int k1, int k2)
+{
+    return k1 * (k1 + 1) / 2 + k2;
+}
+
+/* How many bins of the full spectrum the octant's (k1, k2) stands for. */
+static int ms_sss__orbit(int k1, int k2)
+{
+    int n1 = k1 == 0 || k1 == MS_SSS__HALF ? 1 : 2, n2 = k2 == 0 || k2 == MS_SSS__HALF ? 1 : 2;
+    return n1 * n2 * (k1 == k2 ? 1 : 2);
+}
+
+/* Radii of rings that are thin against a cell near the centre and near a pole at 0; returns how many. */
+#define MS_SSS__RINGS_MAX 512
+static int ms_sss__thin_rings(double outer, double *edge)
+{
+    int n = 0;
+    double r;
+    edge[n++] = 0;
+    for (r = 1e-6; r < 0.125; r *= 1.6) edge[n++] = r;
+    for (; r < outer + 0.5; r += r < 4 ? 0.125 : r < 12 ? 0.25 : 0.5) edge[n++] = r;
+    return n - 1;
+}
+
+/* Integrals of R_d over the square cells of size h: [cells + 1][cells + 1] a channel, scaled to a total of 1. */
+static void ms_sss__fill_cells(const ms_sss_profile *p, int cells, double h, double *const out[3])
+{
+    double edge[MS_SSS__RINGS_MAX], density[MS_SSS__RINGS_MAX][3], inside[3] = {0, 0, 0}, disc[3], total;
+    int rings = ms_sss__thin_rings(1.4143 * (cells + 0.5), edge), row = cells + 1, i, j, k, c;
+    for (k = 0; k < rings; ++k) { /* energy between two radii over the ring's area */
+        ms_sss_profile_disc(p, h * edge[k + 1], disc);
+        for (c = 0; c < 3; ++c) {
+            density[k][c] = (disc[c] - inside[c]) / (MS_SSS__PI * (edge[k + 1] - edge[k]) * (edge[k + 1] + edge[k]));
+            inside[c] = disc[c];
+        }
+    }
+    for (i = 0; i <= cells; ++i)
+        for (j = 0; j <= i; ++j) {
+            double x0 = i - 0.5, x1 = i + 0.5, y0 = j - 0.5, y1 = j + 0.5, sum[3] = {0, 0, 0}, before = 0;
+            double nearest = hypot(i > 0 ? x0 : 0, j > 0 ? y0 : 0), farthest = hypot(x1, y1);
+            int low = 0, high = rings;
+            while (high - low > 1) {
+                k = (low + high) / 2;
+                if (edge[k] <= nearest) low = k; else high = k;
+            }
+            for (k = low; k < rings && edge[k] < farthest; ++k) { /* area that the ring has in common with the cell */
+                double r = edge[k + 1];
+                double area = ms_sss__disc_corner(x1, y1, r) - ms_sss__disc_corner(x0, y1, r) -
+                              ms_sss__disc_corner(x1, y0, r) + ms_sss__disc_corner(x0, y0, r);
+                for (c = 0; c < 3; ++c) sum[c] += density[k][c] * (area - before);
+                before = area;
+            }
+            for (c = 0; c < 3; ++c) out[c][i * row + j] = out[c][j * row + i] = sum[c];
+        }
+    for (c = 0; c < 3; ++c) {
+        if (p->kind == MS_SSS__GAUSSIANS) { /* separable: exact without rings */
+            double g[MS_SSS__CELLS_MAX + 1];
+            memset(out[c], 0, sizeof(double) * (size_t)(row * row));
+            for (k = 0; k < p->count; ++k) {
+                double s = h / (p->sigma[k][c] * sqrt(2.0));
+                for (i = 0; i <= cells; ++i) g[i] = 0.5 * (erf((i + 0.5) * s) - erf((i - 0.5) * s));
+                for (i = 0; i <= cells; ++i)
+                    for (j = 0; j <= cells; ++j) out[c][i * row + j] += p->weight[k][c] * g[i] * g[j];
+            }
+        }
+        total = 0;
+        for (i = 0; i <= cells; ++i)
+            for (j = 0; j <= cells; ++j) total += out[c][i * row + j] * (i ? 2 : 1) * (j ? 2 : 1);
+        if (!(total > 0)) { /* a channel without light: the identity */
+            memset(out[c], 0, sizeof(double) * (size_t)(row * row));
+            total = out[c][0] = 1;
+        }
+        for (i = 0; i < row * row; ++i) out[c][i] /= total;
+    }
+}
+
+/* Spectrum of an even kernel given as cells. columns: [257][cells + 1] scratch. */
+static void ms_sss__spectrum(const ms_sss_designer *d, const double *cell, double *columns, double *out)
+{
+    int row = d->cells + 1, i, j, k1, k2;
+    for (k1 = 0; k1 <= MS_SSS__HALF / 2; ++k1) { /* along x; the even and the odd cells serve k1 and 256 - k1 */
+        double *column = columns + k1 * row, *mirror = columns + (MS_SSS__HALF - k1) * row;
+        double odd[MS_SSS__CELLS_MAX + 1];
+        for (j = 0; j < row; ++j) column[j] = odd[j] = 0;
+        for (i = 0; i < row; ++i) {
+            double c = (i ? 2 : 1) * d->cosine[k1 * i % MS_SSS__SIZE], *to = i % 2 ? odd : column;
+            for (j = 0; j < row; ++j) to[j] += c * cell[i * row + j];
+        }
+        for (j = 0; j < row; ++j) mirror[j] = column[j] - odd[j];
+        for (j = 0; j < row; ++j) column[j] += odd[j];
+    }
+    for (k2 = 0; k2 <= MS_SSS__HALF; ++k2) {
+        double wave[MS_SSS__CELLS_MAX + 1];
+        for (j = 0; j < row; ++j) wave[j] = (j ? 2 : 1) * d->cosine[k2 * j % MS_SSS__SIZE];
+        for (k1 = k2; k1 <= MS_SSS__HALF; ++k1) {
+            const double *column = columns + k1 * row;
+            double s0 = 0, s1 = 0;
+            for (j = 0; j + 1 < row; j += 2) {
+                s0 += wave[j] * column[j];
+                s1 += wave[j + 1] * column[j + 1];
+            }
+            if (j < row) s0 += wave[j] * column[j];
+            out[ms_sss__octant(k1, k2)] = s0 + s1;
+        }
+    }
+}
+
+/* |DFT|^2 of a disk of pixels around (256, 256): its rows are runs, whose transforms are Dirichlet kernels. */
+static void ms_sss__disk_power(const ms_sss_designer *d, int radius, float *power)
+{
+    double *amplitude = d->spectrum[0]; /* free until the profile's spectrum is made */
+    int y, k1, k2;
+    memset(amplitude, 0, sizeof *amplitude * MS_SSS__OCTANT);
+    for (y = 0; y <= radius; ++y) {
+        int half = (int)floor(sqrt((double)(radius * radius - y * y)) + 1e-9);
+        for (k1 = 0; k1 <= MS_SSS__HALF; ++k1) {
+            double run = k1 == 0 ? 2 * half + 1
+                                 : sin(MS_SSS__PI * k1 * (2 * half + 1) / MS_SSS__SIZE) / sin(MS_SSS__PI * k1 / MS_SSS__SIZE);
+            double *a = amplitude + ms_sss__octant(k1, 0);
+            run *= y ? 2 : 1;
+            for (k2 = 0; k2 <= k1; ++k2) a[k2] += run * d->cosine[k2 * y % MS_SSS__SIZE];
+        }
+    }
+    for (k1 = 0; k1 <= MS_SSS__HALF; ++k1)
+        for (k2 = 0; k2 <= k1; ++k2) {
+            double a = amplitude[ms_sss__octant(k1, k2)];
+            power[ms_sss__octant(k1, k2)] = (float)(a * a * ms_sss__orbit(k1, k2));
+        }
+}
+
+/* The texture is one picture of the Gaussian process with spectrum 1/f^2: its low frequencies are drawn (|S|^2 / mean is
+   exponentially distributed for each pair of conjugate bins), the others stand at their mean. The seed is the one whose
+   picture gives the errors of design.md's table best; its mean is 4.5 standard deviations, as of a photograph. */
+#define MS_SSS__TEXTURE_SEED 918
+#define MS_SSS__TEXTURE_DRAWN 24
+
+static void ms_sss__signal_power(const ms_sss_designer *d)
+{
+    int k1, k2, n;
+    double total = 0;
+    ms_sss__disk_power(d, 10, d->power[2]);
+    ms_sss__disk_power(d, 120, d->power[3]);
+    for (k1 = 0; k1 <= MS_SSS__HALF; ++k1)
+        for (k2 = 0; k2 <= k1; ++k2) {
+            int o = ms_sss__octant(k1, k2), orbit = ms_sss__orbit(k1, k2);
+            double edge = sin(MS_SSS__PI * k1 / MS_SSS__SIZE), texture = 0;
+            edge = k1 == 0 ? MS_SSS__HALF * (double)MS_SSS__HALF : k1 % 2 ? 1 / (edge * edge) : 0; /* 256 of 512 */
+            d->power[0][o] = k2 == 0 ? (float)(edge * (k1 ? 2 : 1)) : 0;
+            d->power[1][o] = k1 == k2 ? (float)(edge * (k1 ? 2 : 1)) : 0;
+            d->power[4][o] = (float)orbit;
+            if (k1 > 0) {
+                texture = orbit;
+                if (k1 < MS_SSS__TEXTURE_DRAWN) {
+                    ms__rng rng = ms__rng_make(MS_SSS__TEXTURE_SEED, (uint64_t)o);
+                    texture = 0;
+                    for (n = 0; n < orbit; n += 2) texture -= 2 * log(ms__rng_uniform(&rng));
+                }
+                texture /= (double)k1 * k1 + (double)k2 * k2;
+                total += texture;
+            }
+            d->power[MS_SSS__TEXTURE][o] = (float)texture;
+        }
+    d->power[MS_SSS__TEXTURE][0] = (float)(4.5 * 4.5 * total);
+}
+
+MS_SSS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
+                                            const ms_allocator *allocator, ms_error *error)
+{
+    double radius[3], total[3], widest = 0, *columns;
+    size_t header = (sizeof(ms_sss_designer) + 63) / 64 * 64, doubles, bytes, row;
+    ms_sss_designer *d;
+    int c, s, o;
+    if (designer == NULL || profile == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "designer or profile is NULL");
+    *designer = NULL;
+    if (radius_px == 0) radius_px = 24;
+    if (!(radius_px > 0 && radius_px <= 1e9))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "radius_px is %g; above 0, at most 1e9 expected", radius_px);
+    ms_sss_profile_reflectance(profile, total);
+    ms_sss_profile_radius(profile, 0.99, radius);
+    for (c = 0; c < 3; ++c) widest = radius[c] > widest ? radius[c] : widest;
+    if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light in any channel");
+    if (radius_px > MS_SSS__CELLS_MAX) radius_px = MS_SSS__CELLS_MAX;
+    row = (size_t)(radius_px + 0.5) + 1;
+    doubles = 3 * row * (row + 1) + 3 * MS_SSS__OCTANT + (MS_SSS__HALF + 1) * row;
+    bytes = header + doubles * sizeof(double) + MS_SSS__SIGNALS * MS_SSS__OCTANT * sizeof(float);
+    d = (ms_sss_designer *)ms__alloc(allocator, bytes);
+    if (d == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a designer of %z bytes", bytes);
+    memset(d, 0, sizeof *d);
+    d->bytes = bytes;
+    if (allocator != NULL) d->allocator = *allocator;
+    d->cells = (int)row - 1;
+    d->cell_mm = widest / (radius_px + 0.5);
+    columns = (double *)(void *)((unsigned char *)d + header);
+    for (c = 0; c < 3; ++c) {
+        d->spectrum[c] = columns;
+        columns += MS_SSS__OCTANT;
+        d->cell[c] = columns;
+        columns += row * row;
+        d->slice[c] = columns;
+        columns += row;
+        d->reflectance[c] = total[c];
+        d->width[c] = radius[c] / d->cell_mm;
+        if (radius[c] > radius[d->widest]) d->widest = c;
+    }
+    for (s = 0; s < MS_SSS__SIGNALS; ++s)
+        d->power[s] = (float *)(void *)(columns + (MS_SSS__HALF + 1) * row) + s * MS_SSS__OCTANT;
+    for (o = 0; o < MS_SSS__SIZE; ++o) d->cosine[o] = cos(2 * MS_SSS__PI * o / MS_SSS__SIZE);
+    ms_sss__signal_power(d);
+    ms_sss__fill_cells(profile, d->cells, d->cell_mm, d->cell);
+    for (o = 0; o <= d->cells; ++o) { /* a pole at 0 is read at an eighth of a cell */
+        double at[3];
+        ms_sss_profile_value(profile, o == 0 && profile->kind != MS_SSS__GAUSSIANS ? 0.125 * d->cell_mm : o * d->cell_mm, at);
+        for (c = 0; c < 3; ++c) d->slice[c][o] = at[c];
+    }
+    for (c = 0; c < 3; ++c) {
+        ms_sss__spectrum(d, d->cell[c], columns, d->spectrum[c]);
+        for (s = 0; s < MS_SSS__SIGNALS; ++s)
+            for (o = 1; o < MS_SSS__OCTANT; ++o)
+                d->variance[s] += (double)d->power[s][o] * d->spectrum[c][o] * d->spectrum[c][o];
+    }
+    *designer = d;
+    return MS_OK;
+}
+
+MS_SSS_API void ms_sss_designer_destroy(ms_sss_designer *designer)
+{
+    ms_allocator allocator;
+    if (designer == NULL) return;
+    allocator = designer->allocator;
+    ms__release(&allocator, designer, designer->bytes);
+}
+
+/* --------------------------------------------------------- KERNEL ERRORS */
+
+/* What the taps at +-(x, y) read of a wave with frequency (kx, ky): the real part of the product of two linear
+   interpolations. along: its derivative when (x, y) moves by (dx, dy); NULL: not wanted. */
+static double ms_sss__pair_transfer(const ms_sss_designer *d, int kx, int ky, double x, double y, double dx, double dy,
+                                    double *along)
+{
+    double re[2], im[2], dre[2], dim[2], at[2];
+    int k[2], n;
+    k[0] = kx;
+    k[1] = ky;
+    at[0] = x;
+    at[1] = y;
+    for (n = 0; n < 2; ++n) { /* (1 - f) exp(i w p) + f exp(i w (p + 1)) at p = floor(at), f = at - p */
+        double p = floor(at[n]), f = at[n] - p;
+        int a = (int)p * k[n], b = a + k[n];
+        double c0 = d->cosine[a & (MS_SSS__SIZE - 1)], s0 = d->cosine[(a - 128) & (MS_SSS__SIZE - 1)];
+        dre[n] = d->cosine[b & (MS_SSS__SIZE - 1)] - c0;
+        dim[n] = d->cosine[(b - 128) & (MS_SSS__SIZE - 1)] - s0;
+        re[n] = c0 + f * dre[n];
+        im[n] = s0 + f * dim[n];
+    }
+    if (along != NULL)
+        *along = dx * (dre[0] * re[1] - dim[0] * im[1]) + dy * (re[0] * dre[1] - im[0] * dim[1]);
+    return re[0] * re[1] - im[0] * im[1];
+}
+
+/* A kernel in cells and doubles, as it is made and measured. Term t of channel c: sign w w^T. */
+typedef struct ms_sss__curve {
+    int pairs, terms, frames, hats;
+    double times[MS_SSS__CELLS_MAX + 1];                /* what an entry adds to the energy: 1, 2, 2, ... */
+    double offset[MS_SSS__CELLS_MAX + 1];               /* [0] is the centre */
+    double weight[3][MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1]; /* of the centre, then of each tap of a pair */
+    double sign[3][MS_SSS_TERMS_MAX];
+    double delta[3];
+} ms_sss__curve;
+
+/* One pass of fixed axes as a function of its one frequency. */
+typedef struct ms_sss__waves {
+    double line[3][MS_SSS_TERMS_MAX][MS_SSS__HALF + 1];
+} ms_sss__waves;
+
+static void ms_sss__curve_waves(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves)
+{
+    int k, t, c, i;
+    for (k = 0; k <= MS_SSS__HALF; ++k) {
+        for (c = 0; c < 3; ++c)
+            for (t = 0; t < v->terms; ++t) waves->line[c][t][k] = v->weight[c][t][0];
+        for (i = 1; i <= v->pairs; ++i) {
+            double wave = 2 * ms_sss__pair_transfer(d, k, 0, v->offset[i], 0, 0, 0, NULL);
+            for (c = 0; c < 3; ++c)
+                for (t = 0; t < v->terms; ++t) waves->line[c][t][k] += v->weight[c][t][i] * wave;
+        }
+    }
+}
+
+/* Spectrum of one bin: delta + sum over the terms, mean over the frames. waves as made above, for one frame only. */
+static void ms_sss__curve_transfer(const ms_sss_designer *d, const ms_sss__curve *v, const ms_sss__waves *waves, int k1,
+                                   int k2, double out[3])
+{
+    int f, t, c, i;
+    for (c = 0; c < 3; ++c) out[c] = v->delta[c];
+    if (v->frames == 1) {
+        for (c = 0; c < 3; ++c)
+            for (t = 0; t < v->terms; ++t) out[c] += v->sign[c][t] * waves->line[c][t][k1] * waves->line[c][t][k2];
+        return;
+    }
+    for (f = 0; f < v->frames; ++f) {
+        double turn = 0.5 * MS_SSS__PI * f / v->frames, x = cos(turn), y = sin(turn), pass[2][3][MS_SSS_TERMS_MAX];
+        for (c = 0; c < 3; ++c)
+            for (t = 0; t < v->terms; ++t) pass[0][c][t] = pass[1][c][t] = v->weight[c][t][0];
+        for (i = 1; i <= v->pairs; ++i) {
+            double o = v->offset[i];
+            double a = 2 * ms_sss__pair_transfer(d, k1, k2, o * x, o * y, 0, 0, NULL);
+            double b = 2 * ms_sss__pair_transfer(d, k1, k2, -o * y, o * x, 0, 0, NULL);
+            for (c = 0; c < 3; ++c)
+                for (t = 0; t < v->terms; ++t) {
+                    pass[0][c][t] += v->weight[c][t][i] * a;
+                    pass[1][c][t] += v->weight[c][t][i] * b;
+                }
+        }
+        for (c = 0; c < 3; ++c)
+            for (t = 0; t < v->terms; ++t) out[c] += v->sign[c][t] * pass[0][c][t] * pass[1][c][t] / v->frames;
+    }
+}
+
+static void ms_sss__kernel_curve(const ms_sss_designer *d, const ms_sss_kernel *kernel, ms_sss__curve *v)
+{
+    int i, t, c;
+    v->hats = 0;
+    v->pairs = kernel->tap_count / 2;
+    v->terms = kernel->term_count;
+    v->frames = kernel->frame_count > 1 ? kernel->frame_count : 1;
+    for (i = 0; i <= v->pairs; ++i) {
+        int tap = 2 * i;
+        v->times[i] = i ? 2 : 1;
+        v->offset[i] = fabs((double)kernel->offset_mm[tap]) / d->cell_mm;
+        if (fabs(v->offset[i] - floor(v->offset[i] + 0.5)) < 1e-4) v->offset[i] = floor(v->offset[i] + 0.5); /* float */
+        for (t = 0; t < v->terms; ++t)
+            for (c = 0; c < 3; ++c) v->weight[c][t][i] = (double)kernel->weight[t][tap][c];
+    }
+    for (c = 0; c < 3; ++c) {
+        for (t = 0; t < v->terms; ++t) v->sign[c][t] = (double)kernel->scale[t][c];
+        v->delta[c] = (double)kernel->delta[c];
+    }
+}
+
+/* Relative errors of a curve on every signal. */
+static void ms_sss__curve_errors(const ms_sss_designer *d, const ms_sss__curve *v, double error[MS_SSS__SIGNALS])
+{
+    ms_sss__waves waves;
+    double found[3];
+    int k1, k2, c, s, o = 0;
+    if (v->frames == 1) ms_sss__curve_waves(d, v, &waves);
+    for (s = 0; s < MS_SSS__SIGNALS; ++s) error[s] = 0;
+    for (k1 = 0; k1 <= MS_SSS__HALF; ++k1)
+        for (k2 = 0; k2 <= k1; ++k2, ++o) {
+            double square = 0;
+            ms_sss__curve_transfer(d, v, &waves, k1, k2, found);
+            for (c = 0; c < 3; ++c) square += (found[c] - d->spectrum[c][o]) * (found[c] - d->spectrum[c][o]);
+            for (s = 0; s < MS_SSS__SIGNALS; ++s) error[s] += (double)d->power[s][o] * square;
+        }
+    for (s = 0; s < MS_SSS__SIGNALS; ++s) error[s] = sqrt(error[s] / d->variance[s]);
+}
+
+MS_SSS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
+                                      const ms_sss_designer *designer)
+{
+    ms_sss__curve curve;
+    double error[MS_SSS__SIGNALS];
+    ms_sss__kernel_curve(designer, kernel, &curve);
+    ms_sss__curve_errors(designer, &curve, error);
+    errors->vertical_step = error[0];
+    errors->diagonal_step = error[1];
+    errors->small_disk = error[2];
+    errors->large_disk = error[3];
+    errors->dot = error[4];
+    errors->texture = error[MS_SSS__TEXTURE];
+}
+
 /* ------------------------------------------------------------------ TAPS */
+
+/* The bins over which taps are fitted: every frequency up to 12 + a third of the cells, as far as spectra of such kernels
+   have detail that matters, then with gaps that grow in proportion; each bin also stands for the gap around it. */
+#define MS_SSS__NODES_MAX 96
+#define MS_SSS__BINS_MAX (MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2)
+
+/* node: frequencies, share: how many of the 512 frequencies each stands for; returns how many. */
+static int ms_sss__nodes(int cells, int *node, double *share)
+{
+    int count = 0, all = 12 + cells / 3, k, n;
+    for (k = 0; k < MS_SSS__HALF; k += k <= all ? 1 : 1 + (k - all / 2) / 6) node[count++] = k;
+    node[count++] = MS_SSS__HALF;
+    for (n = 0; n < count; ++n) { /* trapezoidal rule over both signs */
+        double left = n > 0 ? node[n] - node[n - 1] : 0, right = n + 1 < count ? node[n + 1] - node[n] : 0;
+        share[n] = left + right;
+    }
+    return count;
+}
+
+/* Scales the first term so that the energy is 1 with the other terms and delta as they are. */
+static void ms_sss__curve_normalise(ms_sss__curve *v)
+{
+    int c, t, i;
+    for (c = 0; c < 3; ++c) {
+        double rest = 1 - v->delta[c], first = 0;
+        for (t = v->terms - 1; t >= 0; --t) {
+            double sum = 0;
+            for (i = 0; i <= v->pairs; ++i) sum += v->times[i] * v->weight[c][t][i];
+            if (t > 0) rest -= v->sign[c][t] * sum * sum; else first = sum;
+        }
+        for (i = 0; i <= v->pairs; ++i) v->weight[c][0][i] *= sqrt(rest) / first;
+    }
+}
+
+/* A least-squares fit of taps to a target spectrum under a picture prior:
+     minimise sum over bins of weight (target - delta - sum_t sign_t wave_t(line 1) wave_t(line 2))^2
+   where wave(line) = w_0 + sum_i w_i basis_i(line) is one pass. Unknown are the offsets (optional, shared by the
+   channels), w_i ~ q_i^2 >= 0 of the first term, which is scaled to keep the energy, any w_i of the others, and
+   delta = q^2. The entries of a curve of hats are no pairs of taps but bumps over many cells. */
+typedef struct ms_sss__fit {
+    const ms_sss_designer *d;
+    int frames, lines, bins, pairs, terms, first, channels, move_offsets, use_delta, unknowns, local;
+    int k1[MS_SSS__BINS_MAX], k2[MS_SSS__BINS_MAX];
+    int line1[MS_SSS__BINS_MAX], line2[MS_SSS__BINS_MAX];  /* of frame 0; frame f stands 2 f further */
+    double weight[MS_SSS__BINS_MAX], target[MS_SSS__BINS_MAX][3];
+    double *basis, *slope;                         /* [lines][pairs] of both taps of a pair; d basis / d offset */
+    double *wave;                                  /* [3][MS_SSS_TERMS_MAX][lines] */
+    double *H, *work, *g, *step, *jacobian;        /* [unknowns]^2 twice, [unknowns] twice, [local] */
+    ms_sss__curve trial;
+    size_t bytes;
+} ms_sss__fit;
+
+/* The target is the spectrum of model, or of the profile if that is NULL. texture and axis: the two parts of the prior; 1/f^2 over all bins, and 1/f^2 on the axes, which axis-parallel edges
+   excite. Each is divided by what the target itself has, so that they weigh relative errors. */
+static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, double texture, double axis)
+{
+    ms_sss__waves waves;
+    double share[MS_SSS__NODES_MAX], all = 0, on_axis = 0;
+    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(fit->d->cells, node, share), a, b, c, n = 0;
+    if (model != NULL) ms_sss__curve_waves(fit->d, model, &waves);
+    for (a = 0; a < nodes; ++a)
+        for (b = 0; b <= a; ++b, ++n) {
+            double squares = 0;
+            fit->k1[n] = node[a];
+            fit->k2[n] = node[b];
+            fit->line1[n] = fit->frames == 1 ? a : 2 * fit->frames * n;
+            fit->line2[n] = fit->frames == 1 ? b : 2 * fit->frames * n + 1;
+            for (c = 0; c < 3; ++c) fit->target[n][c] = fit->d->spectrum[c][ms_sss__octant(node[a], node[b])];
+            if (model != NULL) ms_sss__curve_transfer(fit->d, model, &waves, node[a], node[b], fit->target[n]);
+            for (c = 0; c < 3; ++c) squares += fit->target[n][c] * fit->target[n][c];
+            fit->weight[n] = n == 0 ? 0 : share[a] * share[b] * (a == b ? 1 : 2) /
+                                          ((double)node[a] * node[a] + (double)node[b] * node[b]);
+            all += fit->weight[n] * squares;
+            if (b == 0 && a > 0) on_axis += share[a] / ((double)node[a] * node[a]) * squares;
+        }
+    fit->bins = n;
+    fit->lines = fit->frames == 1 ? nodes : 2 * fit->frames * n;
+    for (n = 1; n < fit->bins; ++n) {
+        fit->weight[n] *= texture / all;
+        if (fit->k2[n] == 0)
+            for (a = 0; a < nodes; ++a)
+                if (node[a] == fit->k1[n]) fit->weight[n] += axis * share[a] / ((double)node[a] * node[a]) / on_axis;
+    }
+}
+
+/* Hat n of a curve given by its values at offset[n], cells, linear between: its value in a cell, and the transfer of all
+   its cells on both sides. */
+static double ms_sss__hat(const ms_sss__curve *v, int n, int cell)
+{
+    double x = cell, at = v->offset[n];
+    if (x < at) return n == 0 || x <= v->offset[n - 1] ? 0 : (x - v->offset[n - 1]) / (at - v->offset[n - 1]);
+    if (x > at) return n == v->pairs || x >= v->offset[n + 1] ? 0 : (v->offset[n + 1] - x) / (v->offset[n + 1] - at);
+    return 1;
+}
+
+static double ms_sss__hat_transfer(const ms_sss_designer *d, const ms_sss__curve *v, int n, int k)
+{
+    double sum = 0;
+    int cell, last = (int)v->offset[n < v->pairs ? n + 1 : n];
+    for (cell = (int)v->offset[n - 1] + 1; cell <= last; ++cell)
+        sum += 2 * ms_sss__hat(v, n, cell) * d->cosine[k * cell & (MS_SSS__SIZE - 1)];
+    return sum;
+}
+
+static void ms_sss__fit_basis(ms_sss__fit *fit, const ms_sss__curve *v)
+{
+    int n, f, i, pass;
+    for (n = 0; n < fit->bins; ++n)
+        for (f = 0; f < fit->frames; ++f)
+            for (pass = 0; pass < 2; ++pass) {
+                double turn = 0.5 * MS_SSS__PI * (f + pass * fit->frames) / fit->frames, x = cos(turn), y = sin(turn);
+                int line = (pass ? fit->line2[n] : fit->line1[n]) + 2 * f, k1 = fit->k1[n], k2 = fit->k2[n];
+                double *basis = fit->basis + line * fit->pairs, *slope = fit->slope + line * fit->pairs;
+                if (fit->frames == 1) { /* fixed axes: one line a node, filled from the bins on the axis */
+                    if (pass || k2 != 0) continue;
+                    x = 1;
+                    y = 0;
+                }
+                if (v->hats) {
+                    for (i = 0; i < fit->pairs; ++i) basis[i] = ms_sss__hat_transfer(fit->d, v, i + 1, k1);
+                    continue;
+                }
+                for (i = 0; i < fit->pairs; ++i) {
+                    double o = v->offset[i + 1];
+                    basis[i] = 2 * ms_sss__pair_transfer(fit->d, k1, k2, o * x, o * y, x, y, &slope[i]);
+                    slope[i] *= 2;
+                }
+            }
+}
+
+static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
+{
+    double sum = 0;
+    int n, f, c, t, i, line;
+    for (c = fit->first; c < fit->first + fit->channels; ++c)
+        for (t = 0; t < fit->terms; ++t)
+            for (line = 0; line < fit->lines; ++line) {
+                const double *basis = fit->basis + line * fit->pairs, *w = v->weight[c][t];
+                double wave = w[0];
+                for (i = 0; i < fit->pairs; ++i) wave += w[i + 1] * basis[i];
+                fit->wave[(c * MS_SSS_TERMS_MAX + t) * fit->lines + line] = wave;
+            }
+    for (n = 0; n < fit->bins; ++n)
+        for (c = fit->first; c < fit->first + fit->channels; ++c) {
+            double rest = fit->target[n][c] - v->delta[c];
+            for (t = 0; t < fit->terms; ++t) {
+                const double *wave = fit->wave + (c * MS_SSS_TERMS_MAX + t) * fit->lines;
+                for (f = 0; f < fit->frames; ++f)
+                    rest -= v->sign[c][t] * wave[fit->line1[n] + 2 * f] * wave[fit->line2[n] + 2 * f] / fit->frames;
+            }
+            sum += fit->weight[n] * rest * rest;
+        }
+    return sum;
+}
+
+/* Normal equations H step = g of the curve whose waves the last objective left. */
+static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
+{
+    int n, f, c, t, i, j, moved = fit->move_offsets ? fit->pairs : 0;
+    double *J = fit->jacobian;
+    memset(fit->H, 0, sizeof *fit->H * (size_t)(fit->unknowns * fit->unknowns));
+    memset(fit->g, 0, sizeof *fit->g * (size_t)fit->unknowns);
+    for (n = 0; n < fit->bins; ++n)
+        for (c = fit->first; c < fit->first + fit->channels; ++c) {
+            double rest = fit->target[n][c] - v->delta[c];
+            int own = moved + (c - fit->first) * (fit->local - moved) - moved; /* from local to global unknown */
+            memset(J, 0, sizeof *J * (size_t)fit->local);
+            for (t = 0; t < fit->terms; ++t) {
+                const double *wave = fit->wave + (c * MS_SSS_TERMS_MAX + t) * fit->lines, *w = v->weight[c][t];
+                double *Jw = J + moved + t * (fit->pairs + 1);
+                for (f = 0; f < fit->frames; ++f) {
+                    int l1 = fit->line1[n] + 2 * f, l2 = fit->line2[n] + 2 * f;
+                    double a1 = wave[l1] * v->sign[c][t] / fit->frames, a2 = wave[l2] * v->sign[c][t] / fit->frames;
+                    const double *b1 = fit->basis + l1 * fit->pairs, *b2 = fit->basis + l2 * fit->pairs;
+                    const double *s1 = fit->slope + l1 * fit->pairs, *s2 = fit->slope + l2 * fit->pairs;
+                    rest -= a1 * wave[l2];
+                    Jw[0] += a1 + a2;
+                    for (i = 0; i < fit->pairs; ++i) Jw[i + 1] += b1[i] * a2 + a1 * b2[i];
+                    for (i = 0; i < moved; ++i) J[i] += w[i + 1] * (s1[i] * a2 + a1 * s2[i]);
+                }
+                if (t == 0) { /* d w_i / d q_k = 2 q_k (i == k) - 2 q_k times_k w_i / sum of times w */
+                    double along = 0, energy = 0;
+                    for (i = 0; i <= fit->pairs; ++i) {
+                        energy += v->times[i] * w[i];
+                        along += Jw[i] * w[i];
+                    }
+                    for (i = 0; i <= fit->pairs; ++i)
+                        Jw[i] = 2 * sqrt(w[i]) * (Jw[i] - v->times[i] * along / energy);
+                    if (fit->use_delta) J[fit->local - 1] = 2 * sqrt(v->delta[c]) * (1 - 0.5 * along / (1 - v->delta[c]));
+                }
+            }
+            for (i = 0; i < fit->local; ++i) {
+                int row = i < moved ? i : own + i;
+                double Ji = fit->weight[n] * J[i], *H = fit->H + row * fit->unknowns;
+                fit->g[row] += Ji * rest;
+                for (j = 0; j < moved && j <= i; ++j) H[j] += Ji * J[j];
+                for (; j <= i; ++j) H[own + j] += Ji * J[j];
+            }
+        }
+}
+
+static void ms_sss__fit_move(const ms_sss__fit *fit, const ms_sss__curve *from, ms_sss__curve *to)
+{
+    const double *step = fit->step;
+    int c, t, i;
+    *to = *from;
+    if (fit->move_offsets)
+        for (i = 1; i <= fit->pairs; ++i) {
+            double o = from->offset[i] + *step++;
+            to->offset[i] = o < 0.05 ? 0.05 : o > 2 * fit->d->cells + 2 ? 2 * fit->d->cells + 2 : o;
+        }
+    for (c = fit->first; c < fit->first + fit->channels; ++c) {
+        for (t = 0; t < fit->terms; ++t)
+            for (i = 0; i <= fit->pairs; ++i) {
+                double w = from->weight[c][t][i], q = sqrt(t == 0 ? w : 0) + *step++;
+                to->weight[c][t][i] = t == 0 ? q * q : w + q;
+            }
+        if (fit->use_delta) {
+            double q = sqrt(from->delta[c]) + *step++;
+            to->delta[c] = q * q < 0.99 ? q * q : 0.99;
+        }
+    }
+    ms_sss__curve_normalise(to);
+}
+
+/* Levenberg-Marquardt from v, which is improved in place; returns the objective. */
+static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int iterations)
+{
+    double lambda = 1e-2, before, after;
+    int n, c, i;
+    for (c = fit->first; c < fit->first + fit->channels; ++c) /* q = 0 would never move */
+        for (i = 0; i <= v->pairs; ++i)
+            if (!(v->weight[c][0][i] > 1e-6)) v->weight[c][0][i] = 1e-6;
+    ms_sss__fit_basis(fit, v);
+    before = ms_sss__fit_objective(fit, v);
+    for (n = 0; n < iterations && lambda < 1e10; ++n) {
+        int tries = 0;
+        ms_sss__fit_system(fit, v);
+        do {
+            after = HUGE_VAL;
+            if (ms_sss__marquardt(fit->H, fit->g, lambda, fit->unknowns, fit->work, fit->step)) {
+                ms_sss__fit_move(fit, v, &fit->trial);
+                if (fit->move_offsets) ms_sss__fit_basis(fit, &fit->trial);
+                after = ms_sss__fit_objective(fit, &fit->trial);
+            }
+            lambda *= after < before ? 0.2 : 6;
+        } while (!(after < before) && ++tries < 8);
+        if (!(after < before)) break;
+        *v = fit->trial;
+        if (before - after < 1e-6 * before) return after;
+        before = after;
+    }
+    if (fit->move_offsets) ms_sss__fit_basis(fit, v);
+    return ms_sss__fit_objective(fit, v);
+}
+
+static void ms_sss__fit_destroy(ms_sss__fit *fit)
+{
+    if (fit != NULL) ms__release(&fit->d->allocator, fit, fit->bytes);
+}
+
+/* texture and axis as in fit_bins. channels: 3 and first 0, or 1 and any first with fixed offsets. NULL: no memory. */
+static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__curve *model, double texture,
+                                       double axis, const ms_sss__curve *v, int first, int channels, int move_offsets,
+                                       int use_delta)
+{
+    int moved = move_offsets ? v->pairs : 0, local = moved + v->terms * (v->pairs + 1) + (use_delta ? 1 : 0);
+    int unknowns = moved + channels * (local - moved);
+    double share[MS_SSS__NODES_MAX];
+    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, node, share);
+    int lines = v->frames == 1 ? nodes : v->frames * nodes * (nodes + 1);
+    size_t header = (sizeof(ms_sss__fit) + 63) / 64 * 64;
+    size_t doubles = (size_t)(2 * lines * v->pairs + 3 * MS_SSS_TERMS_MAX * lines + 2 * unknowns * unknowns + 2 * unknowns + local);
+    size_t bytes = header + doubles * sizeof(double);
+    ms_sss__fit *fit = (ms_sss__fit *)ms__alloc(&d->allocator, bytes);
+    double *at;
+    if (fit == NULL) return NULL;
+    memset(fit, 0, bytes);
+    fit->d = d;
+    fit->bytes = bytes;
+    fit->frames = v->frames;
+    fit->pairs = v->pairs;
+    fit->terms = v->terms;
+    fit->first = first;
+    fit->channels = channels;
+    fit->move_offsets = move_offsets;
+    fit->use_delta = use_delta;
+    fit->unknowns = unknowns;
+    fit->local = local;
+    ms_sss__fit_bins(fit, model, texture, axis);
+    at = (double *)(void *)((unsigned char *)fit + header);
+    fit->basis = at;
+    fit->slope = at += lines * v->pairs;
+    fit->wave = at += lines * v->pairs;
+    fit->H = at += 3 * MS_SSS_TERMS_MAX * lines;
+    fit->work = at += unknowns * unknowns;
+    fit->g = at += unknowns * unknowns;
+    fit->step = at += unknowns;
+    fit->jacobian = at + unknowns;
+    return fit;
+}
+
+/* Moves the weights of a dense curve onto few taps: offsets from the placement, each weight the integral over the cell
+   that reaches halfway to the neighbours, the last to infinity. range: outermost offset of the quadratic spacing. */
+static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, ms_sss_placement placement, double range,
+                          int pairs, ms_sss__curve *v)
+{
+    double mass[MS_SSS__CELLS_MAX + 2], total = 0; /* of the widest channel within i + 1/2 cells, one side */
+    int c, t, i, n, cell;
+    for (i = 0; i <= dense->pairs; ++i) {
+        total += fabs(dense->weight[d->widest][0][i]) * (i ? 1 : 0.5);
+        mass[i] = total;
+    }
+    memset(v, 0, sizeof *v);
+    v->pairs = pairs;
+    v->terms = dense->terms;
+    v->frames = dense->frames;
+    for (n = 0; n <= pairs; ++n) v->times[n] = n ? 2 : 1;
+    memcpy(v->sign, dense->sign, sizeof v->sign);
+    memcpy(v->delta, dense->delta, sizeof v->delta);
+    for (n = 1; n <= pairs; ++n) {
+        if (placement == MS_SSS_QUADRATIC) {
+            v->offset[n] = range * n * n / ((double)pairs * pairs);
+        } else { /* the middle, by energy, of the cell that holds (2n-1)/T to (2n+1)/T */
+            double want = total * 2 * n / (2 * pairs + 1), below;
+            for (i = 0; i < dense->pairs && mass[i] < want; ++i) {}
+            below = i ? mass[i - 1] : 0;
+            v->offset[n] = i + (i ? -0.5 : 0) + (i ? 1 : 0.5) * (want - below) / (mass[i] > below ? mass[i] - below : 1);
+        }
+        if (v->offset[n] < v->offset[n - 1] + 0.05) v->offset[n] = v->offset[n - 1] + 0.05;
+    }
+    for (c = 0; c < 3; ++c)
+        for (t = 0; t < dense->terms; ++t)
+            for (cell = 0; cell <= dense->pairs; ++cell) { /* its weight spreads evenly over [cell - 1/2, cell + 1/2] */
+                double low = cell ? cell - 0.5 : 0, high = cell + 0.5, w = dense->weight[c][t][cell] * (cell ? 1 : 0.5);
+                for (n = 0; n <= pairs; ++n) {
+                    double first = n ? 0.5 * (v->offset[n - 1] + v->offset[n]) : 0;
+                    double last = n < pairs ? 0.5 * (v->offset[n] + v->offset[n + 1]) : HUGE_VAL;
+                    double part = (last < high ? last : high) - (first > low ? first : low);
+                    if (part > 0) v->weight[c][t][n] += (n ? 1 : 2) * w * part / (high - low);
+                }
+            }
+}
 
 /* --------------------------------------------------------- KERNEL MODELS */
 
-/* --------------------------------------------------------- KERNEL ERRORS */
+/* Largest eigenvalues by magnitude of a symmetric A [n][n], with unit eigenvectors: block power iteration, then the
+   eigenvectors within the block by Jacobi rotations. vector [count][n]; scratch 2 block n doubles, block = count + 4. */
+#define MS_SSS__BLOCK_MAX (MS_SSS_TERMS_MAX + 4)
+static void ms_sss__eigen(const double *A, int n, int count, double *value, double *vector, double *scratch)
+{
+    double *V = scratch, *W = scratch + MS_SSS__BLOCK_MAX * n, small[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
+    double turn[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
+    int block = count + 4 < n ? count + 4 : n, round, i, j, k, a, b;
+    ms__rng rng = ms__rng_make(1, 0);
+    if (count > block) count = block;
+    for (i = 0; i < block * n; ++i) V[i] = ms__rng_uniform(&rng) - 0.5;
+    for (round = 0; round < 40; ++round) {
+        for (a = 0; a < block; ++a) { /* W = V A, then Gram-Schmidt twice, which is enough */
+            double *w = W + a * n, norm = 0;
+            for (i = 0; i < n; ++i) w[i] = 0;
+            for (k = 0; k < n; ++k)
+                for (i = 0; i < n; ++i) w[i] += V[a * n + k] * A[k * n + i];
+            for (j = 0; j < 2 * a; ++j) {
+                const double *other = W + (j % a) * n;
+                double dot = 0;
+                for (i = 0; i < n; ++i) dot += w[i] * other[i];
+                for (i = 0; i < n; ++i) w[i] -= dot * other[i];
+            }
+            for (i = 0; i < n; ++i) norm += w[i] * w[i];
+            norm = norm > 0 ? 1 / sqrt(norm) : 0;
+            for (i = 0; i < n; ++i) w[i] *= norm;
+        }
+        memcpy(V, W, sizeof *V * (size_t)(block * n));
+    }
+    for (a = 0; a < block; ++a)
+        for (k = 0; k < n; ++k) {
+            W[a * n + k] = 0;
+            for (i = 0; i < n; ++i) W[a * n + k] += A[k * n + i] * V[a * n + i];
+        }
+    for (a = 0; a < block; ++a)
+        for (b = 0; b < block; ++b) {
+            small[a][b] = 0;
+            turn[a][b] = a == b;
+            for (i = 0; i < n; ++i) small[a][b] += V[a * n + i] * W[b * n + i];
+        }
+    for (round = 0; round < 12; ++round)
+        for (a = 0; a < block; ++a)
+            for (b = a + 1; b < block; ++b) {
+                double theta, t, c, s;
+                if (!(fabs(small[a][b]) > 1e-300)) continue;
+                theta = (small[b][b] - small[a][a]) / (2 * small[a][b]);
+                t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(1 + theta * theta));
+                c = 1 / sqrt(1 + t * t);
+                s = t * c;
+                for (k = 0; k < block; ++k) {
+                    double x = small[k][a], y = small[k][b];
+                    small[k][a] = c * x - s * y;
+                    small[k][b] = s * x + c * y;
+                }
+                for (k = 0; k < block; ++k) {
+                    double x = small[a][k], y = small[b][k];
+                    small[a][k] = c * x - s * y;
+                    small[b][k] = s * x + c * y;
+                    x = turn[k][a];
+                    y = turn[k][b];
+                    turn[k][a] = c * x - s * y;
+                    turn[k][b] = s * x + c * y;
+                }
+            }
+    for (j = 0; j < count; ++j) {
+        for (a = 0, b = 0; a < block; ++a)
+            if (fabs(small[a][a]) > fabs(small[b][b])) b = a;
+        value[j] = small[b][b];
+        small[b][b] = 0;
+        for (i = 0; i < n; ++i) {
+            vector[j * n + i] = 0;
+            for (a = 0; a < block; ++a) vector[j * n + i] += turn[a][b] * V[a * n + i];
+        }
+    }
+}
+
+/* a_p in cells: the row sums of the kernel. */
+static void ms_sss__row_sums(const ms_sss_designer *d, int c, double *out)
+{
+    int i, j, row = d->cells + 1;
+    for (i = 0; i < row; ++i) {
+        out[i] = d->cell[c][i * row];
+        for (j = 1; j < row; ++j) out[i] += 2 * d->cell[c][i * row + j];
+    }
+}
+
+/* Terms first, first + 1, ... of a dense curve from the singular vectors of what `minus` (NULL: nothing) leaves of the
+   kernel. Even vectors only: the others belong to eigenvalue 0. They are found in the half of the cells by scaling each
+   with the square root of its multiplicity. Sums of vectors of the rest of a_p vanish, as (1, ..., 1) is its null vector. */
+static ms_status ms_sss__singular_terms(const ms_sss_designer *d, int c, const double *minus, int first, int count,
+                                        ms_sss__curve *v)
+{
+    int n = d->cells + 1, i, j, t;
+    size_t bytes = (size_t)(n * n + (MS_SSS_TERMS_MAX + 2 * MS_SSS__BLOCK_MAX) * n) * sizeof(double);
+    double *A = (double *)ms__alloc(&d->allocator, bytes), *vector, value[MS_SSS_TERMS_MAX];
+    if (A == NULL) return MS_OUT_OF_MEMORY;
+    vector = A + n * n;
+    for (i = 0; i < n; ++i)
+        for (j = 0; j < n; ++j) {
+            double rest = d->cell[c][i * n + j] - (minus != NULL ? minus[i] * minus[j] : 0);
+            A[i * n + j] = rest * sqrt((i ? 2.0 : 1.0) * (j ? 2.0 : 1.0));
+        }
+    memset(value, 0, sizeof value);
+    memset(vector, 0, sizeof *vector * (size_t)(MS_SSS_TERMS_MAX * n));
+    ms_sss__eigen(A, n, count, value, vector, vector + MS_SSS_TERMS_MAX * n);
+    for (t = 0; t < count; ++t) {
+        double sum = 0, scale;
+        for (i = 0; i < n; ++i) sum += vector[t * n + i] * (i ? sqrt(2.0) : 1);
+        scale = sqrt(fabs(value[t])) * (sum < 0 ? -1 : 1);
+        for (i = 0; i < n; ++i) v->weight[c][first + t][i] = scale * vector[t * n + i] / (i ? sqrt(2.0) : 1);
+        v->sign[c][first + t] = value[t] < 0 ? -1 : 1;
+    }
+    ms__release(&d->allocator, A, bytes);
+    return MS_OK;
+}
+
+/* A 1D Gaussian integrated over cells, and its derivative by log sigma. */
+static void ms_sss__gaussian_cells(double sigma, int cells, double *g, double *slope)
+{
+    int i;
+    for (i = 0; i <= cells; ++i) {
+        double a = (i - 0.5) / sigma, b = (i + 0.5) / sigma;
+        g[i] = 0.5 * (erf(b * sqrt(0.5)) - erf(a * sqrt(0.5)));
+        slope[i] = (a * exp(-0.5 * a * a) - b * exp(-0.5 * b * b)) / sqrt(2 * MS_SSS__PI);
+    }
+}
+
+static double ms_sss__dot_cells(const double *a, const double *b, int cells)
+{
+    double sum = 0;
+    int i;
+    for (i = 1; i <= cells; ++i) sum += a[i] * b[i];
+    return a[0] * b[0] + 2 * sum;
+}
+
+/* The Gaussians of one fit and their products with each other and the kernel; every product of 2D Gaussians is one of
+   1D ones: <g g^T, h h^T> = (g h)^2. */
+typedef struct ms_sss__mixture {
+    int count;
+    double q[MS_SSS_TERMS_MAX], log_sigma[MS_SSS_TERMS_MAX]; /* weight = q^2 */
+    double gg[MS_SSS_TERMS_MAX][MS_SSS_TERMS_MAX];           /* g_n g_m */
+    double gs[MS_SSS_TERMS_MAX][MS_SSS_TERMS_MAX];           /* g_n slope_m */
+    double ss[MS_SSS_TERMS_MAX][MS_SSS_TERMS_MAX];           /* slope_n slope_m */
+    double kg[MS_SSS_TERMS_MAX], ks[MS_SSS_TERMS_MAX];       /* g_n^T K g_n, slope_n^T K g_n */
+    double objective;
+} ms_sss__mixture;
+
+/* ||K - sum w_n g_n g_n^T||_F^2 less ||K||^2, and the energy constraint as a heavy row. */
+#define MS_SSS__ENERGY_ROW 10
+static void ms_sss__mixture_products(const ms_sss_designer *d, int c, ms_sss__mixture *m)
+{
+    double g[MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1], slope[MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1];
+    double Kg[MS_SSS__CELLS_MAX + 1], energy = 1;
+    int n, k, i, row = d->cells + 1;
+    m->objective = 0;
+    for (n = 0; n < m->count; ++n) ms_sss__gaussian_cells(exp(m->log_sigma[n]), d->cells, g[n], slope[n]);
+    for (n = 0; n < m->count; ++n) {
+        double w = m->q[n] * m->q[n];
+        for (i = 0; i < row; ++i) Kg[i] = ms_sss__dot_cells(d->cell[c] + i * row, g[n], d->cells);
+        m->kg[n] = ms_sss__dot_cells(g[n], Kg, d->cells);
+        m->ks[n] = ms_sss__dot_cells(slope[n], Kg, d->cells);
+        m->objective -= 2 * w * m->kg[n];
+        energy -= w;
+        for (k = 0; k < m->count; ++k) {
+            m->gg[n][k] = ms_sss__dot_cells(g[n], g[k], d->cells);
+            m->gs[n][k] = ms_sss__dot_cells(g[n], slope[k], d->cells);
+            m->ss[n][k] = ms_sss__dot_cells(slope[n], slope[k], d->cells);
+            m->objective += w * m->q[k] * m->q[k] * m->gg[n][k] * m->gg[n][k];
+        }
+    }
+    m->objective += MS_SSS__ENERGY_ROW * energy * energy;
+}
+
+static void ms_sss__fit_mixture_from(const ms_sss_designer *d, int c, double narrowest, double widest,
+                                     ms_sss__mixture *m)
+{
+    enum { P = 2 * MS_SSS_TERMS_MAX };
+    double H[P * P], g[P], work[P * P], step[P], lambda = 1e-2, energy, sum = 0;
+    int N = m->count, unknowns = 2 * N, round, n, k;
+    ms_sss__mixture trial;
+    for (n = 0; n < N; ++n) {
+        m->q[n] = sqrt(1.0 / N);
+        m->log_sigma[n] = log(narrowest) + log(widest / narrowest) * (n + 0.5) / N;
+    }
+    ms_sss__mixture_products(d, c, m);
+    for (round = 0; round < 200 && lambda < 1e12; ++round) {
+        for (n = 0, energy = 1; n < N; ++n) energy -= m->q[n] * m->q[n];
+        for (n = 0; n < N; ++n) {
+            double wn = m->q[n] * m->q[n];
+            g[n] = 2 * m->q[n] * (m->kg[n] + MS_SSS__ENERGY_ROW * energy);
+            g[N + n] = 2 * wn * m->ks[n];
+            for (k = 0; k < N; ++k) { /* unknown 0 to N-1: q, N to 2N-1: log sigma */
+                double wk = m->q[k] * m->q[k], gg = m->gg[n][k], gs = m->gs[n][k];
+                g[n] -= 2 * m->q[n] * wk * gg * gg;
+                g[N + n] -= 2 * wn * wk * gg * m->gs[k][n];
+                H[n * unknowns + k] = 4 * m->q[n] * m->q[k] * (gg * gg + MS_SSS__ENERGY_ROW);
+                H[n * unknowns + N + k] = 4 * m->q[n] * wk * gg * gs;
+                H[(N + k) * unknowns + n] = H[n * unknowns + N + k];
+                H[(N + n) * unknowns + N + k] = 2 * wn * wk * (m->ss[n][k] * gg + gs * m->gs[k][n]);
+            }
+        }
+        trial = *m;
+        if (ms_sss__marquardt(H, g, lambda, unknowns, work, step)) {
+            for (n = 0; n < N; ++n) {
+                double s = m->log_sigma[n] + step[N + n];
+                trial.q[n] = m->q[n] + step[n];
+                trial.log_sigma[n] = s < -4 ? -4 : s > 7 ? 7 : s; /* a fiftieth of a cell to a thousand */
+            }
+            ms_sss__mixture_products(d, c, &trial);
+        }
+        if (trial.objective < m->objective) {
+            int done = m->objective - trial.objective < 1e-18;
+            *m = trial;
+            lambda *= 0.2;
+            if (done) break;
+        } else {
+            lambda *= 4;
+        }
+    }
+    for (n = 0; n < N; ++n) sum += m->q[n] * m->q[n];
+    for (n = 0; n < N; ++n) m->q[n] /= sqrt(sum);
+}
+
+/* The best of fits that start from differently narrow Gaussians. */
+static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, ms_sss__mixture *best)
+{
+    static const double spread[] = {20, 60, 180};
+    ms_sss__mixture m;
+    int n;
+    best->objective = HUGE_VAL;
+    for (n = 0; n < 3; ++n) {
+        m.count = count;
+        ms_sss__fit_mixture_from(d, c, d->width[c] / spread[n] + 0.1, d->width[c] / 2 + 0.2, &m);
+        if (m.objective < best->objective) *best = m;
+        if (count == 1) break;
+    }
+}
+
+/* The two-Gaussian model of least squares to a_p (5.6): sigmas in cells. */
+static void ms_sss__fit_artist(const ms_sss_designer *d, int c, const double *ap, double *sigma_near, double *sigma_far,
+                               double *share)
+{
+    double x[3], trial[3], H[9], g[3], work[9], step[3], lambda = 1e-2, best = HUGE_VAL;
+    double near_g[MS_SSS__CELLS_MAX + 1], near_s[MS_SSS__CELLS_MAX + 1], far_g[MS_SSS__CELLS_MAX + 1], far_s[MS_SSS__CELLS_MAX + 1];
+    int round, i, a, b;
+    trial[0] = log(d->width[c] / 20 + 0.2);
+    trial[1] = log(d->width[c] / 3 + 0.4);
+    trial[2] = 0.5;
+    memcpy(x, trial, sizeof x);
+    memset(step, 0, sizeof step);
+    for (round = 0; round < 100 && lambda < 1e10; ++round) {
+        double objective = 0, J[3], Ht[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0}, gt[3] = {0, 0, 0}, gain;
+        ms_sss__gaussian_cells(exp(trial[0]), d->cells, near_g, near_s);
+        ms_sss__gaussian_cells(exp(trial[1]), d->cells, far_g, far_s);
+        for (i = 0; i <= d->cells; ++i) {
+            double rest = ap[i] - trial[2] * near_g[i] - (1 - trial[2]) * far_g[i], times = i ? 2 : 1;
+            J[0] = trial[2] * near_s[i];
+            J[1] = (1 - trial[2]) * far_s[i];
+            J[2] = near_g[i] - far_g[i];
+            objective += times * rest * rest;
+            for (a = 0; a < 3; ++a) {
+                gt[a] += times * J[a] * rest;
+                for (b = 0; b < 3; ++b) Ht[3 * a + b] += times * J[a] * J[b];
+            }
+        }
+        gain = best - objective;
+        if (gain > 0) {
+            best = objective;
+            memcpy(x, trial, sizeof x);
+            memcpy(H, Ht, sizeof H);
+            memcpy(g, gt, sizeof g);
+            lambda *= 0.2;
+            if (gain < 1e-12 * best) break;
+        } else {
+            lambda *= 5;
+        }
+        if (!ms_sss__marquardt(H, g, lambda, 3, work, step)) break;
+        for (a = 0; a < 3; ++a) trial[a] = x[a] + step[a];
+        trial[2] = trial[2] < 0 ? 0 : trial[2] > 1 ? 1 : trial[2];
+    }
+    if (x[0] > x[1]) {
+        double swap = x[0];
+        x[0] = x[1];
+        x[1] = swap;
+        x[2] = 1 - x[2];
+    }
+    *sigma_near = exp(x[0]);
+    *sigma_far = exp(x[1]);
+    *share = x[2];
+}
+
+/* Guided optimisation (5.14): least sum over i, j >= 1 of Gamma_ij (K_ij - a_i a_j)^2, coarse cells first. Gamma vanishes
+   on the axes, so a_0 enters no term and is what the energy constraint leaves: in the limit of small cells a(x) tends to
+   a smooth curve with a point mass at 0. That is the dependence on the grid: the curve converges, the centre's share of
+   the mass within half a cell shrinks towards the point mass. K, a: [cells + 1]; scratch (2 cells + 4) cells. */
+static void ms_sss__guided_level(const double *K, int cells, double half_width, double k_guide, double *a, double *scratch)
+{
+    int n = cells, row = cells + 1, round, i, j;
+    double *H = scratch, *work = H + n * n, *g = work + n * n, *step = g + n, *trial = step + n, lambda = 1e-3, best = -1;
+    memcpy(trial, a + 1, sizeof *a * (size_t)n);
+    for (round = 0; round < 60 && lambda < 1e10; ++round) {
+        double objective = 0, gain;
+        for (i = 1; i <= n; ++i)
+            for (j = 1; j <= n; ++j) {
+                double x = i / half_width, y = j / half_width, rest = K[i * row + j] - trial[i - 1] * trial[j - 1];
+                double guide = pow(x * x + y * y, 0.5 * k_guide) * expm1(-50 * x * x) * expm1(-50 * y * y); /* (5.16), b = 50 */
+                objective += guide * rest * rest;
+            }
+        gain = best - objective;
+        if (best < 0 || gain > 0) {
+            memcpy(a + 1, trial, sizeof *a * (size_t)n);
+            lambda *= 0.2;
+            if (best >= 0 && gain < 1e-10 * best) break;
+            best = objective;
+            memset(H, 0, sizeof *H * (size_t)(n * n));
+            memset(g, 0, sizeof *g * (size_t)n);
+            for (i = 1; i <= n; ++i)
+                for (j = 1; j <= n; ++j) {
+                    double x = i / half_width, y = j / half_width, rest = K[i * row + j] - a[i] * a[j];
+                    double guide = pow(x * x + y * y, 0.5 * k_guide) * expm1(-50 * x * x) * expm1(-50 * y * y);
+                    H[(i - 1) * n + i - 1] += guide * a[j] * a[j];
+                    H[(i - 1) * n + j - 1] += guide * a[i] * a[j];
+                    g[i - 1] += guide * rest * a[j];
+                }
+        } else {
+            lambda *= 6;
+        }
+        if (!ms_sss__marquardt(H, g, lambda, n, work, step)) break;
+        for (i = 0; i < n; ++i) trial[i] = a[i + 1] + step[i];
+    }
+}
+
+static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double k_guide, double *a)
+{
+    int M = d->cells, row = M + 1, level, i, j, p, q;
+    double *K, sum = 0;
+    size_t bytes = (size_t)(row * row + (2 * M + 4) * row) * sizeof(double);
+    K = (double *)ms__alloc(&d->allocator, bytes);
+    if (K == NULL) return MS_OUT_OF_MEMORY;
+    ms_sss__row_sums(d, c, a);
+    for (level = M >= 40 ? 9 : M >= 13 ? 3 : 1; level >= 1; level /= 3) { /* cells of level x level fine ones */
+        double coarse[MS_SSS__CELLS_MAX + 1];
+        int cells = (M - level / 2) / level, crow = cells + 1, half = level / 2;
+        for (i = 0; i <= cells; ++i) {
+            coarse[i] = 0;
+            for (p = -half; p <= half; ++p) coarse[i] += a[abs(i * level + p)];
+            for (j = 0; j <= cells; ++j) {
+                K[i * crow + j] = 0;
+                for (p = -half; p <= half; ++p)
+                    for (q = -half; q <= half; ++q) K[i * crow + j] += d->cell[c][abs(i * level + p) * row + abs(j * level + q)];
+            }
+        }
+        ms_sss__guided_level(K, cells, (double)M / level, k_guide, coarse, K + row * row);
+        for (i = cells; i >= 1; --i) { /* the fine cells keep their shape within the coarse one */
+            double before = 0;
+            for (p = -half; p <= half; ++p) before += a[i * level + p];
+            for (p = -half; p <= half; ++p) a[i * level + p] *= before > 0 ? coarse[i] / before : 0;
+        }
+    }
+    for (i = 1; i <= M; ++i) sum += 2 * a[i];
+    a[0] = 1 - sum;
+    if (a[0] < 0) {
+        for (i = 1; i <= M; ++i) a[i] /= sum;
+        a[0] = 0;
+    }
+    ms__release(&d->allocator, K, bytes);
+    return MS_OK;
+}
+
+/* Every model but the fits of taps, as weights of all cells. */
+static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kernel_options *o, ms_sss__curve *v)
+{
+    double slope[MS_SSS__CELLS_MAX + 1], sum;
+    ms_status status = MS_OK;
+    int c, t, i, M = d->cells;
+    memset(v, 0, sizeof *v);
+    v->pairs = M;
+    v->terms = 1;
+    v->frames = 1;
+    for (i = 0; i <= M; ++i) {
+        v->offset[i] = i;
+        v->times[i] = i ? 2 : 1;
+    }
+    if (o->model == MS_SSS_SVD || o->model == MS_SSS_SVD_NORMALISED || o->model == MS_SSS_GAUSSIANS ||
+        o->model == MS_SSS_RESIDUAL)
+        v->terms = o->term_count;
+    for (c = 0; c < 3 && status == MS_OK; ++c) {
+        double *w = v->weight[c][0];
+        for (t = 0; t < v->terms; ++t) v->sign[c][t] = 1;
+        if (!(d->reflectance[c] > 0)) { /* a channel without light */
+            w[0] = 1;
+            continue;
+        }
+        ms_sss__row_sums(d, c, w);
+        if (o->model == MS_SSS_RESIDUAL && v->terms > 1) {
+            status = ms_sss__singular_terms(d, c, w, 1, v->terms - 1, v);
+        } else if (o->model == MS_SSS_SVD || o->model == MS_SSS_SVD_NORMALISED) {
+            status = ms_sss__singular_terms(d, c, NULL, 0, v->terms, v);
+            for (t = 0, sum = 0; t < v->terms; ++t) {
+                double line = v->weight[c][t][0];
+                for (i = 1; i <= M; ++i) line += 2 * v->weight[c][t][i];
+                sum += v->sign[c][t] * line * line;
+            }
+            if (o->model == MS_SSS_SVD_NORMALISED && sum > 0)
+                for (t = 0; t < v->terms; ++t)
+                    for (i = 0; i <= M; ++i) v->weight[c][t][i] /= sqrt(sum);
+        } else if (o->model == MS_SSS_GAUSSIANS) {
+            ms_sss__mixture mixture;
+            ms_sss__fit_mixture(d, c, v->terms, &mixture);
+            for (t = 0; t < v->terms; ++t) {
+                ms_sss__gaussian_cells(exp(mixture.log_sigma[t]), M, v->weight[c][t], slope);
+                for (i = 0; i <= M; ++i) v->weight[c][t][i] *= mixture.q[t]; /* q^2 g g^T = (q g)(q g)^T */
+            }
+        } else if (o->model == MS_SSS_GUIDED) {
+            status = ms_sss__guided(d, c, o->guide_k, w);
+        } else if (o->model == MS_SSS_ARTIST) {
+            double near_sigma = o->artist.sigma_near_mm[c] / d->cell_mm, far_sigma = o->artist.sigma_far_mm[c] / d->cell_mm;
+            double share = o->artist.near_weight[c], far_cells[MS_SSS__CELLS_MAX + 1];
+            if (near_sigma == 0) ms_sss__fit_artist(d, c, w, &near_sigma, &far_sigma, &share);
+            ms_sss__gaussian_cells(near_sigma, M, w, slope);
+            ms_sss__gaussian_cells(far_sigma, M, far_cells, slope);
+            for (i = 0; i <= M; ++i) w[i] = share * w[i] + (1 - share) * far_cells[i];
+        } else if (o->model == MS_SSS_SLICE) {
+            memcpy(w, d->slice[c], sizeof *w * (size_t)(M + 1));
+        }
+    }
+    if (o->model != MS_SSS_SVD && status == MS_OK) ms_sss__curve_normalise(v);
+    return status;
+}
+
+/* The image-optimal kernel with a weight for every cell; v holds a_p. The curve is given by its values at every cell
+   near the centre and at growing distances farther out, linear between: all cells on their own would fit what lies
+   between the bins. */
+static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, int no_delta, ms_sss__curve *v)
+{
+    ms_sss__curve hats = *v;
+    ms_sss__fit *fit;
+    int c, n, cell;
+    if (dial == 1) return MS_OK;
+    hats.hats = 1;
+    for (n = 0, cell = 0; cell < d->cells; cell += cell < 6 ? 1 : 1 + (cell - 2) / 4) hats.offset[n++] = cell;
+    hats.offset[hats.pairs = n] = d->cells;
+    for (n = 0; n <= hats.pairs; ++n) {
+        hats.times[n] = 0;
+        for (cell = 0; cell <= d->cells; ++cell) hats.times[n] += (cell ? 2 : 1) * ms_sss__hat(&hats, n, cell);
+        for (c = 0; c < 3; ++c) hats.weight[c][0][n] = v->weight[c][0][(int)hats.offset[n]];
+    }
+    for (c = 0; c < 3 && !no_delta; ++c) hats.delta[c] = 0.01;
+    ms_sss__curve_normalise(&hats);
+    for (c = 0; c < 3; ++c) { /* with fixed offsets the channels are independent */
+        fit = ms_sss__fit_create(d, NULL, 1 - dial, dial, &hats, c, 1, 0, !no_delta);
+        if (fit == NULL) return MS_OUT_OF_MEMORY;
+        ms_sss__fit_run(fit, &hats, 60);
+        ms_sss__fit_destroy(fit);
+        v->delta[c] = hats.delta[c];
+        for (cell = 0; cell <= d->cells; ++cell) {
+            v->weight[c][0][cell] = 0;
+            for (n = 0; n <= hats.pairs; ++n) v->weight[c][0][cell] += ms_sss__hat(&hats, n, cell) * hats.weight[c][0][n];
+        }
+    }
+    return MS_OK;
+}
+
+/* Fits taps from several starts, which differ in how far out they reach, then moves the offsets of the best over the kinks
+   that linear interpolation has at whole pixels, where descent gets stuck, as long as that helps. */
+static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve *dense, const ms_sss__curve *model,
+                                  double dial, int pairs, int no_delta, ms_sss__curve *best)
+{
+    static const double reach[] = {0.25, 0.4, 0.6, 0.85};
+    ms_sss__curve v;
+    ms_sss__fit *fit = NULL;
+    double least = HUGE_VAL, objective;
+    int n, c, sweep, moved = 1;
+    for (n = 0; n < 5; ++n) {
+        ms_sss__place(d, dense, n < 4 ? MS_SSS_QUADRATIC : MS_SSS_QUANTILE, n < 4 ? reach[n] * d->cells : 0, pairs, &v);
+        for (c = 0; c < 3 && !no_delta; ++c) v.delta[c] = 0.03;
+        ms_sss__curve_normalise(&v);
+        if (fit == NULL) fit = ms_sss__fit_create(d, model, 1 - dial, dial, &v, 0, 3, 1, !no_delta);
+        if (fit == NULL) return MS_OUT_OF_MEMORY;
+        objective = ms_sss__fit_run(fit, &v, 8);
+        if (objective < least) {
+            least = objective;
+            *best = v;
+        }
+    }
+    for (sweep = 0; sweep < 4 && moved; ++sweep) {
+        moved = 0;
+        for (n = 2; n < 2 * pairs + 2; ++n) {
+            double *o = &v.offset[n / 2];
+            v = *best;
+            *o += (n % 2 ? 1 : -1) * (0.6 + 0.1 * *o);
+            if (*o < 0.1) continue;
+            objective = ms_sss__fit_run(fit, &v, 8);
+            if (objective < 0.998 * least) {
+                least = objective;
+                *best = v;
+                moved = 1;
+            }
+        }
+    }
+    ms_sss__fit_run(fit, best, 40);
+    ms_sss__fit_destroy(fit);
+    return MS_OK;
+}
+
+/* The quadratic spacing with the reach of least texture error. */
+static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curve *dense, int pairs, ms_sss__curve *best)
+{
+    double least = HUGE_VAL, error[MS_SSS__SIGNALS];
+    ms_sss__curve v;
+    int n;
+    for (n = 4; n <= 20; n += 2) {
+        ms_sss__place(d, dense, MS_SSS_QUADRATIC, 0.05 * n * d->cells, pairs, &v);
+        ms_sss__curve_errors(d, &v, error);
+        if (error[MS_SSS__TEXTURE] < least) {
+            least = error[MS_SSS__TEXTURE];
+            *best = v;
+        }
+    }
+}
+
+static void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss_kernel *kernel)
+{
+    int order[MS_SSS__CELLS_MAX + 1], n, i, t, c, side;
+    memset(kernel, 0, sizeof *kernel);
+    for (n = 0; n <= v->pairs; ++n) { /* by growing offset */
+        for (i = n; i > 1 && v->offset[order[i - 1]] > v->offset[n]; --i) order[i] = order[i - 1];
+        order[i] = n;
+    }
+    kernel->tap_count = 2 * v->pairs + 1;
+    kernel->term_count = v->terms;
+    kernel->frame_count = v->frames;
+    for (n = 0; n <= v->pairs; ++n)
+        for (side = n ? 0 : 1; side < 2; ++side) {
+            int tap = n ? 2 * n - 1 + side : 0;
+            kernel->offset_mm[tap] = (float)((side ? 1 : -1) * v->offset[order[n]] * d->cell_mm);
+            for (t = 0; t < v->terms; ++t)
+                for (c = 0; c < 3; ++c) kernel->weight[t][tap][c] = (float)v->weight[c][t][order[n]];
+        }
+    for (c = 0; c < 3; ++c) {
+        for (t = 0; t < v->terms; ++t) kernel->scale[t][c] = (float)v->sign[c][t];
+        kernel->delta[c] = (float)v->delta[c];
+        kernel->reflectance[c] = (float)d->reflectance[c];
+    }
+    n = v->pairs;
+    kernel->radius_mm = (float)(d->cell_mm * (1.5 * v->offset[order[n]] - 0.5 * (n ? v->offset[order[n - 1]] : 0)));
+}
+
+static ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms_error *error)
+{
+    int c, dense = o->tap_count == MS_SSS_DENSE;
+    int most = o->placement == MS_SSS_OPTIMISED ? 33 : MS_SSS_TAPS_MAX;
+    if ((int)o->model < 0 || o->model > MS_SSS_ROTATED)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "model is %d; 0 to %d expected", (int)o->model, (int)MS_SSS_ROTATED);
+    if ((int)o->placement < 0 || o->placement > MS_SSS_QUADRATIC)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "placement is %d; 0 to 2 expected", (int)o->placement);
+    if (!dense && (o->tap_count < 3 || o->tap_count > most || o->tap_count % 2 == 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tap_count is %d; odd, 3 to %d, or MS_SSS_DENSE expected",
+                        o->tap_count, most);
+    if (o->term_count < 1 || o->term_count > MS_SSS_TERMS_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term_count is %d; 1 to %d expected", o->term_count, MS_SSS_TERMS_MAX);
+    if (!(o->dial >= 0 && o->dial <= 1))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "dial is %g; 0 to 1 expected", o->dial);
+    if (!(o->guide_k >= 0 && o->guide_k <= 4))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "guide_k is %g; 0 to 4 expected", o->guide_k);
+    if (o->model == MS_SSS_ROTATED && (dense || o->placement != MS_SSS_OPTIMISED || o->frame_count < 2 || o->frame_count > 8))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rotated kernels have optimised taps and 2 to 8 frames; frame_count is %d",
+                        o->frame_count);
+    for (c = 0; c < 3; ++c) {
+        const ms_sss_artist *a = &o->artist;
+        int fitted = a->sigma_near_mm[c] == 0 && a->sigma_far_mm[c] == 0 && a->near_weight[c] == 0;
+        if (!fitted && !(a->sigma_near_mm[c] > 0 && a->sigma_near_mm[c] <= 1e6 && a->sigma_far_mm[c] > 0 &&
+                         a->sigma_far_mm[c] <= 1e6 && a->near_weight[c] >= 0 && a->near_weight[c] <= 1))
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c, "artist, channel %d: sigmas %g and %g mm, weight %g", c,
+                            a->sigma_near_mm[c], a->sigma_far_mm[c], a->near_weight[c]);
+    }
+    return MS_OK;
+}
+
+MS_SSS_API ms_sss_kernel_options ms_sss_kernel_defaults(void)
+{
+    ms_sss_kernel_options options;
+    memset(&options, 0, sizeof options);
+    return options;
+}
+
+MS_SSS_API ms_sss_artist ms_sss_artist_close_fit(void)
+{
+    static const ms_sss_artist close_fit = {{0.034, 0.029, 0.016}, {1, 0.48, 0.2}, {0.37, 0.37, 0.37}};
+    return close_fit;
+}
+
+MS_SSS_API ms_sss_artist ms_sss_artist_production(void)
+{
+    static const ms_sss_artist production = {{0.25, 0.08, 0.02}, {1, 0.3, 0.05}, {0.6, 0.6, 0.6}};
+    return production;
+}
+
+MS_SSS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *d,
+                                         const ms_sss_kernel_options *options, ms_error *error)
+{
+    ms_sss_kernel_options o = options != NULL ? *options : ms_sss_kernel_defaults();
+    ms_sss__curve dense, taps;
+    ms_status status;
+    int pairs, c, of_profile;
+    if (kernel == NULL || d == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel or designer is NULL");
+    if (o.tap_count == 0) o.tap_count = 7;
+    if (o.term_count == 0) o.term_count = o.model == MS_SSS_RESIDUAL ? 2 : 1;
+    if (o.frame_count == 0) o.frame_count = 4;
+    status = ms_sss__check_kernel_options(&o, error);
+    if (status != MS_OK) return status;
+    status = ms_sss__model_curve(d, &o, &dense);
+    pairs = o.tap_count / 2;
+    if (o.model == MS_SSS_ROTATED) dense.frames = o.frame_count;
+    if (status == MS_OK && o.tap_count == MS_SSS_DENSE) {
+        taps = dense;
+        if (o.model == MS_SSS_IMAGE_OPTIMAL) status = ms_sss__dense_optimum(d, o.dial, o.no_delta, &taps);
+    } else if (status == MS_OK && o.placement == MS_SSS_OPTIMISED) {
+        /* the target: the profile for models that approximate it best, else the model's own dense kernel */
+        of_profile = o.model == MS_SSS_IMAGE_OPTIMAL || o.model == MS_SSS_ROTATED || o.model == MS_SSS_RESIDUAL;
+        status = ms_sss__fit_best(d, &dense, of_profile ? NULL : &dense, o.dial, pairs, o.no_delta, &taps);
+    } else if (status == MS_OK && o.placement == MS_SSS_QUADRATIC) {
+        ms_sss__place_quadratic(d, &dense, pairs, &taps);
+    } else if (status == MS_OK) {
+        ms_sss__place(d, &dense, MS_SSS_QUANTILE, 0, pairs, &taps);
+    }
+    if (status != MS_OK) return ms__fail(error, status, 0, "no memory to fit a kernel");
+    for (c = 0; c < 3; ++c)
+        if (!(d->reflectance[c] > 0)) { /* the identity, exactly */
+            memset(taps.weight[c], 0, sizeof taps.weight[c]);
+            taps.weight[c][0][0] = 1;
+            taps.delta[c] = 0;
+        }
+    if (o.model != MS_SSS_SVD) ms_sss__curve_normalise(&taps);
+    ms_sss__store_kernel(d, &taps, kernel);
+    return MS_OK;
+}
+
+MS_SSS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, double (*sigma_mm)[3], double (*weight)[3],
+                                          ms_error *error)
+{
+    ms_sss__mixture mixture;
+    int c, n;
+    if (d == NULL || sigma_mm == NULL || weight == NULL || count < 1 || count > MS_SSS_TERMS_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d Gaussians; 1 to %d and no NULL expected", count, MS_SSS_TERMS_MAX);
+    for (c = 0; c < 3; ++c) {
+        ms_sss__fit_mixture(d, c, count, &mixture);
+        for (n = 0; n < count; ++n) {
+            sigma_mm[n][c] = exp(mixture.log_sigma[n]) * d->cell_mm;
+            weight[n][c] = mixture.q[n] * mixture.q[n];
+        }
+    }
+    return MS_OK;
+}
+
+MS_SSS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *d,
+                                          double tolerance, int tap_budget, ms_error *error)
+{
+    static const signed char candidate[][2] = {/* terms, taps; by their product */
+        {1, 3}, {1, 5}, {1, 7}, {1, 9}, {2, 5}, {1, 11}, {1, 13}, {2, 7}, {1, 17}, {2, 9}, {1, 21}, {2, 11}, {2, 13},
+        {3, 9}, {1, 33}, {3, 11}, {2, 17}, {3, 13}, {2, 21}, {3, 17}, {3, 21}, {3, 25}, {4, 21}, {3, 33}, {4, 33}};
+    ms_sss_kernel_options options = ms_sss_kernel_defaults();
+    ms_sss_errors found;
+    ms_sss_kernel trial;
+    double least = HUGE_VAL;
+    size_t n;
+    if (kernel == NULL || d == NULL || !(tolerance > 0) || tap_budget < 3)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g, tap_budget %d; above 0 and at least 3 expected",
+                        tolerance, tap_budget);
+    for (n = 0; n < sizeof candidate / sizeof candidate[0] && least > tolerance; ++n) {
+        ms_status status;
+        options.term_count = candidate[n][0];
+        options.tap_count = candidate[n][1];
+        options.model = options.term_count > 1 ? MS_SSS_RESIDUAL : MS_SSS_IMAGE_OPTIMAL;
+        if (options.term_count * options.tap_count > tap_budget) break;
+        status = ms_sss_kernel_build(&trial, d, &options, error);
+        if (status != MS_OK) return status;
+        ms_sss_kernel_measure(&found, &trial, d);
+        if (found.texture >= least) continue;
+        least = found.texture;
+        *kernel = trial;
+        if (errors != NULL) *errors = found;
+    }
+    return least <= tolerance ? MS_OK
+                              : ms__fail(error, MS_NOT_CONVERGED, 0, "%d taps reach an error of %g; %g was asked for",
+                                         tap_budget, least, tolerance);
+}
+
+MS_SSS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
+                                        double radius_px, const ms_sss_kernel_options *options,
+                                        const ms_allocator *allocator, ms_error *error)
+{
+    ms_sss_designer *designer;
+    ms_status status = ms_sss_designer_create(&designer, profile, radius_px, allocator, error);
+    if (status != MS_OK) return status;
+    status = ms_sss_kernel_build(kernel, designer, options, error);
+    if (status == MS_OK && errors != NULL) ms_sss_kernel_measure(errors, kernel, designer);
+    ms_sss_designer_destroy(designer);
+    return status;
+}
 
 /* --------------------------------------------------- TRANSLUCENCY TABLES */
 
@@ -1322,6 +2764,1099 @@ MS_SSS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, d
 
 /* ----------------------------------------------------------- FILTER CODE */
 
+#ifndef MS_SSS_FILENAME
+#define MS_SSS_FILENAME "ms_sss.h" /* this file's name, for the inclusions below */
+#endif
+#if defined(__GNUC__)
+#define MS_SSS__INLINE inline __attribute__((always_inline))
+#elif defined(_MSC_VER)
+#define MS_SSS__INLINE __forceinline
+#else
+#define MS_SSS__INLINE inline
+#endif
+
+enum {
+    MS_SSS__LEFT = 16,  /* floats before a row's first pixel: one vector of any level */
+    MS_SSS__RIGHT = 32, /* floats behind a row's last block */
+    MS_SSS__BLOCK = 64, /* columns that are left out together where none takes part */
+    MS_SSS__TILE = 512, /* columns of a tile: of one, the rows that taps along y read stay in the L2 cache */
+    MS_SSS__SLAB = 128, /* rows that fixed taps finish before the next: the planes between the passes stay in the cache */
+    MS_SSS__TASKS = 64, /* bands of rows at most */
+    MS_SSS__ROWS = 17,  /* row buffers of a task */
+    MS_SSS__SIDE_MAX = 65536,
+    MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
+};
+
+/* Taps of one pass at whole-pixel offsets, for kernels of one size everywhere. */
+typedef struct ms_sss__fixed {
+    int count, offset[MS_SSS__FIXED_MAX], lowest, highest;
+    float weight[3][MS_SSS__FIXED_MAX], total[3];
+    int mixed[3];
+} ms_sss__fixed;
+
+/* Taps of one pass at positions that each pixel's size and direction give. Depths are scaled so that a pixel dz away
+   counts 2^-dz^2, or 1 - |dz| with follow. Planes point at pixel (0, 0), except for axes 1: at pixel 0 of the row. */
+typedef struct ms_sss__pass {
+    int tap_count;
+    const float *offset_mm;
+    const float (*weight)[3];
+    float total[3];
+    int mixed[3]; /* weights of both signs: what is missing goes to the pixel's own colour */
+    const float *colour[3], *depth;
+    ptrdiff_t stride;
+    int width, height;
+    const int *first, *last; /* columns of each row that hold pixels which take part */
+    float size, size_max, size_min, aspect[2]; /* pixels a mm: size, or min(size / depth, size_max); at most size_min: off */
+    int perspective, follow, second;
+    float cut; /* dz^2 from which on nothing counts */
+    const float (*direction)[2];
+} ms_sss__pass;
+
+typedef struct ms_sss__kernels {
+    int (*gate)(const float *value, float scale, int count, float *depth, int span[2]);
+    int (*admit)(const float *const in[3], const float *const albedo[3], int n, int count, float *depth,
+                 float *const colour[3]);
+    void (*convolve)(const float *in, const ptrdiff_t *at, const float *weight, int taps, int count, float *out);
+    void (*convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
+                           const float *const *depth, const int *tap, int taps, int count, const float *own_depth,
+                           float *const out[3]);
+    void (*taps_x)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
+    void (*taps_y)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
+    void (*taps_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
+    void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
+    void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
+                 int count, float *blur);
+} ms_sss__kernels;
+
+static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
+
+/* Where lanes from pixel x on are read: outside the row they find pixels that take no part. */
+static MS_SSS__INLINE ptrdiff_t ms_sss__column(const ms_sss__pass *p, int x)
+{
+    return ms_sss__clamp(x, -MS_SSS__LEFT, p->width);
+}
+
+/* Row y of a plane; the empty row above the first where y is outside or nothing near column x takes part. */
+static MS_SSS__INLINE ptrdiff_t ms_sss__row(const ms_sss__pass *p, int y, int x)
+{
+    if (y < 0 || y >= p->height || x < p->first[y] || x >= p->last[y]) return -p->stride;
+    return (ptrdiff_t)y * p->stride;
+}
+
+/* Which of 64 directions a pixel has: the R2 sequence (Roberts 2018) in 16-bit fixed point, the same on any machine. */
+static MS_SSS__INLINE int ms_sss__turn(int x, int y)
+{
+    return (int)((((uint32_t)x * 49472u + (uint32_t)y * 37345u) & 65535u) >> 10);
+}
+
+static MS_SSS__INLINE int ms_sss__lowest(unsigned bits)
+{
+#if defined(__GNUC__)
+    return __builtin_ctz(bits);
+#else
+    int i = 0;
+    while (!(bits >> i & 1u)) ++i;
+    return i;
+#endif
+}
+
+static MS_SSS__INLINE float ms_sss__floor(float x)
+{
+    float whole = (float)(int)x;
+    return whole > x ? whole - 1.0f : whole;
+}
+
+/* x 2^n for -126 < n <= 0 and 1 <= x <= 2 */
+static MS_SSS__INLINE float ms_sss__scale(float x, float n)
+{
+    int32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bits += (int32_t)n * (1 << 23);
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+#if defined(MS__X64)
+static MS_SSS__INLINE __m128 ms_sss__floor_sse2(__m128 x)
+{
+    __m128 whole = _mm_cvtepi32_ps(_mm_cvttps_epi32(x));
+    return _mm_sub_ps(whole, _mm_and_ps(_mm_cmplt_ps(x, whole), _mm_set1_ps(1.0f)));
+}
+#elif defined(MS__NEON)
+static MS_SSS__INLINE unsigned ms_sss__bits_neon(uint32x4_t m)
+{
+    static const uint32_t bit[4] = {1, 2, 4, 8};
+    return vaddvq_u32(vandq_u32(m, vld1q_u32(bit)));
+}
+#endif
+
+#define MS_SSS__PASS 1
+#define MS_SSS__LEVEL scalar
+#define MS_SSS__LANES 1
+#include MS_SSS_FILENAME
+#if defined(MS__X64) || defined(MS__NEON)
+#define MS_SSS__LEVEL base
+#define MS_SSS__LANES 4
+#include MS_SSS_FILENAME
+#endif
+#if defined(MS__X64)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC push_options
+#pragma GCC target("avx2,fma,f16c")
+#endif
+#define MS_SSS__LEVEL avx2
+#define MS_SSS__LANES 8
+#include MS_SSS_FILENAME
+#if defined(__clang__)
+#pragma clang attribute pop
+#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c")
+#endif
+#define MS_SSS__LEVEL avx512
+#define MS_SSS__LANES 16
+#include MS_SSS_FILENAME
+#if defined(__clang__)
+#pragma clang attribute pop
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#endif
+#endif
+#undef MS_SSS__PASS
+
+static const ms_sss__kernels *ms_sss__pick(ms_simd cap)
+{
+    switch (ms__simd_pick(cap)) {
+#if defined(MS__X64)
+    case MS_SIMD_AVX512: return &ms_sss__kernels_avx512;
+    case MS_SIMD_AVX2: return &ms_sss__kernels_avx2;
+#endif
+#if defined(MS__X64) || defined(MS__NEON)
+    case MS_SIMD_BASE: return &ms_sss__kernels_base;
+#endif
+    default: return &ms_sss__kernels_scalar;
+    }
+}
+
+/* --- the caller's pixels --- */
+
+static float ms_sss__from_half(uint16_t h)
+{
+    uint32_t sign = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u, bits;
+    float value;
+    if (exponent == 0) { /* zero and subnormal: mantissa 2^-24, exact in float */
+        value = (float)mantissa * 5.9604644775390625e-8f;
+        memcpy(&bits, &value, sizeof bits);
+        bits |= sign;
+    } else {
+        bits = sign | (exponent == 31u ? 0x7f800000u : (exponent + 112u) << 23) | mantissa << 13;
+    }
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* Rounded to nearest even; finite values stay finite: at most 65504. */
+static uint16_t ms_sss__to_half(float value)
+{
+    uint32_t bits, sign, a;
+    memcpy(&bits, &value, sizeof bits);
+    sign = (bits >> 16) & 0x8000u;
+    a = bits & 0x7fffffffu;
+    if (a >= 0x7f800000u) return (uint16_t)(sign | 0x7c00u | (a > 0x7f800000u ? 0x200u : 0u));
+    if (a >= 0x477fe000u) return (uint16_t)(sign | 0x7bffu);
+    if (a < 0x38800000u) { /* under 2^-14: adding 0.5 rounds the float to whole 2^-24 */
+        float magnitude;
+        memcpy(&magnitude, &a, sizeof magnitude);
+        magnitude += 0.5f;
+        memcpy(&a, &magnitude, sizeof a);
+        return (uint16_t)(sign | (a - 0x3f000000u));
+    }
+    a += 0xfffu + ((a >> 13) & 1u);
+    return (uint16_t)(sign | ((a - 0x38000000u) >> 13));
+}
+
+static float ms_sss__get(const ms_sss_image *image, int c, int x, int y)
+{
+    ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
+    return image->half ? ms_sss__from_half(((const uint16_t *)image->channel[c])[at]) : ((const float *)image->channel[c])[at];
+}
+
+static void ms_sss__put(const ms_sss_image *image, int c, int x, int y, float value)
+{
+    ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
+    if (image->half) ((uint16_t *)image->channel[c])[at] = ms_sss__to_half(value);
+    else ((float *)image->channel[c])[at] = value;
+}
+
+/* out[c] points at the values of pixels [x, x + count) of row y: in the image where they lie side by side, else in
+   buffer[c], with 0 from column width on. */
+static void ms_sss__load(const ms_sss_image *image, int channels, int width, int y, int x, int count,
+                         float *const *buffer, const float **out)
+{
+    int n = width - x < count ? width - x : count, c, i;
+    for (c = 0; c < channels; ++c) {
+        const ptrdiff_t at = y * image->row_stride + x * image->pixel_stride, step = image->pixel_stride;
+        float *to = buffer[c];
+        out[c] = to;
+        if (image->half) {
+            const uint16_t *from = (const uint16_t *)image->channel[c] + at;
+            for (i = 0; i < n; ++i) to[i] = ms_sss__from_half(from[i * step]);
+        } else {
+            const float *from = (const float *)image->channel[c] + at;
+            if (step == 1 && n == count) {
+                out[c] = from;
+                continue;
+            }
+            for (i = 0; i < n; ++i) to[i] = from[i * step];
+        }
+        for (i = n; i < count; ++i) to[i] = 0;
+    }
+}
+
+/* Writes values [begin, end) of a row that starts at pixel (x, y), where depth is finite or NULL. */
+static void ms_sss__store(const ms_sss_image *image, int width, int y, int x, int begin, int end, const float *const in[3],
+                          const float *depth)
+{
+    const ptrdiff_t step = image->pixel_stride;
+    int c, i;
+    if (end > width - x) end = width - x;
+    if (begin >= end) return;
+    for (c = 0; c < 3; ++c) {
+        const ptrdiff_t at = y * image->row_stride + x * step;
+        const float *from = in[c];
+        if (image->half) {
+            uint16_t *to = (uint16_t *)image->channel[c] + at;
+            for (i = begin; i < end; ++i)
+                if (!depth || depth[i] < INFINITY) to[i * step] = ms_sss__to_half(from[i]);
+        } else {
+            float *to = (float *)image->channel[c] + at;
+            if (depth) {
+                for (i = begin; i < end; ++i)
+                    if (depth[i] < INFINITY) to[i * step] = from[i];
+            } else if (step == 1) {
+                memcpy(to + begin, from + begin, (size_t)(end - begin) * sizeof(float));
+            } else {
+                for (i = begin; i < end; ++i) to[i * step] = from[i];
+            }
+        }
+    }
+}
+
+/* --- the passes --- */
+
+static int ms_sss__differ(float a, float b) { return a < b || a > b; }
+
+typedef struct ms_sss__job {
+    ms_sss_frame frame; /* strides filled in */
+    ms_sss_filter_options options;
+    const ms_sss__kernels *simd;
+    const ms_sss_kernel *kernel; /* of the profile at hand */
+    int profile, kernel_count, term;
+    int block, padded; /* padded: width in whole blocks */
+    int begin, end, band; /* rows of the run at hand, rows a task */
+    int ring;             /* rows of the planes between the passes; row y lies at y % ring */
+    int fixed, turned, idle;        /* idle: a kernel under half a pixel */
+    ptrdiff_t stride;
+    float depth_scale, gain;
+    int unwritten;        /* pixels that take no part still have to be copied to the output */
+    int raw;              /* and their elements can be copied as they are */
+    float *middle[3], *source[3], *depth, *sum[3], *rows;
+    float *fresh; /* a row of depths where all pixels take part */
+    int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
+    int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
+    int *whole;                    /* no strength of a pixel that takes part is under 1 */
+    int direct;                    /* the second pass writes straight to the output where all pixels take part */
+    ms_sss__fixed taps[2];
+    ms_sss__pass pass;
+    float direction[64][2];
+} ms_sss__job;
+
+static int ms_sss__round_up(int x, int step) { return (x + step - 1) / step * step; }
+
+static ptrdiff_t ms_sss__ring(const ms_sss__job *job, int y) { return (ptrdiff_t)(y % job->ring) * job->stride; }
+
+static float *ms_sss__buffer(const ms_sss__job *job, int task, int row)
+{
+    return job->rows + ((ptrdiff_t)task * MS_SSS__ROWS + row) * job->stride + MS_SSS__LEFT;
+}
+
+/* The factor that the albedo has before (side 0) or after (side 1) the filter; NULL: none. */
+static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int y, int x, int count,
+                                          float *const *buffer, const float **out)
+{
+    const ms_sss_albedo_mode mode = job->options.albedo_mode;
+    int c, i;
+    if (!job->frame.albedo.channel[0] || mode == (side ? MS_SSS_ALBEDO_PRE : MS_SSS_ALBEDO_POST)) return NULL;
+    ms_sss__load(&job->frame.albedo, 3, job->frame.width, y, x, count, buffer, out);
+    if (mode == MS_SSS_ALBEDO_BOTH) {
+        for (c = 0; c < 3; ++c) {
+            for (i = 0; i < count; ++i) buffer[c][i] = sqrtf(out[c][i]);
+            out[c] = buffer[c];
+        }
+    }
+    return out;
+}
+
+/* Copies those of pixels [begin, end) of row y that take no part: depth INFINITY, or all where depth is NULL. */
+static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, const float *depth)
+{
+    const ms_sss_frame *f = &job->frame;
+    const size_t size = f->input.half ? sizeof(uint16_t) : sizeof(float);
+    int x, c;
+    if (!job->unwritten) return;
+    for (c = 0; c < 3; ++c) {
+        const char *from = (const char *)f->input.channel[c] + y * f->input.row_stride * (ptrdiff_t)size;
+        char *to = (char *)f->output.channel[c] + y * f->output.row_stride * (ptrdiff_t)size;
+        const ptrdiff_t from_step = f->input.pixel_stride * (ptrdiff_t)size, to_step = f->output.pixel_stride * (ptrdiff_t)size;
+        if (job->raw && !depth && !f->profile && f->input.pixel_stride == 1 && f->output.pixel_stride == 1) {
+            if (begin < end) memcpy(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
+            continue;
+        }
+        for (x = begin; x < end; ++x) {
+            float value;
+            if (depth && depth[x] < INFINITY) continue;
+            if (f->profile) { /* each pixel is copied once: under its own profile, or the first if that has no kernel */
+                int profile = f->profile[y * f->profile_row_stride + x * f->profile_pixel_stride];
+                if (profile != job->profile && (profile < job->kernel_count || job->profile > 0)) continue;
+            }
+            if (job->raw) {
+                if (f->input.half) memcpy(to + x * to_step, from + x * from_step, sizeof(uint16_t));
+                else memcpy(to + x * to_step, from + x * from_step, sizeof(float));
+                continue;
+            }
+            value = ms_sss__get(&f->input, c, x, y);
+            if (ms__finite_f(value)) {
+                if (f->albedo.channel[0]) value *= ms_sss__get(&f->albedo, c, x, y);
+                if (f->specular.channel[0]) value += ms_sss__get(&f->specular, c, x, y);
+            }
+            ms_sss__put(&f->output, c, x, y, value);
+        }
+    }
+}
+
+static int ms_sss__solid(const ms_sss__job *job, int y, int begin, int end)
+{
+    return job->solid_first[y] <= begin && end <= job->solid_last[y];
+}
+
+/* The longest run of pixels of row y that take part, or one of them. */
+static void ms_sss__find_solid(const ms_sss__job *job, int y, const float *depth)
+{
+    int x, run = job->first[y];
+    job->solid_first[y] = job->solid_last[y] = 0;
+    for (x = job->first[y]; x <= job->last[y]; ++x) {
+        if (x < job->last[y] && depth[x] < INFINITY) continue;
+        if (x - run > job->solid_last[y] - job->solid_first[y]) {
+            job->solid_first[y] = run;
+            job->solid_last[y] = x;
+        }
+        run = x + 1;
+    }
+    if (job->solid_last[y] == job->frame.width) job->solid_last[y] = job->padded;
+}
+
+static void ms_sss__clear(const ms_sss__job *job, float *row, float value)
+{
+    int x;
+    for (x = -MS_SSS__LEFT; x < job->padded + MS_SSS__RIGHT; ++x) row[x] = value;
+}
+
+/* Row y of what the first pass reads: colour (times albedo) and depth for the columns from first to last, which are then
+   known; beyond them no pixel takes part, and colour is 0 as far as taps reach. */
+static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *const colour[3], float *depth)
+{
+    const ms_sss_frame *f = &job->frame;
+    const int width = f->width;
+    float *in_buffer[3], *albedo_buffer[3], *to[3];
+    const float *in[3], *albedo[3], *map, *const *factor;
+    int c, x, span[2], first = 0, last = job->padded, low, high;
+    for (c = 0; c < 3; ++c) {
+        in_buffer[c] = ms_sss__buffer(job, task, 4 + c);
+        albedo_buffer[c] = ms_sss__buffer(job, task, 7 + c);
+    }
+    memcpy(depth - MS_SSS__LEFT, (job->idle ? job->depth - job->stride : job->fresh) - MS_SSS__LEFT,
+           (size_t)job->stride * sizeof(float));
+    if (job->idle) last = 0;
+    if (f->profile && !job->idle) {
+        const uint8_t *profile = f->profile + y * f->profile_row_stride;
+        for (x = 0; x < width; ++x)
+            if (profile[x * f->profile_pixel_stride] != job->profile) depth[x] = INFINITY;
+    }
+    job->whole[y] = 1;
+    if (f->strength.channel[0] && last > 0) {
+        ms_sss__load(&f->strength, 1, width, y, 0, last, in_buffer, &map);
+        job->whole[y] = job->simd->gate(map, 0.0f, last, depth, span);
+        first = span[0] - span[0] % job->block;
+        last = ms_sss__round_up(span[1], job->block);
+    }
+    if (f->depth.channel[0] && first < last) {
+        ms_sss__load(&f->depth, 1, width, y, first, last - first, in_buffer, &map);
+        job->simd->gate(map, job->depth_scale, last - first, depth + first, span);
+        last = first + span[1];
+        first += span[0];
+        first -= first % job->block;
+        last = ms_sss__round_up(last, job->block);
+    }
+    job->first[y] = first;
+    job->last[y] = last;
+    job->solid_first[y] = job->solid_last[y] = 0;
+    low = first;
+    high = last;
+    if (job->fixed) {
+        low = first + job->taps[0].lowest;
+        high = last + job->taps[0].highest + 16;
+    }
+    if (job->turned || low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
+    if (job->turned || high > job->padded + MS_SSS__RIGHT) high = job->padded + MS_SSS__RIGHT;
+    for (c = 0; c < 3; ++c) {
+        for (x = low; x < first; ++x) colour[c][x] = 0;
+        for (x = last; x < high; ++x) colour[c][x] = 0;
+        to[c] = colour[c] + first;
+    }
+    if (first < last) {
+        ms_sss__load(&f->input, 3, width, y, first, last - first, in_buffer, in);
+        factor = ms_sss__albedo(job, 0, y, first, last - first, albedo_buffer, albedo);
+        if (job->simd->admit(in, factor, width - first, last - first, depth + first, to)) {
+            job->solid_first[y] = first;
+            job->solid_last[y] = last;
+        } else {
+            ms_sss__find_solid(job, y, depth);
+        }
+    }
+    if (job->term == 0) {
+        const int solid = job->solid_first[y] < job->solid_last[y];
+        const int end = last < width ? last : width;
+        ms_sss__copy(job, y, 0, first, NULL);
+        ms_sss__copy(job, y, first, solid ? job->solid_first[y] : end, depth);
+        if (solid) ms_sss__copy(job, y, job->solid_last[y], end, depth);
+        ms_sss__copy(job, y, last, width, NULL);
+    }
+}
+
+/* Fixed taps along x for columns [begin, end) of a prepared row; a border's columns 16 at a time. */
+static void ms_sss__fixed_x(const ms_sss__job *job, const float *const in[3], const float *depth, int begin, int end,
+                            float *const out[3])
+{
+    const ms_sss__fixed *f = &job->taps[0];
+    ptrdiff_t at[MS_SSS__FIXED_MAX];
+    const float *from[MS_SSS__FIXED_MAX], *own[3];
+    float *to[3];
+    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
+    for (j = 0; j < f->count; ++j) {
+        if (end + f->offset[j] <= 0 || begin + f->offset[j] >= job->frame.width) continue;
+        at[taps] = f->offset[j];
+        from[taps] = depth + begin + f->offset[j];
+        tap[taps++] = j;
+    }
+    for (c = 0; c < 3; ++c) {
+        own[c] = in[c] + begin;
+        to[c] = out[c] + begin;
+    }
+    job->simd->convolve_valid(f, own, at, from, tap, taps, end - begin, depth + begin, to);
+}
+
+/* First pass: band of rows `task` into the middle planes. */
+static void ms_sss__first_pass(void *context, int task)
+{
+    const ms_sss__job *job = (const ms_sss__job *)context;
+    const ms_sss__fixed *f = &job->taps[0];
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    float *colour[3], *depth = ms_sss__buffer(job, task, 3), *out[3];
+    const float *in[3];
+    ms_sss__pass pass = job->pass;
+    int y, x, c, j;
+    for (c = 0; c < 3; ++c) {
+        in[c] = colour[c] = ms_sss__buffer(job, task, c);
+        pass.colour[c] = job->turned ? job->source[c] : colour[c];
+    }
+    pass.depth = job->turned ? job->depth : depth;
+    for (c = 0; c < 3 && !job->turned; ++c) ms_sss__clear(job, colour[c], 0.0f);
+    for (y = begin; y < end; ++y) {
+        const ptrdiff_t row = ms_sss__ring(job, y);
+        int first, last, a, b; /* [a, b): all taps are inside and take part */
+        if (!job->turned) ms_sss__prepare(job, y, task, colour, depth);
+        first = job->first[y];
+        last = job->last[y];
+        if (first == last) continue;
+        for (c = 0; c < 3; ++c) out[c] = job->middle[c] + row;
+        if (!job->turned && !(job->fixed && ms_sss__solid(job, y, first, last)))
+            memcpy(job->depth + row + first, depth + first, (size_t)(last - first) * sizeof(float));
+        if (!job->fixed) {
+            for (c = 0; c < 3; ++c) out[c] += first;
+            if (job->turned) job->simd->taps_turned(&pass, y, first, last, out);
+            else job->simd->taps_x(&pass, y, first, last, out);
+            continue;
+        }
+        a = ms_sss__round_up(job->solid_first[y] - f->lowest, 16);
+        b = ((job->solid_last[y] < job->frame.width ? job->solid_last[y] : job->frame.width) - f->highest) / 16 * 16;
+        if (a >= b) a = b = last;
+        for (x = first; x < a; x += 16) ms_sss__fixed_x(job, in, depth, x, x + 16, out);
+        if (a < b) {
+            ptrdiff_t at[MS_SSS__FIXED_MAX];
+            for (j = 0; j < f->count; ++j) at[j] = f->offset[j];
+            for (c = 0; c < 3; ++c) job->simd->convolve(in[c] + a, at, f->weight[c], f->count, b - a, out[c] + a);
+        }
+        for (x = b; x < last; x += 16) ms_sss__fixed_x(job, in, depth, x, x + 16, out);
+    }
+}
+
+/* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E,
+   fades, multiplies by the albedo, adds the specular light, and writes the pixels that take part. */
+static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3])
+{
+    const ms_sss_frame *f = &job->frame;
+    const ms_sss_kernel *k = job->kernel;
+    float *in_buffer[3], *own_buffer[3], *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
+    const float *in[3], *albedo[3], *specular[3], *strength = NULL, *const *factor, *result[3];
+    const int last_term = job->term + 1 == k->term_count;
+    const float *depth = job->depth + ms_sss__ring(job, y) + x;
+    int c, i, need_own = job->gain < 1.0f || !job->whole[y];
+    int solid_first = job->solid_first[y] > x ? job->solid_first[y] - x : 0;
+    int solid_last = job->solid_last[y] < x + count ? job->solid_last[y] - x : count;
+    for (c = 0; c < 3; ++c) {
+        const float scale = k->scale[job->term][c];
+        float *sum = k->term_count > 1 ? job->sum[c] + (ptrdiff_t)y * job->stride + x : blur[c];
+        result[c] = blur[c];
+        in_buffer[c] = ms_sss__buffer(job, task, 3 + c);
+        own_buffer[c] = ms_sss__buffer(job, task, 6 + c);
+        albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
+        specular_buffer[c] = ms_sss__buffer(job, task, 13 + c);
+        if (job->term > 0) job->simd->combine(scale, blur[c], 1.0f, sum, count, last_term ? blur[c] : sum);
+        else if (!last_term || ms_sss__differ(scale, 1.0f)) job->simd->combine(scale, blur[c], 0.0f, blur[c], count, sum);
+        if (ms_sss__differ(k->delta[c], 0.0f) || ms_sss__differ(scale, 1.0f) || ms_sss__differ(job->pass.total[c], 1.0f))
+            need_own = 1;
+    }
+    if (!last_term) return;
+    if (need_own) {
+        ms_sss__load(&f->input, 3, f->width, y, x, count, in_buffer, in);
+        factor = ms_sss__albedo(job, 0, y, x, count, albedo_buffer, albedo);
+        if (!job->whole[y]) {
+            strength_buffer[0] = ms_sss__buffer(job, task, 12);
+            ms_sss__load(&f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
+        }
+        for (c = 0; c < 3; ++c) {
+            if (factor) {
+                for (i = 0; i < count; ++i) own_buffer[c][i] = in[c][i] * factor[c][i];
+                in[c] = own_buffer[c];
+            }
+            if (ms_sss__differ(k->delta[c], 0.0f)) job->simd->combine(k->delta[c], in[c], 1.0f, blur[c], count, blur[c]);
+            job->simd->fade(&job->pass, strength, job->gain, depth, in[c], count, blur[c]);
+        }
+    }
+    factor = ms_sss__albedo(job, 1, y, x, count, albedo_buffer, albedo);
+    for (c = 0; factor && c < 3; ++c)
+        for (i = 0; i < count; ++i) blur[c][i] *= factor[c][i];
+    if (f->specular.channel[0]) {
+        ms_sss__load(&f->specular, 3, f->width, y, x, count, specular_buffer, specular);
+        for (c = 0; c < 3; ++c) job->simd->combine(1.0f, blur[c], 1.0f, specular[c], count, blur[c]);
+    }
+    if (solid_first >= solid_last) solid_first = solid_last = count;
+    ms_sss__store(&f->output, f->width, y, x, 0, solid_first, result, depth);
+    ms_sss__store(&f->output, f->width, y, x, solid_first, solid_last, result, NULL);
+    ms_sss__store(&f->output, f->width, y, x, solid_last, count, result, depth);
+}
+
+/* Fixed taps along y for columns [x, x + count) of row y, of which not all taps need to be inside or take part. */
+static void ms_sss__fixed_y(const ms_sss__job *job, int y, int x, int count, float *const out[3])
+{
+    const ms_sss__fixed *f = &job->taps[1];
+    const ptrdiff_t own_row = ms_sss__ring(job, y);
+    ptrdiff_t at[MS_SSS__FIXED_MAX];
+    const float *from[MS_SSS__FIXED_MAX], *own[3], *own_depth = job->depth + own_row + x;
+    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
+    if (ms_sss__solid(job, y, x, x + count)) own_depth = job->fresh;
+    for (j = 0; j < f->count; ++j) {
+        const int row = y + f->offset[j];
+        if (row < 0 || row >= job->frame.height || x < job->first[row] || x >= job->last[row]) continue;
+        at[taps] = ms_sss__ring(job, row) - own_row;
+        from[taps] = ms_sss__solid(job, row, x, x + count) ? job->fresh : job->depth + ms_sss__ring(job, row) + x;
+        tap[taps++] = j;
+    }
+    for (c = 0; c < 3; ++c) own[c] = job->middle[c] + own_row + x;
+    job->simd->convolve_valid(f, own, at, from, tap, taps, count, own_depth, out);
+}
+
+/* Fixed taps along y for all columns of row y that hold anything: at once where every tap counts, else by blocks. */
+static void ms_sss__fixed_row(const ms_sss__job *job, int y, float *const out[3])
+{
+    const ms_sss__fixed *f = &job->taps[1];
+    const int first = job->first[y], last = job->last[y];
+    const ptrdiff_t own_row = ms_sss__ring(job, y);
+    ptrdiff_t at[MS_SSS__FIXED_MAX];
+    int a = first, b = last, j, c, x; /* [a, b): every tap counts */
+    if (y + f->lowest < 0 || y + f->highest >= job->frame.height) b = a;
+    for (j = 0; j < f->count && a < b; ++j) {
+        const int row = y + f->offset[j];
+        if (job->solid_first[row] > a) a = job->solid_first[row];
+        if (job->solid_last[row] < b) b = job->solid_last[row];
+        at[j] = ms_sss__ring(job, row) - own_row;
+    }
+    a = ms_sss__round_up(a, 16);
+    b -= b % 16;
+    if (a >= b) a = b = last;
+    for (x = first; x < last;) {
+        float *to[3];
+        int end = (x / job->block + 1) * job->block;
+        if (x == a) {
+            x = b;
+            continue;
+        }
+        if (x < a && end > a) end = a;
+        for (c = 0; c < 3; ++c) to[c] = out[c] + (x - first);
+        ms_sss__fixed_y(job, y, x, end - x, to);
+        x = end;
+    }
+    for (c = 0; c < 3 && a < b; ++c)
+        job->simd->convolve(job->middle[c] + own_row + a, at, f->weight[c], f->count, b - a, out[c] + (a - first));
+}
+
+/* Second pass: band of rows `task` from the middle planes to the output. */
+static void ms_sss__second_pass(void *context, int task)
+{
+    const ms_sss__job *job = (const ms_sss__job *)context;
+    const ms_sss_image *image = &job->frame.output;
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    const int tile = job->fixed ? job->padded : MS_SSS__TILE;
+    ms_sss__pass pass = job->pass;
+    int x, y, c;
+    for (c = 0; c < 3; ++c) pass.colour[c] = job->middle[c];
+    pass.depth = job->depth;
+    pass.second = 1;
+    for (x = 0; x < job->padded; x += tile) {
+        for (y = begin; y < end; ++y) {
+            const int first = job->first[y] > x ? job->first[y] : x;
+            const int last = job->last[y] < x + tile ? job->last[y] : x + tile;
+            const int direct = job->direct && last <= job->frame.width && ms_sss__solid(job, y, first, last);
+            float *to[3];
+            if (first >= last) continue;
+            for (c = 0; c < 3; ++c)
+                to[c] = direct ? (float *)image->channel[c] + y * image->row_stride + first : ms_sss__buffer(job, task, c);
+            if (job->fixed) ms_sss__fixed_row(job, y, to);
+            else if (job->turned) job->simd->taps_turned(&pass, y, first, last, to);
+            else job->simd->taps_y(&pass, y, first, last, to);
+            if (!direct) ms_sss__finish(job, task, y, first, last - first, to);
+        }
+    }
+}
+
+/* Turned axes read rows above and below in the first pass too: all rows are prepared before it. */
+static void ms_sss__prepare_band(void *context, int task)
+{
+    const ms_sss__job *job = (const ms_sss__job *)context;
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    int y, c;
+    for (y = begin; y < end; ++y) {
+        float *colour[3];
+        for (c = 0; c < 3; ++c) {
+            colour[c] = job->source[c] + (ptrdiff_t)y * job->stride;
+            ms_sss__clear(job, job->middle[c] + (ptrdiff_t)y * job->stride, 0.0f);
+        }
+        ms_sss__prepare(job, y, task, colour, job->depth + (ptrdiff_t)y * job->stride);
+    }
+}
+
+/* --- one call --- */
+
+/* Floats of the parts of the workspace, in the order in which they lie there. */
+typedef struct ms_sss__layout {
+    int padded, block, planes;
+    size_t stride, plane, total; /* total: bytes; SIZE_MAX: too many */
+} ms_sss__layout;
+
+static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+                                   const ms_sss_filter_options *options)
+{
+    ms_sss__layout l;
+    size_t floats, ints;
+    int i, terms = 1;
+    for (i = 0; i < kernel_count; ++i)
+        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
+    l.block = width < MS_SSS__BLOCK ? ms_sss__round_up(width, 16) : MS_SSS__BLOCK;
+    l.padded = ms_sss__round_up(width, l.block);
+    l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
+    l.plane = ms__size_mul(l.stride, (size_t)height + 2); /* an empty row above and below */
+    l.planes = 4;
+    if (ms_sss__differ(options->rotation, 0) || options->jitter > 0) l.planes += 3;
+    if (terms > 1) l.planes += 3;
+    floats = ms__size_mul(l.plane, (size_t)l.planes);
+    floats = ms__size_add(floats, ms__size_mul(l.stride, (size_t)MS_SSS__TASKS * MS_SSS__ROWS + 1));
+    ints = (size_t)height * 5;
+    l.total = ms__size_add(ms__size_add(ms__size_mul(floats, sizeof(float)), ints * sizeof(int)), 64);
+    return l;
+}
+
+/* Tap sums of a term; those within rounding of 1 become 1, so that what is left alone is left alone to the bit. */
+static void ms_sss__totals(const ms_sss_kernel *k, int term, int follow, float total[3], int mixed[3])
+{
+    int c, i;
+    for (c = 0; c < 3; ++c) {
+        double sum = 0;
+        mixed[c] = follow;
+        for (i = 0; i < k->tap_count; ++i) {
+            sum += (double)k->weight[term][i][c];
+            if (k->weight[term][i][c] < 0) mixed[c] = 1;
+        }
+        total[c] = fabs(sum - 1) < 1e-5 ? 1.0f : (float)sum;
+    }
+}
+
+/* Taps at `pixels` pixels a mm, each shared between the two whole offsets beside it. */
+static void ms_sss__fix(ms_sss__fixed *f, const ms_sss_kernel *k, int term, double pixels, int side)
+{
+    int i, j, c, half;
+    f->count = f->lowest = f->highest = 0;
+    ms_sss__totals(k, term, 0, f->total, f->mixed);
+    for (i = 0; i < k->tap_count; ++i) {
+        const double exact = (double)k->offset_mm[i] * pixels, nearest = floor(exact + 0.5);
+        const double t = fabs(exact - nearest) < 1e-4 ? nearest : exact, whole = floor(t);
+        for (half = 0; half < 2; ++half) {
+            const double share = half ? t - whole : 1 - (t - whole);
+            int offset;
+            if (share <= 0 || fabs(whole) > side) continue;
+            offset = (int)whole + half;
+            for (j = 0; j < f->count && f->offset[j] != offset; ++j) {}
+            if (j == f->count) {
+                f->offset[f->count++] = offset;
+                for (c = 0; c < 3; ++c) f->weight[c][j] = 0;
+                if (offset < f->lowest) f->lowest = offset;
+                if (offset > f->highest) f->highest = offset;
+            }
+            for (c = 0; c < 3; ++c) f->weight[c][j] += (float)(share * (double)k->weight[term][i][c]);
+        }
+    }
+}
+
+static int ms_sss__positive(float x) { return x > 0 && ms__finite_f(x); }
+
+static ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_error *error)
+{
+    int i, c, t;
+    if (k->tap_count < 1 || k->tap_count > MS_SSS_TAPS_MAX || k->tap_count % 2 == 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: tap_count %d is not an odd number from 1 to %d",
+                        index, k->tap_count, MS_SSS_TAPS_MAX);
+    if (k->term_count < 1 || k->term_count > MS_SSS_TERMS_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term_count %d is not within 1 to %d", index,
+                        k->term_count, MS_SSS_TERMS_MAX);
+    if (!ms_sss__positive(k->radius_mm))
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: radius_mm %g is not positive", index,
+                        (double)k->radius_mm);
+    for (i = 0; i < k->tap_count; ++i) {
+        if (!ms__finite_f(k->offset_mm[i]) || (i == 0 && ms_sss__differ(k->offset_mm[0], 0)))
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite",
+                            index, i, (double)k->offset_mm[i]);
+        for (t = 0; t < k->term_count; ++t)
+            for (c = 0; c < 3; ++c)
+                if (!ms__finite_f(k->weight[t][i][c]) || !ms__finite_f(k->scale[t][c]) || !ms__finite_f(k->delta[c]))
+                    return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term %d, tap %d, channel %d is not finite",
+                                    index, t, i, c);
+    }
+    return MS_OK;
+}
+
+/* Fills in the strides. */
+static ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int channels, int needed, int width, int height,
+                                     ms_error *error)
+{
+    const ptrdiff_t limit = PTRDIFF_MAX / 8;
+    int c;
+    if (!image->channel[0]) {
+        if (!needed) return MS_OK;
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s: no pixels were given", name);
+    }
+    for (c = 1; c < channels; ++c)
+        if (!image->channel[c]) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s: channel %d has no pixels", name, c);
+    if (image->half != 0 && image->half != 1)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s: half is %d, not 0 or 1", name, image->half);
+    if (image->pixel_stride == 0) image->pixel_stride = 1;
+    if (image->pixel_stride > limit / width || image->pixel_stride < -(limit / width))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s: pixel_stride is too large", name);
+    if (image->row_stride == 0) image->row_stride = image->pixel_stride * width;
+    if (image->row_stride > limit / height || image->row_stride < -(limit / height))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s: row_stride is too large", name);
+    return MS_OK;
+}
+
+static ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
+{
+    const int sizes = ms_sss__differ(o->pixels_per_mm[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
+    if (sizes != 1)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed", sizes);
+    if (ms_sss__differ(o->pixels_per_mm[0], 0) && (!ms_sss__positive(o->pixels_per_mm[0]) || !(o->pixels_per_mm[1] >= 0) || !ms__finite_f(o->pixels_per_mm[1])))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pixels_per_mm %g, %g: expected positive numbers", (double)o->pixels_per_mm[0], (double)o->pixels_per_mm[1]);
+    if (ms_sss__differ(o->fov_degrees, 0) && !(o->fov_degrees > 0 && o->fov_degrees < 180))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fov_degrees %g is not within (0, 180)", (double)o->fov_degrees);
+    if (ms_sss__differ(o->ortho_height, 0) && !ms_sss__positive(o->ortho_height))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ortho_height %g is not positive", (double)o->ortho_height);
+    if (ms_sss__differ(o->mm_per_unit, 0) && !ms_sss__positive(o->mm_per_unit))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mm_per_unit %g is not positive", (double)o->mm_per_unit);
+    if (ms_sss__differ(o->depth_sigma_mm, 0) && !ms_sss__positive(o->depth_sigma_mm))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth_sigma_mm %g is not positive", (double)o->depth_sigma_mm);
+    if (ms_sss__differ(o->follow_mm, 0) && !ms_sss__positive(o->follow_mm))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "follow_mm %g is not positive", (double)o->follow_mm);
+    if (!(o->fade >= 0 && o->fade <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fade %g is not within [0, 1]", (double)o->fade);
+    if (!(o->jitter >= 0 && o->jitter <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "jitter %g is not within [0, 1]", (double)o->jitter);
+    if (!ms__finite_f(o->rotation)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rotation is not finite");
+    if ((int)o->depth_mode < 0 || (int)o->depth_mode > (int)MS_SSS_DEPTH_SCALE)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth_mode %d is unknown", (int)o->depth_mode);
+    if ((int)o->albedo_mode < 0 || (int)o->albedo_mode > (int)MS_SSS_ALBEDO_BOTH)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "albedo_mode %d is unknown", (int)o->albedo_mode);
+    return MS_OK;
+}
+
+/* What one kernel's passes share: pixels a mm, depth units, taps or fixed taps. */
+static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int profile)
+{
+    const ms_sss_filter_options *o = &job->options;
+    const int width = job->frame.width, height = job->frame.height, side = width > height ? width : height;
+    const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1, radius = (double)k->radius_mm;
+    double size, widest, kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: differences so small that they count as none */
+    ms_sss__pass *p = &job->pass;
+    job->kernel = k;
+    job->profile = profile;
+    p->aspect[0] = p->aspect[1] = 1.0f;
+    if (o->pixels_per_mm[0] > 0) {
+        size = (double)o->pixels_per_mm[0];
+        if (o->pixels_per_mm[1] > 0) p->aspect[1] = o->pixels_per_mm[1] / o->pixels_per_mm[0];
+    } else {
+        if (o->fov_degrees > 0) size = height / (2 * tan((double)o->fov_degrees * (3.14159265358979323846 / 360)) * mm);
+        else size = height / ((double)o->ortho_height * mm);
+        if (o->uv_steps) p->aspect[0] = (float)width / (float)height;
+    }
+    p->perspective = o->fov_degrees > 0;
+    p->follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
+    p->cut = 1.0f;
+    if (p->follow) {
+        kappa = mm / (o->follow_mm > 0 ? (double)o->follow_mm : radius);
+    } else if (o->depth_mode == MS_SSS_DEPTH_AWARE) { /* exp(-(mm dz)^2 / (2 sigma^2)) = 2^-(kappa dz)^2 */
+        double unit = 0.84932180028801904 / (o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : radius / 3);
+        kappa = mm * unit;
+        p->cut = (float)(radius * unit * radius * unit < 120 ? radius * unit * radius * unit : 120);
+    }
+    job->depth_scale = (float)kappa;
+    widest = (double)(p->aspect[0] > p->aspect[1] ? p->aspect[0] : p->aspect[1]);
+    p->size_min = (float)(0.5 / (radius * widest));
+    p->size_max = (float)(side / radius);
+    job->idle = !p->perspective && size <= (double)p->size_min;
+    if (p->perspective) size *= kappa;
+    else if (size > (double)p->size_max) size = (double)p->size_max;
+    p->size = (float)size;
+    p->offset_mm = k->offset_mm;
+    p->tap_count = k->tap_count;
+}
+
+/* Whether the second pass is the last step of a pixel: one term, nothing to mix or multiply, planar float output. */
+static int ms_sss__direct(const ms_sss__job *job)
+{
+    const ms_sss_frame *f = &job->frame;
+    const ms_sss_kernel *k = job->kernel;
+    float total[3];
+    int mixed[3], c;
+    if (k->term_count > 1 || f->strength.channel[0] || f->albedo.channel[0] || f->specular.channel[0] || job->gain < 1 ||
+        f->output.half || f->output.pixel_stride != 1)
+        return 0;
+    ms_sss__totals(k, 0, 0, total, mixed);
+    for (c = 0; c < 3; ++c)
+        if (ms_sss__differ(k->delta[c], 0) || ms_sss__differ(k->scale[0][c], 1) || ms_sss__differ(total[c], 1)) return 0;
+    return 1;
+}
+
+static void ms_sss__set_term(ms_sss__job *job, int term)
+{
+    ms_sss__pass *p = &job->pass;
+    const int side = job->frame.width > job->frame.height ? job->frame.width : job->frame.height;
+    job->term = term;
+    p->weight = job->kernel->weight[term];
+    ms_sss__totals(job->kernel, term, p->follow && job->frame.depth.channel[0] != NULL, p->total, p->mixed);
+    if (job->fixed) {
+        ms_sss__fix(&job->taps[0], job->kernel, term, (double)p->size * (double)p->aspect[0], side);
+        ms_sss__fix(&job->taps[1], job->kernel, term, (double)p->size * (double)p->aspect[1], side);
+    }
+}
+
+/* One pass for rows [begin, end), cut into bands by the picture alone. */
+static void ms_sss__run(ms_sss__job *job, int begin, int end, void (*pass)(void *context, int task))
+{
+    const int rows = (end - begin + MS_SSS__TASKS - 1) / MS_SSS__TASKS;
+    if (begin >= end) return;
+    job->begin = begin;
+    job->end = end;
+    job->band = rows < 8 ? 8 : rows;
+    ms__run(&job->options.parallel, (end - begin + job->band - 1) / job->band, pass, job);
+}
+
+/* Both passes of a term. Fixed taps reach a known number of rows, so the second pass can follow the first at that
+   distance, and a ring of rows holds what is between them. */
+static void ms_sss__both_passes(ms_sss__job *job)
+{
+    const int height = job->frame.height;
+    int ready = 0, y, slab = height, below = 0;
+    job->ring = height;
+    if (job->fixed) {
+        const int above = job->taps[1].lowest > -height ? -job->taps[1].lowest : height;
+        below = job->taps[1].highest < height ? job->taps[1].highest : height;
+        slab = MS_SSS__SLAB;
+        if (slab + above + below < height) job->ring = slab + above + below;
+    }
+    for (y = 0; y < height; y += slab) {
+        const int end = y + slab < height ? y + slab : height, needed = end + below < height ? end + below : height;
+        ms_sss__run(job, ready, needed, ms_sss__first_pass);
+        ms_sss__run(job, y, end, ms_sss__second_pass);
+        ready = needed;
+    }
+}
+
+MS_SSS_API ms_sss_filter_options ms_sss_filter_defaults(void)
+{
+    ms_sss_filter_options o;
+    memset(&o, 0, sizeof o);
+    return o;
+}
+
+MS_SSS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half)
+{
+    ms_sss_image image;
+    char *p = (char *)(uintptr_t)pixels;
+    const size_t size = half ? sizeof(uint16_t) : sizeof(float);
+    memset(&image, 0, sizeof image);
+    image.channel[0] = p;
+    image.channel[1] = p ? p + size : NULL;
+    image.channel[2] = p ? p + 2 * size : NULL;
+    image.pixel_stride = channels;
+    image.half = half;
+    return image;
+}
+
+MS_SSS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half)
+{
+    ms_sss_image image;
+    memset(&image, 0, sizeof image);
+    image.channel[0] = (void *)(uintptr_t)red;
+    image.channel[1] = (void *)(uintptr_t)green;
+    image.channel[2] = (void *)(uintptr_t)blue;
+    image.half = half;
+    return image;
+}
+
+MS_SSS_API ms_sss_image ms_sss_map(const void *values, int stride, int half)
+{
+    ms_sss_image image;
+    memset(&image, 0, sizeof image);
+    image.channel[0] = (void *)(uintptr_t)values;
+    image.pixel_stride = stride;
+    image.half = half;
+    return image;
+}
+
+MS_SSS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+                                          const ms_sss_filter_options *options)
+{
+    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX || !kernels || !options) return SIZE_MAX;
+    return ms_sss__plan(width, height, kernels, kernel_count, options).total;
+}
+
+MS_SSS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
+                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                   ms_error *error)
+{
+    ms_sss__job job;
+    ms_sss__layout layout;
+    ms_status status;
+    float *at;
+    int i, c, term;
+    if (!frame || !kernels || !options)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, kernels or options is NULL");
+    if (frame->width < 1 || frame->height < 1 || frame->width > MS_SSS__SIDE_MAX || frame->height > MS_SSS__SIDE_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a picture of %d x %d pixels: expected 1 to %d", frame->width, frame->height,
+                        (int)MS_SSS__SIDE_MAX);
+    if (kernel_count < 1 || kernel_count > 256)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel_count %d is not within 1 to 256", kernel_count);
+    for (i = 0; i < kernel_count; ++i)
+        if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
+    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
+    memset(&job, 0, sizeof job);
+    job.frame = *frame;
+    job.options = *options;
+    if ((status = ms_sss__check_image(&job.frame.input, "input", 3, 1, frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&job.frame.output, "output", 3, 1, frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&job.frame.depth, "depth", 1, options->fov_degrees > 0, frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&job.frame.strength, "strength", 1, 0, frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&job.frame.albedo, "albedo", 3, 0, frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&job.frame.specular, "specular", 3, 0, frame->width, frame->height, error)) != MS_OK)
+        return status;
+    if (frame->profile && frame->profile_pixel_stride == 0) job.frame.profile_pixel_stride = 1;
+    if (frame->profile && frame->profile_row_stride == 0) job.frame.profile_row_stride = job.frame.profile_pixel_stride * frame->width;
+    layout = ms_sss__plan(frame->width, frame->height, kernels, kernel_count, options);
+    if (!workspace || workspace_size < layout.total)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, layout.total);
+
+    job.simd = ms_sss__pick(options->simd);
+    job.kernel_count = kernel_count;
+    job.block = layout.block;
+    job.padded = layout.padded;
+    job.stride = (ptrdiff_t)layout.stride;
+    job.gain = 1.0f - options->fade;
+    job.turned = ms_sss__differ(options->rotation, 0) || options->jitter > 0;
+    job.fixed = !job.turned && !(options->fov_degrees > 0) && (!frame->depth.channel[0] || options->depth_mode == MS_SSS_DEPTH_SCALE);
+    job.raw = !frame->albedo.channel[0] && !frame->specular.channel[0] && frame->input.half == frame->output.half;
+    job.unwritten = !job.raw || job.frame.input.pixel_stride != job.frame.output.pixel_stride ||
+                    job.frame.input.row_stride != job.frame.output.row_stride;
+    for (c = 0; c < 3; ++c)
+        if (frame->input.channel[c] != frame->output.channel[c]) job.unwritten = 1;
+
+    at = (float *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    for (i = 0; i < layout.planes; ++i) {
+        float *plane = at + layout.stride + MS_SSS__LEFT;
+        if (i < 3) job.middle[i] = plane;
+        else if (i == 3) job.depth = plane;
+        else if (job.turned && i < 7) job.source[i - 4] = plane;
+        else job.sum[(i - 4) % 3] = plane;
+        ms_sss__clear(&job, plane - layout.stride, i == 3 ? INFINITY : 0.0f);
+        ms_sss__clear(&job, plane + layout.stride * (size_t)frame->height, i == 3 ? INFINITY : 0.0f);
+        at += layout.plane;
+    }
+    job.fresh = at + MS_SSS__LEFT;
+    ms_sss__clear(&job, job.fresh, INFINITY);
+    for (i = 0; i < frame->width; ++i) job.fresh[i] = 0.0f;
+    at += layout.stride;
+    job.rows = at;
+    at += layout.stride * MS_SSS__TASKS * MS_SSS__ROWS;
+    job.first = (int *)at;
+    job.last = job.first + frame->height;
+    job.solid_first = job.last + frame->height;
+    job.solid_last = job.solid_first + frame->height;
+    job.whole = job.solid_last + frame->height;
+    for (i = 0; i < 64; ++i) {
+        const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
+        job.direction[i][0] = (float)cos(angle);
+        job.direction[i][1] = (float)sin(angle);
+    }
+    job.pass.stride = job.stride;
+    job.pass.width = frame->width;
+    job.pass.height = frame->height;
+    job.pass.first = job.first;
+    job.pass.last = job.last;
+    job.pass.direction = (const float(*)[2])job.direction;
+
+    for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
+        ms_sss__set_kernel(&job, &kernels[i], i);
+        job.direct = ms_sss__direct(&job);
+        if (!(job.gain > 0)) job.idle = 1;
+        for (term = 0; term < (job.idle ? 1 : kernels[i].term_count); ++term) {
+            ms_sss__set_term(&job, term);
+            if (job.turned && term == 0) ms_sss__run(&job, 0, frame->height, ms_sss__prepare_band);
+            ms_sss__both_passes(&job);
+        }
+    }
+    return MS_OK;
+}
+
 /* ---------------------------------------------------------- PYRAMID CODE */
 
 /* -------------------------------------------------------------- GPU CODE */
@@ -1330,6 +3865,440 @@ MS_SSS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, d
 
 #ifdef MS_SSS__PASS /* one inclusion a level, from FILTER CODE above */
 /* -------------------------------------------------------- FILTER KERNELS */
+
+/* Row kernels. Counts are multiples of 16; rows may be read and written up to that, and by the taps up to
+   MS_SSS__LEFT before and MS_SSS__RIGHT behind a row. A pixel that takes no part has depth INFINITY and colour 0. */
+
+#define MS_SSS__JOIN_(name, level) ms_sss__##name##_##level
+#define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
+#define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
+#define MS_SSS__ALL ((1u << MS_SSS__LANES) - 1u)
+
+#if MS_SSS__LANES == 16
+#define V __m512
+#define V_MASK __mmask16
+#define V_LOAD(p) _mm512_loadu_ps(p)
+#define V_STORE(p, a) _mm512_storeu_ps(p, a)
+#define V_SET(s) _mm512_set1_ps(s)
+#define V_ADD(a, b) _mm512_add_ps(a, b)
+#define V_SUB(a, b) _mm512_sub_ps(a, b)
+#define V_MUL(a, b) _mm512_mul_ps(a, b)
+#define V_DIV(a, b) _mm512_div_ps(a, b)
+#define V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define V_MIN(a, b) _mm512_maskz_min_ps(0xffff, a, b) /* maskz: GCC 12 warns about the plain ones in C++ */
+#define V_ABS(a) _mm512_abs_ps(a)
+#define V_FLOOR(a) _mm512_floor_ps(a)
+#define V_SCALE(a, n) _mm512_maskz_scalef_ps(0xffff, a, n)
+#define V_LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
+#define V_SAME(a, b) _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ)
+#define V_BOTH(m, n) ((__mmask16)((m) & (n)))
+#define V_SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
+#define V_BITS(m) ((unsigned)(m))
+#elif MS_SSS__LANES == 8
+#define V __m256
+#define V_MASK __m256
+#define V_LOAD(p) _mm256_loadu_ps(p)
+#define V_STORE(p, a) _mm256_storeu_ps(p, a)
+#define V_SET(s) _mm256_set1_ps(s)
+#define V_ADD(a, b) _mm256_add_ps(a, b)
+#define V_SUB(a, b) _mm256_sub_ps(a, b)
+#define V_MUL(a, b) _mm256_mul_ps(a, b)
+#define V_DIV(a, b) _mm256_div_ps(a, b)
+#define V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define V_MIN(a, b) _mm256_min_ps(a, b)
+#define V_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
+#define V_FLOOR(a) _mm256_floor_ps(a)
+#define V_SCALE(a, n) \
+    _mm256_castsi256_ps(_mm256_add_epi32(_mm256_castps_si256(a), _mm256_slli_epi32(_mm256_cvttps_epi32(n), 23)))
+#define V_LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
+#define V_SAME(a, b) _mm256_cmp_ps(a, b, _CMP_EQ_OQ)
+#define V_BOTH(m, n) _mm256_and_ps(m, n)
+#define V_SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
+#define V_BITS(m) ((unsigned)_mm256_movemask_ps(m))
+#elif MS_SSS__LANES == 4 && defined(MS__X64)
+#define V __m128
+#define V_MASK __m128
+#define V_LOAD(p) _mm_loadu_ps(p)
+#define V_STORE(p, a) _mm_storeu_ps(p, a)
+#define V_SET(s) _mm_set1_ps(s)
+#define V_ADD(a, b) _mm_add_ps(a, b)
+#define V_SUB(a, b) _mm_sub_ps(a, b)
+#define V_MUL(a, b) _mm_mul_ps(a, b)
+#define V_DIV(a, b) _mm_div_ps(a, b)
+#define V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define V_MIN(a, b) _mm_min_ps(a, b)
+#define V_ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
+#define V_FLOOR(a) ms_sss__floor_sse2(a)
+#define V_SCALE(a, n) _mm_castsi128_ps(_mm_add_epi32(_mm_castps_si128(a), _mm_slli_epi32(_mm_cvttps_epi32(n), 23)))
+#define V_LESS(a, b) _mm_cmplt_ps(a, b)
+#define V_SAME(a, b) _mm_cmpeq_ps(a, b)
+#define V_BOTH(m, n) _mm_and_ps(m, n)
+#define V_SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
+#define V_BITS(m) ((unsigned)_mm_movemask_ps(m))
+#elif MS_SSS__LANES == 4
+#define V float32x4_t
+#define V_MASK uint32x4_t
+#define V_LOAD(p) vld1q_f32(p)
+#define V_STORE(p, a) vst1q_f32(p, a)
+#define V_SET(s) vdupq_n_f32(s)
+#define V_ADD(a, b) vaddq_f32(a, b)
+#define V_SUB(a, b) vsubq_f32(a, b)
+#define V_MUL(a, b) vmulq_f32(a, b)
+#define V_DIV(a, b) vdivq_f32(a, b)
+#define V_MADD(a, b, c) vfmaq_f32(c, a, b)
+#define V_MIN(a, b) vminq_f32(a, b)
+#define V_ABS(a) vabsq_f32(a)
+#define V_FLOOR(a) vrndmq_f32(a)
+#define V_SCALE(a, n) \
+    vreinterpretq_f32_s32(vaddq_s32(vreinterpretq_s32_f32(a), vshlq_n_s32(vcvtq_s32_f32(n), 23)))
+#define V_LESS(a, b) vcltq_f32(a, b)
+#define V_SAME(a, b) vceqq_f32(a, b)
+#define V_BOTH(m, n) vandq_u32(m, n)
+#define V_SELECT(m, a, b) vbslq_f32(m, a, b)
+#define V_BITS(m) ms_sss__bits_neon(m)
+#else
+#define V float
+#define V_MASK int
+#define V_LOAD(p) (*(p))
+#define V_STORE(p, a) (*(p) = (a))
+#define V_SET(s) (s)
+#define V_ADD(a, b) ((a) + (b))
+#define V_SUB(a, b) ((a) - (b))
+#define V_MUL(a, b) ((a) * (b))
+#define V_DIV(a, b) ((a) / (b))
+#define V_MADD(a, b, c) ((a) * (b) + (c))
+#define V_MIN(a, b) ((a) < (b) ? (a) : (b))
+#define V_ABS(a) fabsf(a)
+#define V_FLOOR(a) ms_sss__floor(a)
+#define V_SCALE(a, n) ms_sss__scale(a, n)
+#define V_LESS(a, b) ((a) < (b))
+#define V_SAME(a, b) ((a) >= (b) && (a) <= (b))
+#define V_BOTH(m, n) ((m) & (n))
+#define V_SELECT(m, a, b) ((m) ? (a) : (b))
+#define V_BITS(m) ((unsigned)(m))
+#endif
+
+/* 2^-q for q >= 0; relative error 1e-7. The polynomial is the minimax one of 2^d on [0, 1] with 2^0 = 1. */
+static MS_SSS__INLINE V MS_SSS__NAME(exp2_minus)(V q)
+{
+    V e = V_SUB(V_SET(0.0f), q), n = V_FLOOR(e), d = V_SUB(e, n), p;
+    p = V_MADD(V_SET(1.8671305e-3f), d, V_SET(9.0170288e-3f));
+    p = V_MADD(p, d, V_SET(5.5799913e-2f));
+    p = V_MADD(p, d, V_SET(2.4016444e-1f));
+    p = V_MADD(p, d, V_SET(6.9315130e-1f));
+    p = V_MADD(p, d, V_SET(1.0f));
+    return V_SCALE(p, n);
+}
+
+/* Where depth[i] is finite and value[i] > 0 it becomes scale * value[i], else INFINITY. span: from the first to behind the
+   last vector that holds a finite one. Returns whether all of those values are at least 1. */
+static int MS_SSS__NAME(gate)(const float *value, float scale, int count, float *depth, int span[2])
+{
+    const V zero = V_SET(0.0f), one = V_SET(1.0f), infinity = V_SET(INFINITY);
+    unsigned partial = 0;
+    int x;
+    span[0] = span[1] = 0;
+    for (x = 0; x < count; x += MS_SSS__LANES) {
+        V v = V_LOAD(value + x);
+        V_MASK part = V_BOTH(V_LESS(zero, v), V_LESS(V_LOAD(depth + x), infinity));
+        V_STORE(depth + x, V_SELECT(part, V_MUL(v, V_SET(scale)), infinity));
+        if (!V_BITS(part)) continue;
+        partial |= V_BITS(V_BOTH(part, V_LESS(v, one)));
+        if (span[1] == 0) span[0] = x;
+        span[1] = x + MS_SSS__LANES;
+    }
+    return !partial;
+}
+
+/* colour = in (times albedo) where the pixel takes part and this is finite; else 0, and depth INFINITY.
+   Returns whether the first n pixels all take part. */
+static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albedo[3], int n, int count, float *depth,
+                               float *const colour[3])
+{
+    const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
+    int x, all = 1;
+    for (x = 0; x < count; x += MS_SSS__LANES) {
+        V r = V_LOAD(in[0] + x), g = V_LOAD(in[1] + x), b = V_LOAD(in[2] + x), z = V_LOAD(depth + x);
+        V_MASK part = V_LESS(z, infinity);
+        unsigned inside = n - x >= MS_SSS__LANES ? MS_SSS__ALL : n > x ? (1u << (n - x)) - 1u : 0u;
+        if (albedo) {
+            r = V_MUL(r, V_LOAD(albedo[0] + x));
+            g = V_MUL(g, V_LOAD(albedo[1] + x));
+            b = V_MUL(b, V_LOAD(albedo[2] + x));
+        }
+        part = V_BOTH(part, V_LESS(V_ABS(r), infinity));
+        part = V_BOTH(part, V_LESS(V_ABS(g), infinity));
+        part = V_BOTH(part, V_LESS(V_ABS(b), infinity));
+        if ((V_BITS(part) & inside) != inside) all = 0;
+        V_STORE(colour[0] + x, V_SELECT(part, r, zero));
+        V_STORE(colour[1] + x, V_SELECT(part, g, zero));
+        V_STORE(colour[2] + x, V_SELECT(part, b, zero));
+        V_STORE(depth + x, V_SELECT(part, z, infinity));
+    }
+    return all;
+}
+
+/* out[x] = sum_j weight[j] in[at[j] + x] */
+static void MS_SSS__NAME(convolve)(const float *in, const ptrdiff_t *at, const float *weight, int taps, int count,
+                                   float *out)
+{
+    int x = 0, j;
+    for (; x + 4 * MS_SSS__LANES <= count; x += 4 * MS_SSS__LANES) {
+        V s0 = V_SET(0.0f), s1 = s0, s2 = s0, s3 = s0;
+        for (j = 0; j < taps; ++j) {
+            const float *p = in + at[j] + x;
+            V w = V_SET(weight[j]);
+            s0 = V_MADD(w, V_LOAD(p), s0);
+            s1 = V_MADD(w, V_LOAD(p + MS_SSS__LANES), s1);
+            s2 = V_MADD(w, V_LOAD(p + 2 * MS_SSS__LANES), s2);
+            s3 = V_MADD(w, V_LOAD(p + 3 * MS_SSS__LANES), s3);
+        }
+        V_STORE(out + x, s0);
+        V_STORE(out + x + MS_SSS__LANES, s1);
+        V_STORE(out + x + 2 * MS_SSS__LANES, s2);
+        V_STORE(out + x + 3 * MS_SSS__LANES, s3);
+    }
+    for (; x < count; x += MS_SSS__LANES) {
+        V s = V_SET(0.0f);
+        for (j = 0; j < taps; ++j) s = V_MADD(V_SET(weight[j]), V_LOAD(in + at[j] + x), s);
+        V_STORE(out + x, s);
+    }
+}
+
+/* What a tap sum s with weights that add up to n stands for once the missing weight, total - n, is made up for. */
+static MS_SSS__INLINE V MS_SSS__NAME(restore)(V s, V n, V own, float total, int mixed)
+{
+    if (mixed) return V_MADD(own, V_SUB(V_SET(total), n), s);
+    return V_SELECT(V_LESS(V_SET(1e-30f), n), V_MUL(V_DIV(s, n), V_SET(total)), V_MUL(own, V_SET(total)));
+}
+
+/* The same for the three channels where only pixels that take part count and are written, the rest as 0. */
+static void MS_SSS__NAME(convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
+                                         const float *const *depth, const int *tap, int taps, int count,
+                                         const float *own_depth, float *const out[3])
+{
+    const V zero = V_SET(0.0f), one = V_SET(1.0f), infinity = V_SET(INFINITY);
+    int x, j;
+    for (x = 0; x < count; x += MS_SSS__LANES) {
+        const V_MASK part = V_LESS(V_LOAD(own_depth + x), infinity);
+        V r = zero, g = zero, b = zero, nr = zero, ng = zero, nb = zero;
+        for (j = 0; j < taps && V_BITS(part); ++j) {
+            V v = V_SELECT(V_LESS(V_LOAD(depth[j] + x), infinity), one, zero);
+            V wr = V_SET(f->weight[0][tap[j]]), wg = V_SET(f->weight[1][tap[j]]), wb = V_SET(f->weight[2][tap[j]]);
+            r = V_MADD(wr, V_LOAD(in[0] + at[j] + x), r);
+            g = V_MADD(wg, V_LOAD(in[1] + at[j] + x), g);
+            b = V_MADD(wb, V_LOAD(in[2] + at[j] + x), b);
+            nr = V_MADD(wr, v, nr);
+            ng = V_MADD(wg, v, ng);
+            nb = V_MADD(wb, v, nb);
+        }
+        r = MS_SSS__NAME(restore)(r, nr, V_LOAD(in[0] + x), f->total[0], f->mixed[0]);
+        g = MS_SSS__NAME(restore)(g, ng, V_LOAD(in[1] + x), f->total[1], f->mixed[1]);
+        b = MS_SSS__NAME(restore)(b, nb, V_LOAD(in[2] + x), f->total[2], f->mixed[2]);
+        V_STORE(out[0] + x, V_SELECT(part, r, zero));
+        V_STORE(out[1] + x, V_SELECT(part, g, zero));
+        V_STORE(out[2] + x, V_SELECT(part, b, zero));
+    }
+}
+
+typedef struct MS_SSS__NAME(sum) {
+    V r, g, b, n; /* sum of h f colour, sum of h f */
+} MS_SSS__NAME(sum);
+
+/* One pixel beside a tap's position: h is its share (bilinear), f what its depth leaves of it. */
+static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, ptrdiff_t at, V z, V h, MS_SSS__NAME(sum) *s)
+{
+    V dz = V_SUB(V_LOAD(p->depth + at), z), q = V_MUL(dz, dz), f;
+    V_MASK near_by = V_LESS(q, V_SET(p->cut));
+    if (!V_BITS(near_by)) return;
+    if (p->follow) f = V_SUB(V_SET(1.0f), V_ABS(dz));
+    else f = MS_SSS__NAME(exp2_minus)(q);
+    f = V_SELECT(near_by, V_MUL(h, f), V_SET(0.0f));
+    s->r = V_MADD(f, V_LOAD(p->colour[0] + at), s->r);
+    s->g = V_MADD(f, V_LOAD(p->colour[1] + at), s->g);
+    s->b = V_MADD(f, V_LOAD(p->colour[2] + at), s->b);
+    s->n = V_ADD(s->n, f);
+}
+
+/* One pass along x (axes 1), y (axes 2) or any direction (axes 3) for pixels [begin, end) of row y, each with its own
+   kernel size: out = sum_k w_k E(x + o_k) f_k, restored. Neighbours mostly share the integer part of a tap's position:
+   each distinct one is handled once for all lanes that have it, with contiguous loads. */
+static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, int axes, int y, int begin, int end,
+                                              float *const out[3])
+{
+    const V zero = V_SET(0.0f), one = V_SET(1.0f);
+    const ptrdiff_t row = axes == 1 ? 0 : (ptrdiff_t)y * p->stride;
+    int x, k;
+    for (x = begin; x < end; x += MS_SSS__LANES) {
+        V z = V_LOAD(p->depth + row + x), size, dx = one, dy = one;
+        V own_r, own_g, own_b, r, g, b, nr, ng, nb;
+        V_MASK part = V_LESS(z, V_SET(INFINITY)), large;
+        unsigned todo;
+        if (!V_BITS(part)) {
+            V_STORE(out[0] + x - begin, zero);
+            V_STORE(out[1] + x - begin, zero);
+            V_STORE(out[2] + x - begin, zero);
+            continue;
+        }
+        size = V_SET(p->size);
+        if (p->perspective) size = V_MIN(V_DIV(size, z), V_SET(p->size_max));
+        large = V_LESS(V_SET(p->size_min), size);
+        todo = V_BITS(V_BOTH(part, large));
+        own_r = V_LOAD(p->colour[0] + row + x);
+        own_g = V_LOAD(p->colour[1] + row + x);
+        own_b = V_LOAD(p->colour[2] + row + x);
+        if (!todo) {
+            V_STORE(out[0] + x - begin, V_MUL(own_r, V_SET(p->total[0])));
+            V_STORE(out[1] + x - begin, V_MUL(own_g, V_SET(p->total[1])));
+            V_STORE(out[2] + x - begin, V_MUL(own_b, V_SET(p->total[2])));
+            continue;
+        }
+        nr = V_SET(p->weight[0][0]);
+        ng = V_SET(p->weight[0][1]);
+        nb = V_SET(p->weight[0][2]);
+        r = V_MUL(own_r, nr);
+        g = V_MUL(own_g, ng);
+        b = V_MUL(own_b, nb);
+        if (axes == 3) {
+            float turn_x[MS_SSS__LANES], turn_y[MS_SSS__LANES];
+            for (k = 0; k < MS_SSS__LANES; ++k) {
+                const float *d = p->direction[ms_sss__turn(x + k, y)];
+                turn_x[k] = p->second ? -d[1] : d[0];
+                turn_y[k] = p->second ? d[0] : d[1];
+            }
+            dx = V_LOAD(turn_x);
+            dy = V_LOAD(turn_y);
+        }
+        dx = V_MUL(V_MUL(dx, size), V_SET(p->aspect[0]));
+        dy = V_MUL(V_MUL(dy, size), V_SET(p->aspect[1]));
+        for (k = 1; k < p->tap_count; ++k) {
+            const V o = V_SET(p->offset_mm[k]);
+            V tx = V_MUL(o, axes == 2 ? dy : dx), ix = V_FLOOR(tx), ty = zero, iy = zero, wr, wg, wb;
+            float at_x[MS_SSS__LANES], at_y[MS_SSS__LANES];
+            MS_SSS__NAME(sum) s = {zero, zero, zero, zero};
+            unsigned left = todo;
+            tx = V_SUB(tx, ix);
+            V_STORE(at_x, ix);
+            if (axes == 3) {
+                ty = V_MUL(o, dy);
+                iy = V_FLOOR(ty);
+                ty = V_SUB(ty, iy);
+                V_STORE(at_y, iy);
+            }
+            do {
+                const int lane = ms_sss__lowest(left), i = (int)at_x[lane];
+                V_MASK same = V_SAME(ix, V_SET(at_x[lane]));
+                V h0, h1;
+                if (axes == 3) same = V_BOTH(same, V_SAME(iy, V_SET(at_y[lane])));
+                left &= ~V_BITS(same);
+                h1 = V_SELECT(same, tx, zero);
+                h0 = V_SELECT(same, V_SUB(one, tx), zero);
+                if (axes == 1) {
+                    MS_SSS__NAME(read)(p, ms_sss__column(p, x + i), z, h0, &s);
+                    MS_SSS__NAME(read)(p, ms_sss__column(p, x + i + 1), z, h1, &s);
+                } else if (axes == 2) {
+                    MS_SSS__NAME(read)(p, ms_sss__row(p, y + i, x) + x, z, h0, &s);
+                    MS_SSS__NAME(read)(p, ms_sss__row(p, y + i + 1, x) + x, z, h1, &s);
+                } else {
+                    const ptrdiff_t c0 = ms_sss__column(p, x + i), c1 = ms_sss__column(p, x + i + 1);
+                    const int j = (int)at_y[lane];
+                    const ptrdiff_t r0 = ms_sss__clamp(y + j, -1, p->height) * p->stride;
+                    const ptrdiff_t r1 = ms_sss__clamp(y + j + 1, -1, p->height) * p->stride;
+                    MS_SSS__NAME(read)(p, r0 + c0, z, V_MUL(h0, V_SUB(one, ty)), &s);
+                    MS_SSS__NAME(read)(p, r0 + c1, z, V_MUL(h1, V_SUB(one, ty)), &s);
+                    MS_SSS__NAME(read)(p, r1 + c0, z, V_MUL(h0, ty), &s);
+                    MS_SSS__NAME(read)(p, r1 + c1, z, V_MUL(h1, ty), &s);
+                }
+            } while (left);
+            wr = V_SET(p->weight[k][0]);
+            wg = V_SET(p->weight[k][1]);
+            wb = V_SET(p->weight[k][2]);
+            r = V_MADD(wr, s.r, r);
+            g = V_MADD(wg, s.g, g);
+            b = V_MADD(wb, s.b, b);
+            nr = V_MADD(wr, s.n, nr);
+            ng = V_MADD(wg, s.n, ng);
+            nb = V_MADD(wb, s.n, nb);
+        }
+        r = MS_SSS__NAME(restore)(r, nr, own_r, p->total[0], p->mixed[0]);
+        g = MS_SSS__NAME(restore)(g, ng, own_g, p->total[1], p->mixed[1]);
+        b = MS_SSS__NAME(restore)(b, nb, own_b, p->total[2], p->mixed[2]);
+        V_STORE(out[0] + x - begin, V_SELECT(large, r, V_MUL(own_r, V_SET(p->total[0]))));
+        V_STORE(out[1] + x - begin, V_SELECT(large, g, V_MUL(own_g, V_SET(p->total[1]))));
+        V_STORE(out[2] + x - begin, V_SELECT(large, b, V_MUL(own_b, V_SET(p->total[2]))));
+    }
+}
+
+static void MS_SSS__NAME(taps_x)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3])
+{
+    MS_SSS__NAME(taps)(p, 1, y, begin, end, out);
+}
+
+static void MS_SSS__NAME(taps_y)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3])
+{
+    MS_SSS__NAME(taps)(p, 2, y, begin, end, out);
+}
+
+static void MS_SSS__NAME(taps_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3])
+{
+    MS_SSS__NAME(taps)(p, 3, y, begin, end, out);
+}
+
+/* out = a x + b y */
+static void MS_SSS__NAME(combine)(float a, const float *x, float b, const float *y, int count, float *out)
+{
+    int i;
+    for (i = 0; i < count; i += MS_SSS__LANES)
+        V_STORE(out + i, V_MADD(V_SET(a), V_LOAD(x + i), V_MUL(V_SET(b), V_LOAD(y + i))));
+}
+
+/* blur = (1 - s) own + s blur with s = min(strength, 1) gain; own where the kernel is under half a pixel. */
+static void MS_SSS__NAME(fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth,
+                               const float *own, int count, float *blur)
+{
+    int x;
+    for (x = 0; x < count; x += MS_SSS__LANES) {
+        V e = V_LOAD(own + x), s = V_SET(gain), out;
+        if (strength) s = V_MUL(s, V_MIN(V_LOAD(strength + x), V_SET(1.0f)));
+        out = V_MADD(s, V_LOAD(blur + x), V_MUL(V_SUB(V_SET(1.0f), s), e));
+        if (p->perspective) {
+            V size = V_DIV(V_SET(p->size), V_LOAD(depth + x));
+            out = V_SELECT(V_LESS(V_SET(p->size_min), size), out, e);
+        }
+        V_STORE(blur + x, out);
+    }
+}
+
+static const ms_sss__kernels MS_SSS__NAME(kernels) = {
+    MS_SSS__NAME(gate),    MS_SSS__NAME(admit),  MS_SSS__NAME(convolve),    MS_SSS__NAME(convolve_valid),
+    MS_SSS__NAME(taps_x),  MS_SSS__NAME(taps_y), MS_SSS__NAME(taps_turned), MS_SSS__NAME(combine),
+    MS_SSS__NAME(fade)};
+
+#undef MS_SSS__JOIN_
+#undef MS_SSS__JOIN
+#undef MS_SSS__NAME
+#undef MS_SSS__ALL
+#undef V
+#undef V_MASK
+#undef V_LOAD
+#undef V_STORE
+#undef V_SET
+#undef V_ADD
+#undef V_SUB
+#undef V_MUL
+#undef V_DIV
+#undef V_MADD
+#undef V_MIN
+#undef V_ABS
+#undef V_FLOOR
+#undef V_SCALE
+#undef V_LESS
+#undef V_SAME
+#undef V_BOTH
+#undef V_SELECT
+#undef V_BITS
+#undef MS_SSS__LEVEL
+#undef MS_SSS__LANES
 
 /* ------------------------------------------------------- PYRAMID KERNELS */
 
