@@ -276,12 +276,213 @@ MS_GPR_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *op
 
 /* ---------------------------------------------------------------------------------------- RECOMMENDATION */
 
+/* How recommendations are found. */
+typedef enum ms_gpr_search {
+    MS_GPR_SEARCH_AUTO = 0,      /* rejection where at least one of 400 of a first 8192 candidates is accepted, else the walk */
+    MS_GPR_SEARCH_REJECTION = 1, /* uniform candidates that reach the threshold: independent and uniform over the region */
+    MS_GPR_SEARCH_WALK = 2,      /* gradient ascent to the threshold, then slice steps inside {u >= threshold} (hit-and-run) */
+    MS_GPR_SEARCH_CLIMB = 3      /* the thesis: rejection with a few stochastic hill-climbing steps; for comparison */
+} ms_gpr_search;
+
+/* All zero: the defaults. */
+typedef struct ms_gpr_recommend_options {
+    double tau;            /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
+                              to 0.7 (quality). floor: the smallest training score, or 0 if none is negative */
+    double best;           /* the score that tau = 1 means, such as 10; 0: the largest mean over the box, found by ascent */
+    double caution;        /* accept on mean - caution * sigma, >= 0. 0: on the mean */
+    double min_distance;   /* between any two recommendations: root mean square over the dimensions, in widths of the box.
+                              0: none. Uniform pairs are 0.4 apart */
+    const double *low;     /* [m] the box of allowed parameters; NULL: 0 */
+    const double *high;    /* [m]; NULL: 1 */
+    uint64_t seed;
+    ms_gpr_search search;
+    int rounds;            /* of the walk before its point is taken; more come closer to uniform over the region. 0: 2 */
+    int climb_steps;       /* of a hill climb; 0: 20 */
+    double climb_size;     /* standard deviation of a climbing step in widths of the box; 0: 0.1 */
+    double max_candidates; /* rejection and climb give up after so many predictions; 0: 1e7 */
+    ms_progress progress;  /* asked once every 16384 candidates or 64 walks */
+} ms_gpr_recommend_options;
+
+typedef struct ms_gpr_recommend_report {
+    ms_gpr_search search; /* what was used */
+    int found;            /* rows of x that are valid */
+    double threshold;     /* in units of the score */
+    double best;          /* largest mean that was found over the box */
+    double acceptance;    /* share of the uniform candidates (climb: of all candidates) that were accepted */
+    double candidates;    /* means predicted at single points */
+    double slices;        /* means predicted along lines, which cost n instead of n m */
+    double spread;        /* mean distance of the first 1000 to the nearest other one, measured as min_distance */
+} ms_gpr_recommend_report;
+
+/* Materials whose predicted score reaches a threshold.
+   count   how many, >= 1
+   x       [count][m] out
+   mean    [count] out, or NULL: predicted scores
+   sigma   [count] out, or NULL: their standard deviation
+   report  or NULL
+   MS_NOT_CONVERGED: the model predicts no score above the floor (all scores equal the floor, or there are none); the threshold
+   is above the largest mean; or the search gave up, MS_CANCELLED: the first report->found rows of x are valid then, and mean and
+   sigma of them. MS_INVALID_ARGUMENT: an option out of range, low > high, count < 1. MS_OUT_OF_MEMORY.
+   Memory and threads are the model's. gp is only read: calls may overlap. Bit-equal for any thread count at one SIMD level.
+   Thesis 3.4.1; the walk: Neal 2003, "Slice sampling", with shrinkage, along the axes and along random directions. */
+MS_GPR_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
+                                      double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
+
 /* --------------------------------------------------------------------------------------- ACTIVE LEARNING */
+
+/* What a gallery to be scored next is drawn for (thesis 3.7). */
+typedef enum ms_gpr_gallery_kind {
+    MS_GPR_GALLERY_PROMISING = 0,    /* largest P(score > 0) sigma: what may be liked and is not known yet */
+    MS_GPR_GALLERY_INTERMEDIATE = 1, /* draws from the distribution learned so far, density in proportion to max(u, 0) */
+    MS_GPR_GALLERY_UNCERTAIN = 2,    /* largest sigma */
+    MS_GPR_GALLERY_NOVEL = 3,        /* novelty search: farthest, in length scales, from everything seen so far */
+    MS_GPR_GALLERY_UNIFORM = 4       /* the thesis's first gallery */
+} ms_gpr_gallery_kind;
+
+/* All zero: the defaults. */
+typedef struct ms_gpr_gallery_options {
+    const double *low;  /* [m]; NULL: 0 */
+    const double *high; /* [m]; NULL: 1 */
+    uint64_t seed;
+    ms_gpr_gallery_kind kind;
+    int pool;           /* uniform candidates to choose from; 0: the larger of 4000 and 10 count */
+} ms_gpr_gallery_options;
+
+/* Materials that the user is to score next. Each choice of the first, third and fourth kind takes those before it as
+   seen: sigma is updated as if they had been scored. A model of n = 0 gives uniform materials.
+   x       [count][m] out
+   Then concatenate materials and scores with those of earlier rounds, and fit again.
+   Cost: pool * (n^2 / 2 + count (n + count / 2)) multiply-adds; memory pool * (n + count + 2 m) doubles.
+   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Memory and threads are the model's; bit-equal for any thread count at one SIMD level. */
+MS_GPR_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
+                                    ms_error *error);
 
 /* ------------------------------------------------------------------------------------------ LATENT SPACE */
 
+/* A plane (or a line, or a space) of variants: the Gaussian-process latent variable model of thesis 3.4.3. */
+typedef struct ms_gpr_latent ms_gpr_latent;
+
+/* All zero: the defaults. */
+typedef struct ms_gpr_latent_options {
+    int dimensions;     /* of the latent space, 1 to 3; 0: 2 */
+    double prior;       /* precision of a normal prior on every latent coordinate; 0: none */
+    double noise_floor; /* least standard deviation of the noise, in units of x; 0: 1e-3 of the materials' own */
+    int starts;         /* scales of the PCA start that are tried; 0: 3 */
+    int evaluations;    /* of the likelihood, at most; 0: 2000 */
+    ms_simd simd;
+    ms_allocator allocator;
+    ms_progress progress; /* asked every evaluation */
+} ms_gpr_latent_options;
+
+typedef struct ms_gpr_latent_report {
+    double likelihood; /* log p(X | L, theta), (3.8) */
+    double error;      /* root mean square of x - map(latent of x) over the training materials */
+    int evaluations;
+} ms_gpr_latent_report;
+
+/* Embeds materials. They are centred; every column has the same kernel variance, so scale parameters to comparable ranges.
+   x       [z][m], z >= 2, 1 <= m
+   Without a prior the length scale is the unit of the latent space (length 1): it is redundant with the latents.
+   With one, lengths are fitted as well. Starts from principal components; theta and latents are optimised together.
+   MS_BAD_DATA: a value that is not finite (position: its row, from 1), or all materials equal.
+   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED. *out is NULL unless MS_OK. Lawrence 2004; thesis (3.8), (3.9). */
+MS_GPR_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
+                                       ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error);
+
+/* A latent space whose latents [z][l] and theta [l + 2] = log lengths, log sf, log sn are given (stored, or fitted elsewhere);
+   l = options->dimensions. x is modelled as it stands: not centred. */
+MS_GPR_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
+                                          const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error);
+
+/* NULL is allowed. */
+MS_GPR_API void ms_gpr_latent_destroy(ms_gpr_latent *plane);
+
+/* The log likelihood of a latent space (latents, theta and x as it holds them) and, where not NULL, its gradient with respect to
+   theta [l + 2] and to the latents [z][l]. Exact: direct differences. */
+MS_GPR_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
+                                              double *gradient_latent, ms_error *error);
+
+/* Views that live as long as the space: [z][l] latents; [l + 2] theta. */
+MS_GPR_API int ms_gpr_latent_count(const ms_gpr_latent *plane);                /* z */
+MS_GPR_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane);            /* as ms_gpr_jitter */
+MS_GPR_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane);
+MS_GPR_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane);
+
+/* Materials at latent points (3.11).
+   latent    [count][l]
+   x         [count][m] out
+   variance  [count] out, or NULL: of every coordinate of x, without the noise; 0 <= variance <= sf^2 */
+MS_GPR_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x, double *variance,
+                                       ms_error *error);
+
+/* The latent point whose material is nearest to a given one: least |x - map(latent)|, over the neighbourhood of the
+   training latents (their bounding box widened by two lengths).
+   x         [m]
+   latent    [l] out
+   distance  out, or NULL: root mean square over the m dimensions
+   variance  out, or NULL: as in ms_gpr_latent_map */
+MS_GPR_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance,
+                                        double *variance, ms_error *error);
+
 /* -------------------------------------------------------------------------------------------------- MAPS */
 
+/* A grid of columns x rows points over a rectangle of a two-dimensional latent space, its corners included. Maps are
+   [rows][columns], from low to high latent coordinates. */
+typedef struct ms_gpr_grid {
+    double x0, y0, x1, y1;
+    int columns, rows; /* >= 2 */
+} ms_gpr_grid;
+
+/* resolution x resolution over the training latents and one length scale (at most a quarter of their range) around. */
+MS_GPR_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution);
+
+/* The latent coordinates of a grid point, and bilinear interpolation of a map at a point (clamped to the rectangle). */
+MS_GPR_API void ms_gpr_grid_point(const ms_gpr_grid *grid, int column, int row, double latent[2]);
+MS_GPR_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, double x, double y);
+
+/* Predicted score of the material at every grid point, and its standard deviation where sigma is not NULL (n times the
+   cost). gp and plane have the same m. */
+MS_GPR_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid, double *mean,
+                                           double *sigma, ms_error *error);
+
+/* How much the latent space knows at every grid point: 1 - variance / sf^2, from 0 (nothing) to 1. */
+MS_GPR_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence, ms_error *error);
+
+/* How similar two materials look: s = exp(-d^2 / (2 scale^2)), d the root mean square difference of their pictures. */
+typedef struct ms_gpr_similarity {
+    const double *x; /* [m] the material to be fine-tuned */
+    double scale;    /* 0: 0.1, so that a PSNR of 20 dB (pictures of range 1) means s = 0.61, and 30 dB 0.95 */
+    size_t pixels;   /* floats of a picture; 0: no pictures, d is between the parameters */
+    ms_status (*render)(void *user, const double *x, float *picture); /* another status than MS_OK ends the call with it */
+    void *user;
+} ms_gpr_similarity;
+
+/* Similarity of every grid point's material to similarity->x; render is called in order, from the calling thread. */
+MS_GPR_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity, const ms_gpr_grid *grid,
+                                           double *map, ms_error *error);
+
+/* max(preference, 0) * similarity on the preference's grid; the similarity may have a coarser grid of its own. */
+MS_GPR_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
+                                   const double *similarity, double *product);
+
+/* One automatic variant. */
+typedef struct ms_gpr_variant {
+    double latent[2];
+    double similarity; /* s */
+    double score;      /* u, predicted */
+    double value;      /* lambda s + (1 - lambda) u / best */
+} ms_gpr_variant;
+
+/* The variants that maximise lambda s(x*, x') + (1 - lambda) u(x') / best over the plane (thesis 3.7), for several lambda.
+   lambda    [count], each in [0, 1]: 1 asks for the most similar material, 0 for the best
+   best      the score that counts as 1; 0: the largest on the grid (1 where none is positive)
+   variant   [count] out
+   x         [count][m] out: their materials
+   The grid is searched, then every maximum is refined by a pattern search to 1/1000 of a cell; all lambdas share what was
+   looked at, so similarity never falls and score never rises as lambda grows. */
+MS_GPR_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
+                                     const ms_gpr_grid *grid, const double *lambda, int count, double best, ms_gpr_variant *variant,
+                                     double *x, ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -1789,11 +1990,1774 @@ MS_GPR_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *
 
 /* ---------------------------------------------------------------------------------------- RECOMMENDATION */
 
+/* Consecutive pieces of one allocation, whole blocks of 8 doubles each. A NULL base adds up the size alone. */
+typedef struct ms_gpr__arena {
+    double *base;
+    size_t used; /* doubles; SIZE_MAX: too many */
+} ms_gpr__arena;
+
+static double *ms_gpr__take(ms_gpr__arena *arena, size_t a, size_t b)
+{
+    double *piece = arena->base ? arena->base + arena->used : NULL;
+    size_t size = ms__size_add(ms__size_mul(a, b), MS_GPR__BLOCK - 1);
+    arena->used = ms__size_add(arena->used, size == SIZE_MAX ? size : size / MS_GPR__BLOCK * MS_GPR__BLOCK);
+    return piece;
+}
+
+/* The box [low, high] as low corner and widths; NULL: 0 and 1. */
+static ms_status ms_gpr__box(int m, const double *low, const double *high, double *out_low, double *out_width, ms_error *error)
+{
+    int k;
+    for (k = 0; k < m; ++k) {
+        double a = low ? low[k] : 0, b = high ? high[k] : 1;
+        if (!ms__finite(a) || !ms__finite(b) || !ms__finite(b - a) || b < a)
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the box of dimension %d is [%g, %g]: expected low <= high", k, a, b);
+        out_low[k] = a;
+        out_width[k] = b - a;
+    }
+    return MS_OK;
+}
+
+static double ms_gpr__normal(ms__rng *rng)
+{
+    double radius = sqrt(-2 * log(ms__rng_uniform(rng)));
+    return radius * cos(6.283185307179586 * ms__rng_uniform(rng));
+}
+
+/* Candidates come in batches and walkers in groups, each batch and each walker with a random stream of its own: the number of
+   threads changes nothing. */
+#define MS_GPR__BATCH 1024  /* uniform candidates a task */
+#define MS_GPR__BATCHES 16  /* tasks a wave */
+#define MS_GPR__PILOT 8     /* batches that are looked at first */
+#define MS_GPR__GROUP 4     /* walkers a task */
+#define MS_GPR__GROUPS 16   /* tasks a wave */
+#define MS_GPR__SUMMITS 16  /* ascents that look for the largest mean */
+#define MS_GPR__RARE 400    /* candidates that cost about as much as one recommendation of the walk */
+
+/* A place in the unit box, what the mean there needs, and a direction to go. */
+typedef struct ms_gpr__walker {
+    double *place;     /* [m] */
+    double *direction; /* [m] in widths of the box */
+    double *scaled;    /* [active][4] the place in length scales, four times: a tile of the distance kernel */
+    double *distance2; /* [4][stride] |x - x_i|^2 in length scales */
+    double *slope;     /* [stride] |x + t d - x_i|^2 = distance2 + t slope + t^2 curvature */
+    double *kernel;    /* [stride] exp(-distance2 / 2) where it was asked last */
+    double curvature;
+    double value;      /* the mean at place */
+    double slices;     /* means predicted along lines so far */
+    double candidates; /* and at single places */
+} ms_gpr__walker;
+
+typedef struct ms_gpr__ranked {
+    double value;
+    int index;
+} ms_gpr__ranked;
+
+/* What all tasks of one call share. */
+typedef struct ms_gpr__hunt {
+    const ms_gpr *gp;
+    ms_gpr_recommend_options o; /* with the defaults filled in */
+    int count, wave;            /* wave: walkers of the running one */
+    double *x;                  /* [count][m] the caller's */
+    double *low, *width;        /* [m] the box, in units of x */
+    double *unit;               /* [active] length scales in the box's width */
+    double goal;                /* the threshold and a margin for the rounding of means that walkers sum up */
+    double *refuge;             /* [m] a place in the region, for walkers that find none by themselves */
+    double *candidate;          /* [BATCHES * BATCH][m] of a wave, in units of x */
+    double *mean;               /* [BATCHES * BATCH + n] */
+    double *scratch;            /* [BATCHES] of the prediction */
+    size_t scratch_size;
+    ms_gpr__ranked *ranked;     /* [starts] the first candidates and the training inputs, largest mean first */
+    int starts;
+    ms_gpr__walker walker[MS_GPR__GROUPS];
+    double *place;              /* [GROUPS * GROUP][m] walkers of a wave */
+    int arrived[MS_GPR__GROUPS * MS_GPR__GROUP];
+    uint64_t stream;            /* of the wave's first batch or walker */
+    ms_gpr_recommend_report report;
+} ms_gpr__hunt;
+
+/* --- a walker --- */
+
+/* The mean where the squared distances are distance2 + t slope + t^2 curvature. */
+static double ms_gpr__walker_mean(const ms_gpr *gp, ms_gpr__walker *w, double t)
+{
+    int n = ms_gpr__padded(gp->n), i;
+    for (i = 0; i < n; ++i) w->kernel[i] = w->distance2[i] + t * (w->slope[i] + t * w->curvature);
+    gp->kernels->exponentials(w->kernel, n, 1);
+    return gp->mean + gp->kernels->dot(gp->weight, w->kernel, n);
+}
+
+static double ms_gpr__walker_ahead(const ms_gpr__hunt *h, ms_gpr__walker *w, double t)
+{
+    w->slices += 1;
+    return ms_gpr__walker_mean(h->gp, w, t);
+}
+
+/* Distances, kernel and value anew from the place. */
+static void ms_gpr__walker_arrive(const ms_gpr__hunt *h, ms_gpr__walker *w)
+{
+    const ms_gpr *gp = h->gp;
+    int n = ms_gpr__padded(gp->n), k, d, copy;
+    for (k = 0; k < gp->active; ++k) {
+        d = gp->dimension[k];
+        for (copy = 0; copy < 4; ++copy)
+            w->scaled[4 * k + copy] = (h->low[d] + h->width[d] * w->place[d] - gp->center[d]) * gp->scale[d];
+    }
+    gp->kernels->distances(w->distance2, gp->stride, w->scaled, 4, gp->points, gp->stride, 4, n, gp->active, 0);
+    w->value = ms_gpr__walker_mean(gp, w, 0);
+}
+
+/* Makes the mean along the direction a function of t alone. */
+static void ms_gpr__walker_face(const ms_gpr__hunt *h, ms_gpr__walker *w)
+{
+    const ms_gpr *gp = h->gp;
+    double own = 0;
+    int n = ms_gpr__padded(gp->n), i, k;
+    w->curvature = 0;
+    for (k = 0; k < gp->active; ++k) {
+        double step = h->unit[k] * w->direction[gp->dimension[k]];
+        own += step * w->scaled[4 * k];
+        w->curvature += step * step;
+    }
+    for (i = 0; i < n; ++i) w->slope[i] = 2 * own;
+    for (k = 0; k < gp->active; ++k) {
+        double step = h->unit[k] * w->direction[gp->dimension[k]];
+        if (step < 0 || step > 0) gp->kernels->axpy(w->slope, -2 * step, gp->points + (size_t)k * gp->stride, n);
+    }
+}
+
+static void ms_gpr__walker_step(const ms_gpr__hunt *h, ms_gpr__walker *w, double t)
+{
+    const ms_gpr *gp = h->gp;
+    int n = ms_gpr__padded(gp->n), i, k, d;
+    for (d = 0; d < gp->m; ++d) {
+        double p = w->place[d] + t * w->direction[d];
+        w->place[d] = p < 1e-12 ? 0 : p > 1 - 1e-12 ? 1 : p;
+    }
+    for (k = 0; k < gp->active; ++k) w->scaled[4 * k] += t * h->unit[k] * w->direction[gp->dimension[k]];
+    for (i = 0; i < n; ++i) w->distance2[i] += t * (w->slope[i] + t * w->curvature);
+}
+
+/* The part t0 <= 0 <= t1 of the line that lies in the box. */
+static void ms_gpr__walker_chord(const ms_gpr__walker *w, int m, double *t0, double *t1)
+{
+    int k;
+    *t0 = -1e300;
+    *t1 = 1e300;
+    for (k = 0; k < m; ++k) {
+        double d = w->direction[k], back, ahead;
+        if (!(d < 0 || d > 0)) continue;
+        back = (d > 0 ? -w->place[k] : 1 - w->place[k]) / d;
+        ahead = (d > 0 ? 1 - w->place[k] : -w->place[k]) / d;
+        if (back > *t0) *t0 = back;
+        if (ahead < *t1) *t1 = ahead;
+    }
+}
+
+/* Uphill until the mean reaches goal, for at most `steps` steps: along the gradient in length scales, which points like a mean
+   shift to sum_i weight_i k_i (x_i - x), less the components that would leave the box. */
+static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, double goal, int steps)
+{
+    const ms_gpr *gp = h->gp;
+    double reach = 0.5;
+    int n = ms_gpr__padded(gp->n), i, k;
+    ms_gpr__walker_arrive(h, w);
+    for (; steps > 0 && w->value < goal; --steps) {
+        double total = w->value - gp->mean, norm2 = 0, t0, t1, t, ahead, farther;
+        int halvings = 0;
+        for (i = 0; i < n; ++i) w->kernel[i] *= gp->weight[i];
+        memset(w->direction, 0, (size_t)gp->m * sizeof *w->direction);
+        for (k = 0; k < gp->active; ++k) {
+            double p = w->place[gp->dimension[k]], g;
+            g = gp->kernels->dot(w->kernel, gp->points + (size_t)k * gp->stride, n) - total * w->scaled[4 * k];
+            if ((g < 0 && p <= 0) || (g > 0 && p >= 1) || !(h->unit[k] > 0)) continue;
+            w->direction[gp->dimension[k]] = g;
+            norm2 += g * g;
+        }
+        if (!(norm2 > 0)) return;
+        for (k = 0; k < gp->active; ++k)
+            if (h->unit[k] > 0) w->direction[gp->dimension[k]] /= sqrt(norm2) * h->unit[k];
+        ms_gpr__walker_face(h, w);
+        ms_gpr__walker_chord(w, gp->m, &t0, &t1);
+        t = reach < t1 ? reach : t1;
+        ahead = ms_gpr__walker_ahead(h, w, t);
+        while (!(ahead > w->value) && halvings++ < 20) ahead = ms_gpr__walker_ahead(h, w, t *= 0.5);
+        if (!(ahead > w->value)) return;
+        while (halvings == 0 && 2 * t < t1 && (farther = ms_gpr__walker_ahead(h, w, 2 * t)) > ahead) {
+            t *= 2;
+            ahead = farther;
+        }
+        ms_gpr__walker_step(h, w, t);
+        w->value = ms_gpr__walker_mean(gp, w, 0);
+        reach = 2 * t;
+    }
+}
+
+/* caution * sigma at the point that the walker asked for last: its kernel is there still. */
+static double ms_gpr__walker_doubt(const ms_gpr__hunt *h, ms_gpr__walker *w)
+{
+    const ms_gpr *gp = h->gp;
+    double sf2 = ms_gpr__sf2(gp), variance;
+    int n = ms_gpr__padded(gp->n), i;
+    if (!(h->o.caution > 0)) return 0;
+    for (i = 0; i < n; ++i) w->kernel[i] = i < gp->n ? sf2 * w->kernel[i] : 0;
+    ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, n, w->kernel);
+    variance = sf2 - gp->kernels->dot(w->kernel, w->kernel, n);
+    return variance > 0 ? h->o.caution * sqrt(variance) : 0;
+}
+
+/* Is the mean that the walker asked for last in the region? */
+static int ms_gpr__walker_accepts(const ms_gpr__hunt *h, ms_gpr__walker *w, double mean)
+{
+    return mean >= h->goal && mean - ms_gpr__walker_doubt(h, w) >= h->goal;
+}
+
+/* Neal's slice step along the direction: a uniform point of the chord; while it lies outside the region, the chord shrinks
+   towards the walker. The uniform distribution over the region is left as it is. */
+static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
+{
+    double t0, t1;
+    int tries;
+    ms_gpr__walker_chord(w, h->gp->m, &t0, &t1);
+    for (tries = 0; tries < 60; ++tries) {
+        double t = t0 + ms__rng_uniform(rng) * (t1 - t0);
+        if (ms_gpr__walker_accepts(h, w, ms_gpr__walker_ahead(h, w, t))) {
+            ms_gpr__walker_step(h, w, t);
+            return;
+        }
+        if (t < 0) t0 = t;
+        else t1 = t;
+    }
+}
+
+/* One round: a slice along every axis, which renews what the mean hardly depends on, then as many along random directions of
+   the other dimensions, in each as long as its length scale or the box. Dropped dimensions are uniform anyway. */
+static void ms_gpr__walker_round(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
+{
+    const ms_gpr *gp = h->gp;
+    int n = ms_gpr__padded(gp->n), directions = 0, i, k;
+    for (k = 0; k < gp->m; ++k) w->direction[k] = 0;
+    for (k = 0, i = 0; k < gp->m; ++k) {
+        if (i < gp->active && gp->dimension[i] == k) ++i;
+        else w->place[k] = ms__rng_uniform(rng);
+    }
+    ms_gpr__walker_arrive(h, w);
+    for (k = 0; k < gp->active; ++k) {
+        const double *p = gp->points + (size_t)k * gp->stride;
+        double unit = h->unit[k];
+        w->direction[gp->dimension[k]] = 1;
+        w->curvature = unit * unit;
+        for (i = 0; i < n; ++i) w->slope[i] = 2 * unit * (w->scaled[4 * k] - p[i]);
+        ms_gpr__walker_slice(h, w, rng);
+        w->direction[gp->dimension[k]] = 0;
+        if (unit > 0.1) ++directions;
+    }
+    for (i = 0; i < directions; ++i) {
+        for (k = 0; k < gp->active; ++k)
+            w->direction[gp->dimension[k]] = h->unit[k] > 0.1 ? ms_gpr__normal(rng) / (h->unit[k] > 1 ? h->unit[k] : 1) : 0;
+        ms_gpr__walker_face(h, w);
+        ms_gpr__walker_slice(h, w, rng);
+    }
+}
+
+/* --- tasks --- */
+
+/* GROUP walkers from their starts uphill into the region, then through their rounds. */
+static void ms_gpr__hunt_walk(void *context, int group)
+{
+    ms_gpr__hunt *h = (ms_gpr__hunt *)context;
+    ms_gpr__walker *w = &h->walker[group];
+    size_t size = (size_t)h->gp->m * sizeof(double);
+    int i, end = (group + 1) * MS_GPR__GROUP, climb, round;
+    for (i = group * MS_GPR__GROUP; i < end && i < h->wave; ++i) {
+        double *place = h->place + (size_t)i * (size_t)h->gp->m;
+        ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)i);
+        memcpy(w->place, place, size);
+        for (climb = 0; climb < 12; ++climb) {
+            ms_gpr__walker_ascend(h, w, h->o.caution > 0 ? 1e300 : h->goal, 5);
+            ms_gpr__walker_arrive(h, w);
+            if (ms_gpr__walker_accepts(h, w, w->value)) break;
+        }
+        if (climb == 12) memcpy(w->place, h->refuge, size);
+        for (round = 0; round < h->o.rounds; ++round) ms_gpr__walker_round(h, w, &rng);
+        memcpy(place, w->place, size);
+        h->arrived[i] = 1;
+    }
+}
+
+/* GROUP climbs as in the thesis: from a uniform place, random steps that are kept where the mean grows; a climb that has not
+   arrived after climb_steps starts anew. */
+static void ms_gpr__hunt_climb(void *context, int group)
+{
+    ms_gpr__hunt *h = (ms_gpr__hunt *)context;
+    ms_gpr__walker *w = &h->walker[group];
+    size_t size = (size_t)h->gp->m * sizeof(double);
+    int i, end = (group + 1) * MS_GPR__GROUP, k;
+    for (i = group * MS_GPR__GROUP; i < end && i < h->wave; ++i) {
+        double *kept = h->place + (size_t)i * (size_t)h->gp->m, kept_value = 0, left = h->o.max_candidates / h->count;
+        ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)i);
+        int step = h->o.climb_steps;
+        for (h->arrived[i] = 0; !h->arrived[i] && left > 0; --left) {
+            int fresh = step == h->o.climb_steps;
+            for (k = 0; k < h->gp->m; ++k) {
+                double p = fresh ? ms__rng_uniform(&rng) : kept[k] + h->o.climb_size * ms_gpr__normal(&rng);
+                w->place[k] = p < 0 ? 0 : p > 1 ? 1 : p;
+            }
+            ms_gpr__walker_arrive(h, w);
+            w->candidates += 1;
+            if (fresh || w->value > kept_value) {
+                memcpy(kept, w->place, size);
+                kept_value = w->value;
+                h->arrived[i] = ms_gpr__walker_accepts(h, w, w->value);
+            }
+            step = step > 0 ? step - 1 : h->o.climb_steps;
+        }
+    }
+}
+
+/* Means of `count` materials with the scratch of that batch. */
+static void ms_gpr__hunt_predict(const ms_gpr__hunt *h, int batch, const double *x, int count, double *mean)
+{
+    ms_gpr__batch b;
+    memset(&b, 0, sizeof b);
+    b.gp = h->gp;
+    b.x = x;
+    b.count = count;
+    b.tasks = 1;
+    b.mean = mean;
+    b.scratch = h->scratch + (size_t)batch * h->scratch_size;
+    ms_gpr__predict_task(&b, 0);
+}
+
+/* One batch of uniform candidates and their means. */
+static void ms_gpr__hunt_batch(void *context, int batch)
+{
+    ms_gpr__hunt *h = (ms_gpr__hunt *)context;
+    ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)batch);
+    size_t first = (size_t)batch * MS_GPR__BATCH, m = (size_t)h->gp->m, i, k;
+    double *x = h->candidate + first * m;
+    for (i = 0; i < MS_GPR__BATCH; ++i)
+        for (k = 0; k < m; ++k) x[i * m + k] = h->low[k] + h->width[k] * ms__rng_uniform(&rng);
+    ms_gpr__hunt_predict(h, batch, x, MS_GPR__BATCH, h->mean + first);
+}
+
+/* --- one call --- */
+
+static int ms_gpr__ranked_compare(const void *a, const void *b)
+{
+    const ms_gpr__ranked *p = (const ms_gpr__ranked *)a, *q = (const ms_gpr__ranked *)b;
+    if (p->value > q->value) return -1;
+    if (p->value < q->value) return 1;
+    return (p->index > q->index) - (p->index < q->index);
+}
+
+/* The start of that rank as a place in the unit box; an input from outside the box is moved to its surface. */
+static void ms_gpr__hunt_start(const ms_gpr__hunt *h, int rank, double *place)
+{
+    int pilot = MS_GPR__PILOT * MS_GPR__BATCH, index = h->ranked[rank % h->starts].index, m = h->gp->m, k;
+    const double *x = index < pilot ? h->candidate + (size_t)index * (size_t)m : h->gp->x + (size_t)(index - pilot) * (size_t)m;
+    for (k = 0; k < m; ++k) {
+        double p = h->width[k] > 0 ? (x[k] - h->low[k]) / h->width[k] : 0;
+        place[k] = p < 0 ? 0 : p > 1 ? 1 : p;
+    }
+}
+
+/* The first candidates, the largest mean, and the threshold with a place that reaches it. */
+static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
+{
+    const ms_gpr *gp = h->gp;
+    ms_gpr__walker *w = &h->walker[0];
+    double floor = 0, safest = -1e300, best = -1e300;
+    int i, k;
+    for (k = 0; k < gp->active; ++k) h->unit[k] = h->width[gp->dimension[k]] * gp->scale[gp->dimension[k]];
+    for (i = 0; i < gp->n; ++i)
+        if (gp->y[i] < floor) floor = gp->y[i];
+    ms__run(&gp->parallel, MS_GPR__PILOT, ms_gpr__hunt_batch, h);
+    ms_gpr__hunt_predict(h, 0, gp->x, gp->n, h->mean + MS_GPR__PILOT * MS_GPR__BATCH);
+    for (i = 0; i < h->starts; ++i) {
+        h->ranked[i].value = h->mean[i];
+        h->ranked[i].index = i;
+    }
+    qsort(h->ranked, (size_t)h->starts, sizeof *h->ranked, ms_gpr__ranked_compare);
+    for (i = 0; i < MS_GPR__SUMMITS; ++i) {
+        double safe;
+        ms_gpr__hunt_start(h, i, w->place);
+        ms_gpr__walker_ascend(h, w, 1e300, 100);
+        ms_gpr__walker_arrive(h, w);
+        safe = w->value - ms_gpr__walker_doubt(h, w);
+        if (w->value > best) best = w->value;
+        if (safe > safest) {
+            safest = safe;
+            memcpy(h->refuge, w->place, (size_t)gp->m * sizeof(double));
+        }
+    }
+    h->report.best = best;
+    h->report.candidates = h->starts;
+    if (!(best > floor))
+        return ms__fail(error, MS_NOT_CONVERGED, 0, "no material is predicted to score above %g, the lowest score", floor);
+    h->report.threshold = floor + h->o.tau * ((h->o.best > 0 ? h->o.best : best) - floor);
+    if (h->report.threshold > safest)
+        return ms__fail(error, MS_NOT_CONVERGED, 0, "the threshold is %g, but the largest score that was found is %g (%g with caution)",
+                        h->report.threshold, best, safest);
+    h->goal = h->report.threshold + 1e-7 * (best - floor);
+    if (h->goal > safest) h->goal = safest;
+    return MS_OK;
+}
+
+/* Squared root-mean-square distance in widths of the box. */
+static double ms_gpr__box_distance2(int m, const double *width, const double *a, const double *b)
+{
+    double sum = 0;
+    int k;
+    for (k = 0; k < m; ++k) {
+        double d = width[k] > 0 ? (a[k] - b[k]) / width[k] : 0;
+        sum += d * d;
+    }
+    return sum / m;
+}
+
+/* The next row of x, unless it lies too close to one before. */
+static void ms_gpr__hunt_take(ms_gpr__hunt *h, const double *x)
+{
+    double least2 = h->o.min_distance * h->o.min_distance;
+    size_t m = (size_t)h->gp->m;
+    int i;
+    for (i = 0; least2 > 0 && i < h->report.found; ++i)
+        if (ms_gpr__box_distance2(h->gp->m, h->width, h->x + (size_t)i * m, x) < least2) return;
+    memcpy(h->x + (size_t)h->report.found++ * m, x, m * sizeof *x);
+}
+
+static int ms_gpr__hunt_stopped(const ms_gpr__hunt *h)
+{
+    return h->o.progress.report != NULL && h->o.progress.report(h->o.progress.user, (double)h->report.found / h->count);
+}
+
+/* Uniform candidates against the threshold, wave by wave; the first candidates are the first wave. */
+static ms_status ms_gpr__hunt_reject(ms_gpr__hunt *h)
+{
+    ms_gpr__walker *w = &h->walker[0];
+    double accepted = 0, seen = 0;
+    int batches = MS_GPR__PILOT, i, k;
+    for (;;) {
+        for (i = 0; i < batches * MS_GPR__BATCH && h->report.found < h->count; ++i) {
+            const double *x = h->candidate + (size_t)i * (size_t)h->gp->m;
+            seen += 1;
+            if (h->mean[i] < h->goal) continue;
+            if (h->o.caution > 0) {
+                for (k = 0; k < h->gp->m; ++k) w->place[k] = h->width[k] > 0 ? (x[k] - h->low[k]) / h->width[k] : 0;
+                ms_gpr__walker_arrive(h, w);
+                if (!ms_gpr__walker_accepts(h, w, h->mean[i])) continue;
+            }
+            accepted += 1;
+            ms_gpr__hunt_take(h, x);
+        }
+        h->report.acceptance = accepted / seen;
+        if (h->report.found == h->count) return MS_OK;
+        if (h->report.candidates >= h->o.max_candidates) return MS_NOT_CONVERGED;
+        if (ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
+        h->stream += (uint64_t)batches;
+        batches = MS_GPR__BATCHES;
+        ms__run(&h->gp->parallel, batches, ms_gpr__hunt_batch, h);
+        h->report.candidates += batches * MS_GPR__BATCH;
+    }
+}
+
+/* Walkers or climbers, wave by wave, until enough have arrived; 40 times as many as are wanted at most. */
+static ms_status ms_gpr__hunt_move(ms_gpr__hunt *h, void (*task)(void *context, int group))
+{
+    size_t m = (size_t)h->gp->m, k;
+    int started = 0, i;
+    while (h->report.found < h->count) {
+        if (started / 40 >= h->count) return MS_NOT_CONVERGED;
+        h->wave = h->count - h->report.found;
+        if (h->wave > MS_GPR__GROUPS * MS_GPR__GROUP) h->wave = MS_GPR__GROUPS * MS_GPR__GROUP;
+        for (i = 0; i < h->wave; ++i) ms_gpr__hunt_start(h, started + i, h->place + (size_t)i * m);
+        h->stream = ((uint64_t)1 << 40) + (uint64_t)started; /* no candidate's */
+        ms__run(&h->gp->parallel, (h->wave + MS_GPR__GROUP - 1) / MS_GPR__GROUP, task, h);
+        for (i = 0; i < h->wave; ++i) {
+            double *x = h->place + (size_t)i * m;
+            for (k = 0; k < m; ++k) x[k] = h->low[k] + h->width[k] * x[k];
+            if (h->arrived[i]) ms_gpr__hunt_take(h, x);
+        }
+        started += h->wave;
+        if (h->report.found < h->count && ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
+    }
+    return MS_OK;
+}
+
+/* Mean distance of the first 1000 to the nearest other one of them. */
+static double ms_gpr__hunt_spread(const ms_gpr__hunt *h)
+{
+    int count = h->report.found < 1000 ? h->report.found : 1000, i, j;
+    size_t m = (size_t)h->gp->m;
+    double sum = 0;
+    for (i = 0; i < count; ++i) {
+        double nearest = 1e300;
+        for (j = 0; j < count; ++j) {
+            double d = i == j ? 1e300 : ms_gpr__box_distance2(h->gp->m, h->width, h->x + (size_t)i * m, h->x + (size_t)j * m);
+            if (d < nearest) nearest = d;
+        }
+        sum += sqrt(nearest);
+    }
+    return count > 1 ? sum / count : 0;
+}
+
+static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
+{
+    size_t m = (size_t)h->gp->m, stride = h->gp->stride, candidates = MS_GPR__BATCHES * MS_GPR__BATCH;
+    int i;
+    h->low = ms_gpr__take(arena, m, 1);
+    h->width = ms_gpr__take(arena, m, 1);
+    h->unit = ms_gpr__take(arena, m, 1);
+    h->refuge = ms_gpr__take(arena, m, 1);
+    h->candidate = ms_gpr__take(arena, candidates, m);
+    h->mean = ms_gpr__take(arena, candidates + (size_t)h->gp->n, 1);
+    h->scratch = ms_gpr__take(arena, MS_GPR__BATCHES, h->scratch_size);
+    h->place = ms_gpr__take(arena, MS_GPR__GROUPS * MS_GPR__GROUP, m);
+    h->ranked = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, (size_t)h->starts, (sizeof(ms_gpr__ranked) + 7) / sizeof(double));
+    for (i = 0; i < MS_GPR__GROUPS; ++i) {
+        ms_gpr__walker *w = &h->walker[i];
+        w->place = ms_gpr__take(arena, m, 1);
+        w->direction = ms_gpr__take(arena, m, 1);
+        w->scaled = ms_gpr__take(arena, m, 4);
+        w->distance2 = ms_gpr__take(arena, stride, 4);
+        w->slope = ms_gpr__take(arena, stride, 1);
+        w->kernel = ms_gpr__take(arena, stride, 1);
+    }
+}
+
+static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *options, ms_gpr_recommend_options *o, ms_error *error)
+{
+    if (options != NULL) *o = *options;
+    else memset(o, 0, sizeof *o);
+    if (!(o->tau < 0 || o->tau > 0)) o->tau = 0.6;
+    if (!(o->climb_size < 0 || o->climb_size > 0)) o->climb_size = 0.1;
+    if (!(o->max_candidates < 0 || o->max_candidates > 0)) o->max_candidates = 1e7;
+    if (o->rounds == 0) o->rounds = 2;
+    if (o->climb_steps == 0) o->climb_steps = 20;
+    if (!(o->tau > 0 && o->tau <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tau is %g: expected a number in (0, 1]", o->tau);
+    if (!(o->best >= 0 && o->best <= 1e300))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "best is %g: expected a score of at least 0", o->best);
+    if (!(o->caution >= 0 && o->caution <= 1e300) || !(o->min_distance >= 0 && o->min_distance <= 1e300))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "caution is %g and min_distance %g: expected at least 0", o->caution, o->min_distance);
+    if (!(o->climb_size > 0 && o->climb_size <= 1e300) || o->climb_steps < 0 || o->rounds < 0 || !(o->max_candidates > 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rounds, climb_steps, climb_size or max_candidates is negative or no number");
+    if ((int)o->search < 0 || (int)o->search > (int)MS_GPR_SEARCH_CLIMB)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "search is %d: expected one of ms_gpr_search", (int)o->search);
+    return MS_OK;
+}
+
+/* The search that was asked for, or the cheaper one. */
+static ms_status ms_gpr__hunt_run(ms_gpr__hunt *h, ms_error *error)
+{
+    int pilot = MS_GPR__PILOT * MS_GPR__BATCH, hits = 0, i;
+    ms_status status = ms_gpr__hunt_begin(h, error);
+    if (status != MS_OK) return status;
+    for (i = 0; i < pilot; ++i) hits += h->mean[i] >= h->goal;
+    h->report.acceptance = (double)hits / pilot;
+    h->report.search = h->o.search;
+    if (h->o.search == MS_GPR_SEARCH_AUTO)
+        h->report.search = (double)hits * MS_GPR__RARE >= pilot && !(h->o.caution > 0) ? MS_GPR_SEARCH_REJECTION : MS_GPR_SEARCH_WALK;
+    status = h->report.search == MS_GPR_SEARCH_REJECTION ? ms_gpr__hunt_reject(h)
+             : h->report.search == MS_GPR_SEARCH_WALK    ? ms_gpr__hunt_move(h, ms_gpr__hunt_walk)
+                                                         : ms_gpr__hunt_move(h, ms_gpr__hunt_climb);
+    for (i = 0; i < MS_GPR__GROUPS; ++i) {
+        h->report.slices += h->walker[i].slices;
+        h->report.candidates += h->walker[i].candidates;
+    }
+    if (status == MS_OK) return MS_OK;
+    return ms__fail(error, status, 0, "%s after %d of %d recommendations", status == MS_CANCELLED ? "cancelled" : "gave up",
+                    h->report.found, h->count);
+}
+
+MS_GPR_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x, double *mean,
+                                      double *sigma, ms_gpr_recommend_report *report, ms_error *error)
+{
+    ms_gpr__hunt hunt, *h = &hunt;
+    ms_gpr__arena arena = {NULL, 0};
+    ms_status status;
+    size_t doubles;
+    void *block;
+    memset(h, 0, sizeof *h);
+    if (report) *report = h->report;
+    if (gp == NULL || x == NULL || count < 1)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp or x is NULL, or count is %d: expected at least 1", count);
+    status = ms_gpr__recommend_options(options, &h->o, error);
+    if (status != MS_OK) return status;
+    h->gp = gp;
+    h->count = count;
+    h->x = x;
+    h->starts = MS_GPR__PILOT * MS_GPR__BATCH + gp->n;
+    h->scratch_size = MS_GPR__CHUNK * ((size_t)gp->m + MS_GPR__SLAB);
+    ms_gpr__hunt_layout(h, &arena);
+    doubles = arena.used;
+    arena.base = ms_gpr__doubles(&gp->allocator, doubles, &block);
+    if (arena.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search over %d scores", gp->n);
+    arena.used = 0;
+    ms_gpr__hunt_layout(h, &arena);
+    status = ms_gpr__box(gp->m, h->o.low, h->o.high, h->low, h->width, error);
+    if (status == MS_OK) status = ms_gpr__hunt_run(h, error);
+    h->report.spread = ms_gpr__hunt_spread(h);
+    ms_gpr__release_doubles(&gp->allocator, block, doubles);
+    if (h->report.found > 0 && (mean || sigma)) {
+        ms_status predicted = ms_gpr_predict(gp, x, h->report.found, mean, sigma, error);
+        int i;
+        if (predicted != MS_OK) return predicted;
+        for (i = 0; sigma && i < h->report.found; ++i) sigma[i] = sqrt(sigma[i]);
+    }
+    if (report) *report = h->report;
+    return status;
+}
+
 /* --------------------------------------------------------------------------------------- ACTIVE LEARNING */
+
+#define MS_GPR__NEIGHBOURS 5 /* of novelty search */
+
+/* A pool of uniform candidates and what is known about them, given the scores and the choices so far. */
+typedef struct ms_gpr__pool {
+    const ms_gpr *gp;
+    ms_gpr_gallery_kind kind;
+    int size, count;  /* size: a multiple of CHUNK */
+    double *x;        /* [size][m] */
+    double *points;   /* [active][size] in length scales, as gp->points */
+    double *mean;     /* [size] */
+    double *variance; /* [size] */
+    double *columns;  /* [padded n][size] U'^-1 k(training, pool) */
+    double *basis;    /* [count][size] posterior covariance with each choice, less what earlier ones explain, over its deviation */
+    double *nearest;  /* [NEIGHBOURS][size] smallest squared distances to what was seen, ascending */
+    double *luck;     /* [size] logarithm of a uniform number */
+    double *taken;    /* [size] 1: chosen */
+    double *low, *width; /* [m] the box */
+    double *scratch;  /* [m][4] a choice, four times: a tile of the distance kernel; [4][size] its distances */
+} ms_gpr__pool;
+
+/* Candidate j has seen something at that squared distance. */
+static void ms_gpr__pool_see(ms_gpr__pool *p, int j, double distance2)
+{
+    double *nearest = p->nearest + j;
+    size_t size = (size_t)p->size;
+    int i = MS_GPR__NEIGHBOURS - 1;
+    if (!(distance2 < nearest[(size_t)i * size])) return;
+    for (; i > 0 && nearest[(size_t)(i - 1) * size] > distance2; --i) nearest[(size_t)i * size] = nearest[(size_t)(i - 1) * size];
+    nearest[(size_t)i * size] = distance2;
+}
+
+/* Task: a chunk of candidates against the training set. */
+static void ms_gpr__pool_chunk(void *context, int chunk)
+{
+    ms_gpr__pool *p = (ms_gpr__pool *)context;
+    const ms_gpr *gp = p->gp;
+    size_t size = (size_t)p->size, first = (size_t)chunk * MS_GPR__CHUNK;
+    double *columns = p->columns + first, sf2 = ms_gpr__sf2(gp);
+    int n = ms_gpr__padded(gp->n), i, j;
+    gp->kernels->distances(columns, size, gp->points, gp->stride, p->points + first, size, n, MS_GPR__CHUNK, gp->active, 0);
+    if (p->kind == MS_GPR_GALLERY_NOVEL) {
+        for (i = 0; i < gp->n; ++i)
+            for (j = 0; j < MS_GPR__CHUNK; ++j) ms_gpr__pool_see(p, (int)first + j, columns[(size_t)i * size + (size_t)j]);
+        return;
+    }
+    for (i = 0; i < n; ++i) {
+        double *row = columns + (size_t)i * size;
+        if (i < gp->n) gp->kernels->exponentials(row, MS_GPR__CHUNK, sf2);
+        else memset(row, 0, MS_GPR__CHUNK * sizeof *row);
+    }
+    for (j = 0; j < MS_GPR__CHUNK; ++j) p->mean[first + (size_t)j] = gp->mean;
+    for (i = 0; i < gp->n; ++i) gp->kernels->axpy(p->mean + first, gp->alpha[i], columns + (size_t)i * size, MS_GPR__CHUNK);
+    if (p->kind == MS_GPR_GALLERY_INTERMEDIATE) return;
+    ms_gpr__forward(gp->kernels, gp->upper, gp->stride, n, columns, size, MS_GPR__CHUNK);
+    for (j = 0; j < MS_GPR__CHUNK; ++j) p->variance[first + (size_t)j] = sf2;
+    for (i = 0; i < gp->n; ++i)
+        for (j = 0; j < MS_GPR__CHUNK; ++j) {
+            double v = columns[(size_t)i * size + (size_t)j];
+            p->variance[first + (size_t)j] -= v * v;
+        }
+}
+
+/* How much candidate j is worth seeing. */
+static double ms_gpr__pool_worth(const ms_gpr__pool *p, int j)
+{
+    double sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0, sum = 0;
+    int i;
+    if (p->kind == MS_GPR_GALLERY_NOVEL) {
+        for (i = 0; i < MS_GPR__NEIGHBOURS; ++i) sum += sqrt(p->nearest[(size_t)i * (size_t)p->size + (size_t)j]);
+        return sum;
+    }
+    /* Draws without replacement with probabilities in proportion to max(u, 0): largest log(uniform) / weight first (Efraimidis
+       and Spirakis 2006); candidates without weight come last */
+    if (p->kind == MS_GPR_GALLERY_INTERMEDIATE) return p->mean[j] > 0 ? p->luck[j] / p->mean[j] : -1e300;
+    if (p->kind == MS_GPR_GALLERY_UNCERTAIN || !(sigma > 0)) return sigma;
+    return sigma * 0.5 * erfc(-p->mean[j] / (1.4142135623730951 * sigma)); /* P(u > 0) sigma */
+}
+
+static int ms_gpr__pool_best(const ms_gpr__pool *p)
+{
+    double largest = 0;
+    int best = -1, j;
+    for (j = 0; j < p->size; ++j) {
+        double worth = p->taken[j] > 0 ? 0 : ms_gpr__pool_worth(p, j);
+        if (p->taken[j] > 0 || (best >= 0 && !(worth > largest))) continue;
+        largest = worth;
+        best = j;
+    }
+    return best;
+}
+
+/* Choice number q, candidate j, counts as seen: b = cov(j, pool) / sqrt(var_j + sn^2), variance -= b^2. */
+static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
+{
+    const ms_gpr *gp = p->gp;
+    size_t size = (size_t)p->size;
+    double *place = p->scratch, *row = place + 4 * (size_t)gp->m, *basis = p->basis + (size_t)q * size;
+    double sf2 = ms_gpr__sf2(gp), scale = 1 / sqrt((p->variance[j] > 0 ? p->variance[j] : 0) + ms_gpr__sn2(gp) + 1e-12 * sf2);
+    int i, k;
+    for (k = 0; k < gp->active; ++k)
+        for (i = 0; i < 4; ++i) place[4 * k + i] = p->points[(size_t)k * size + (size_t)j];
+    gp->kernels->distances(row, size, place, 4, p->points, size, 4, p->size, gp->active, 0);
+    if (p->kind == MS_GPR_GALLERY_NOVEL) {
+        for (i = 0; i < p->size; ++i) ms_gpr__pool_see(p, i, row[i]);
+        return;
+    }
+    gp->kernels->exponentials(row, p->size, sf2);
+    for (i = 0; i < gp->n; ++i) {
+        const double *v = p->columns + (size_t)i * size;
+        gp->kernels->axpy(row, -v[j], v, p->size);
+    }
+    for (i = 0; i < q; ++i) {
+        const double *b = p->basis + (size_t)i * size;
+        gp->kernels->axpy(row, -b[j], b, p->size);
+    }
+    for (i = 0; i < p->size; ++i) {
+        basis[i] = scale * row[i];
+        p->variance[i] -= basis[i] * basis[i];
+    }
+}
+
+static void ms_gpr__pool_layout(ms_gpr__pool *p, ms_gpr__arena *arena)
+{
+    size_t m = (size_t)p->gp->m, size = (size_t)p->size;
+    p->x = ms_gpr__take(arena, size, m);
+    p->points = ms_gpr__take(arena, size, m);
+    p->mean = ms_gpr__take(arena, size, 1);
+    p->variance = ms_gpr__take(arena, size, 1);
+    p->luck = ms_gpr__take(arena, size, 1);
+    p->taken = ms_gpr__take(arena, size, 1);
+    p->columns = ms_gpr__take(arena, size, (size_t)ms_gpr__padded(p->gp->n));
+    p->basis = ms_gpr__take(arena, size, (size_t)p->count);
+    p->nearest = ms_gpr__take(arena, size, MS_GPR__NEIGHBOURS);
+    p->low = ms_gpr__take(arena, m, 1);
+    p->width = ms_gpr__take(arena, m, 1);
+    p->scratch = ms_gpr__take(arena, 4, ms__size_add(size, m));
+}
+
+/* The candidates, uniform over the box; nothing is taken or seen. */
+static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed)
+{
+    ms__rng rng = ms__rng_make(seed, 0);
+    size_t m = (size_t)p->gp->m, k;
+    int i, j;
+    for (j = 0; j < p->size; ++j) {
+        double *x = p->x + (size_t)j * m;
+        for (k = 0; k < m; ++k) x[k] = p->low[k] + p->width[k] * ms__rng_uniform(&rng);
+        ms_gpr__place(p->gp, x, p->points + j, (size_t)p->size);
+        p->luck[j] = log(ms__rng_uniform(&rng));
+        p->taken[j] = 0;
+        for (i = 0; i < MS_GPR__NEIGHBOURS; ++i) p->nearest[(size_t)i * (size_t)p->size + (size_t)j] = 1e100;
+    }
+}
+
+MS_GPR_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x, ms_error *error)
+{
+    ms_gpr_gallery_options o;
+    ms_gpr__pool pool, *p = &pool;
+    ms_gpr__arena arena = {NULL, 0};
+    ms_status status;
+    size_t doubles;
+    void *block;
+    int q;
+    memset(p, 0, sizeof *p);
+    if (options != NULL) o = *options;
+    else memset(&o, 0, sizeof o);
+    if (gp == NULL || x == NULL || count < 1 || count > 1000000)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp or x is NULL, or count is %d: expected 1 to 1000000", count);
+    if (o.pool < 0 || o.pool > 10000000 || (int)o.kind < 0 || (int)o.kind > (int)MS_GPR_GALLERY_UNIFORM)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pool is %d or kind %d: expected 0 to 10000000 and one of ms_gpr_gallery_kind",
+                        o.pool, (int)o.kind);
+    p->gp = gp;
+    p->kind = o.kind;
+    p->count = count;
+    p->size = o.kind == MS_GPR_GALLERY_UNIFORM ? count : o.pool > 0 ? o.pool : 10 * count > 4000 ? 10 * count : 4000;
+    if (p->size < count) p->size = count;
+    p->size = (p->size + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
+    ms_gpr__pool_layout(p, &arena);
+    doubles = arena.used;
+    arena.base = ms_gpr__doubles(&gp->allocator, doubles, &block);
+    if (arena.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->size);
+    arena.used = 0;
+    ms_gpr__pool_layout(p, &arena);
+    status = ms_gpr__box(gp->m, o.low, o.high, p->low, p->width, error);
+    if (status == MS_OK) {
+        ms_gpr__pool_fill(p, o.seed);
+        if (p->kind != MS_GPR_GALLERY_UNIFORM) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
+        for (q = 0; q < count; ++q) {
+            int best = p->kind == MS_GPR_GALLERY_UNIFORM ? q : ms_gpr__pool_best(p);
+            memcpy(x + (size_t)q * (size_t)gp->m, p->x + (size_t)best * (size_t)gp->m, (size_t)gp->m * sizeof *x);
+            p->taken[best] = 1;
+            if (p->kind != MS_GPR_GALLERY_UNIFORM && p->kind != MS_GPR_GALLERY_INTERMEDIATE) ms_gpr__pool_choose(p, q, best);
+        }
+    }
+    ms_gpr__release_doubles(&gp->allocator, block, doubles);
+    return status;
+}
 
 /* ------------------------------------------------------------------------------------------ LATENT SPACE */
 
+#define MS_GPR__LATENT_TRIAL 100 /* evaluations of every start of a fit */
+#define MS_GPR__LATENT_STARTS 4  /* training latents from which the nearest point is searched */
+
+struct ms_gpr_latent {
+    int z, m, l;
+    size_t stride, columns; /* of matrices over points; of rows of materials: m in whole blocks */
+    ms_simd level;
+    const ms_gpr__kernels *kernels;
+    ms_allocator allocator;
+    void *block;
+    size_t doubles;
+    double jitter;
+    double *latent;         /* [z][l] */
+    double *theta;          /* [l + 2] */
+    double *center;         /* [m] subtracted from the materials */
+    double *x;              /* [padded z][columns] materials less center, padded with zeros */
+    double *points;         /* [l][stride] latents in lengths, less their mean, by dimension */
+    double *origin;         /* [l] that mean, in lengths */
+    double *upper;          /* [padded z][stride] U'U = K' */
+    double *weight;         /* [padded z][columns] K'^-1 X */
+};
+
+/* What one evaluation of the likelihood needs. */
+typedef struct ms_gpr__embedding {
+    const ms_gpr__kernels *kernels;
+    int z, m, l;
+    size_t stride, columns;
+    const double *x;     /* [padded z][columns] */
+    double *kernel;      /* [padded z][stride] K without noise, upper triangle */
+    double *upper;       /* U, then G = A A' - m K'^-1, upper triangle */
+    double *inverse;     /* U'^-1 */
+    double *whitened;    /* [padded z][columns] Y = U'^-1 X */
+    double *weight;      /* [2][columns][stride] -A' and A', A = K'^-1 X */
+} ms_gpr__embedding;
+
+/* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8), and its gradient where `gradient` is not
+   NULL: [l + 2] with respect to log lengths, log sf and sn^2, and [l][stride] with respect to the points. The materials are m
+   independent columns, so dlogp/dK' = 1/2 (A A' - m K'^-1). 0 where K' is not positive definite. */
+static int ms_gpr__embedding_evaluate(const ms_gpr__embedding *e, const double *points, double sf2, double noise, double *likelihood,
+                                      double *gradient, double *gradient_points)
+{
+    const ms_gpr__kernels *f = e->kernels;
+    int padded = ms_gpr__padded(e->z), columns = (int)e->columns, i, j, k;
+    size_t matrix = (size_t)padded * e->stride, materials = (size_t)padded * e->columns, list = e->columns * e->stride, at;
+    double fit = 0, *minus = e->weight, *plus = e->weight + list;
+    ms_gpr__covariance(f, points, e->stride, e->z, e->l, sf2, e->kernel);
+    if (!ms_gpr__factor(f, e->kernel, e->stride, e->z, sf2, noise, e->upper)) return 0;
+    memcpy(e->whitened, e->x, materials * sizeof(double));
+    ms_gpr__forward(f, e->upper, e->stride, padded, e->whitened, e->columns, columns);
+    fit = f->dot(e->whitened, e->whitened, (int)materials);
+    *likelihood = -0.5 * (fit + e->m * (ms_gpr__log_determinant(e->upper, e->stride, e->z) + e->z * 1.8378770664093454836)); /* log 2 pi */
+    if (gradient == NULL) return 1;
+    memset(e->inverse, 0, matrix * sizeof(double));
+    ms_gpr__invert(f, e->upper, e->stride, padded, e->inverse);
+    memset(minus, 0, list * sizeof(double));
+    f->reduce(minus, e->stride, e->whitened, e->columns, e->inverse, e->stride, columns, padded, padded, MS_GPR__LOWER);
+    for (at = 0; at < list; ++at) plus[at] = -minus[at];
+    memset(e->upper, 0, matrix * sizeof(double));
+    f->reduce(e->upper, e->stride, e->inverse, e->stride, e->inverse, e->stride, padded, padded, padded, MS_GPR__UPPER | MS_GPR__LOWER);
+    for (i = 0; i < e->z; ++i)
+        for (j = i; j < e->z; ++j) e->upper[(size_t)i * e->stride + (size_t)j] *= e->m;
+    f->reduce(e->upper, e->stride, minus, e->stride, plus, e->stride, padded, padded, columns, MS_GPR__UPPER);
+    memset(gradient, 0, ((size_t)e->l + 2) * sizeof(double));
+    memset(gradient_points, 0, (size_t)e->l * e->stride * sizeof(double));
+    for (i = 0; i < e->z; ++i) {
+        const double *kernel = e->kernel + (size_t)i * e->stride;
+        double *w = e->upper + (size_t)i * e->stride;
+        gradient[e->l] += sf2 * w[i]; /* dK/dlog sf = 2 K */
+        gradient[e->l + 1] += 0.5 * w[i];
+        for (j = i + 1; j < e->z; ++j) gradient[e->l] += 2 * (w[j] *= kernel[j]);
+        for (k = 0; k < e->l; ++k) { /* dK_ij/dp_ik = -K_ij (p_ik - p_jk); each pair stands twice in K */
+            const double *p = points + (size_t)k * e->stride;
+            double *slope = gradient_points + (size_t)k * e->stride, own = 0, stretch = 0;
+            for (j = i + 1; j < e->z; ++j) {
+                double d = p[i] - p[j], pull = w[j] * d;
+                slope[j] += pull;
+                own += pull;
+                stretch += pull * d;
+            }
+            slope[i] -= own;
+            gradient[k] += stretch;
+        }
+    }
+    return 1;
+}
+
+static size_t ms_gpr__embedding_doubles(int z, int m)
+{
+    size_t padded = (size_t)ms_gpr__padded(z), stride = ms_gpr__stride(z), columns = (size_t)ms_gpr__padded(m);
+    size_t matrices = ms__size_mul(ms__size_mul(3, padded), stride);
+    return ms__size_add(matrices, ms__size_mul(columns, ms__size_add(padded, 2 * stride)));
+}
+
+static ms_gpr__embedding ms_gpr__embedding_make(const ms_gpr_latent *plane, double *memory)
+{
+    size_t padded = (size_t)ms_gpr__padded(plane->z), matrix = padded * plane->stride;
+    ms_gpr__embedding e;
+    e.kernels = plane->kernels;
+    e.z = plane->z;
+    e.m = plane->m;
+    e.l = plane->l;
+    e.stride = plane->stride;
+    e.columns = plane->columns;
+    e.x = plane->x;
+    e.kernel = memory;
+    e.upper = e.kernel + matrix;
+    e.inverse = e.upper + matrix;
+    e.whitened = e.inverse + matrix;
+    e.weight = e.whitened + padded * plane->columns;
+    return e;
+}
+
+/* --- a space from its latents --- */
+
+static void ms_gpr__latent_layout(ms_gpr_latent *p, ms_gpr__arena *arena)
+{
+    size_t z = (size_t)p->z, l = (size_t)p->l, padded = (size_t)ms_gpr__padded(p->z);
+    p->latent = ms_gpr__take(arena, z, l);
+    p->theta = ms_gpr__take(arena, l + 2, 1);
+    p->center = ms_gpr__take(arena, p->columns, 1);
+    p->origin = ms_gpr__take(arena, l, 1);
+    p->x = ms_gpr__take(arena, padded, p->columns);
+    p->points = ms_gpr__take(arena, l, p->stride);
+    p->upper = ms_gpr__take(arena, padded, p->stride);
+    p->weight = ms_gpr__take(arena, padded, p->columns);
+}
+
+/* A space with its materials, less their mean where `centered` is set; no latents yet. */
+static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered, const ms_gpr_latent_options *o, ms_gpr_latent **out,
+                                     ms_error *error)
+{
+    ms_gpr__arena arena = {NULL, 0};
+    ms_gpr_latent *p;
+    int i, k, l = o->dimensions ? o->dimensions : 2;
+    ms_status status;
+    *out = NULL;
+    if (z < 2 || z > MS_GPR__N_MAX || m < 1 || x == NULL || l < 1 || l > 3)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "z is %d, m %d, dimensions %d, or x is NULL: expected 2 to %d, at least 1, 1 to 3",
+                        z, m, l, MS_GPR__N_MAX);
+    status = ms_gpr__check_rows(x, z, m, "material", error);
+    if (status != MS_OK) return status;
+    p = (ms_gpr_latent *)ms__alloc(&o->allocator, sizeof *p);
+    if (p == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space");
+    memset(p, 0, sizeof *p);
+    p->z = z;
+    p->m = m;
+    p->l = l;
+    p->stride = ms_gpr__stride(z);
+    p->columns = (size_t)ms_gpr__padded(m);
+    p->level = ms_gpr__simd_pick(o->simd);
+    p->kernels = ms_gpr__kernels_of(p->level);
+    p->allocator = o->allocator;
+    ms_gpr__latent_layout(p, &arena);
+    p->doubles = arena.used;
+    arena.base = ms_gpr__doubles(&p->allocator, p->doubles, &p->block);
+    if (arena.base == NULL) {
+        ms__release(&o->allocator, p, sizeof *p);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space of %d materials", z);
+    }
+    arena.used = 0;
+    ms_gpr__latent_layout(p, &arena);
+    memset(arena.base, 0, p->doubles * sizeof(double));
+    for (k = 0; k < m; ++k) {
+        double sum = 0;
+        for (i = 0; i < z; ++i) sum += x[(size_t)i * (size_t)m + (size_t)k] / z;
+        p->center[k] = centered ? sum : 0;
+        for (i = 0; i < z; ++i) p->x[(size_t)i * p->columns + (size_t)k] = x[(size_t)i * (size_t)m + (size_t)k] - p->center[k];
+    }
+    *out = p;
+    return MS_OK;
+}
+
+/* Everything that follows from latents and theta; jitter as in ms_gpr__condition. */
+static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_error *error)
+{
+    double sf2 = exp(2 * p->theta[p->l]), sn2 = exp(2 * p->theta[p->l + 1]);
+    int padded = ms_gpr__padded(p->z), columns = (int)p->columns, i, j, k;
+    for (k = 0; k < p->l; ++k) {
+        double scale = exp(-p->theta[k]), sum = 0;
+        for (i = 0; i < p->z; ++i) sum += p->latent[i * p->l + k] / p->z;
+        p->origin[k] = sum;
+        for (i = 0; i < p->z; ++i) p->points[(size_t)k * p->stride + (size_t)i] = (p->latent[i * p->l + k] - sum) * scale;
+    }
+    for (p->jitter = 0; p->jitter < 2e-6; p->jitter = p->jitter > 0 ? 10 * p->jitter : 1e-15) {
+        ms_gpr__covariance(p->kernels, p->points, p->stride, p->z, p->l, sf2, p->upper);
+        if (!ms_gpr__factor(p->kernels, p->upper, p->stride, p->z, sf2, sn2 + p->jitter * sf2, p->upper)) continue;
+        memcpy(p->weight, p->x, (size_t)padded * p->columns * sizeof(double));
+        ms_gpr__forward(p->kernels, p->upper, p->stride, padded, p->weight, p->columns, columns);
+        for (i = p->z - 1; i >= 0; --i) { /* and U^-1 of that: u_ii a_i = b_i - sum over j > i of u_ij a_j */
+            const double *u = p->upper + (size_t)i * p->stride;
+            double *row = p->weight + (size_t)i * p->columns;
+            for (j = i + 1; j < p->z; ++j) p->kernels->axpy(row, -u[j], p->weight + (size_t)j * p->columns, columns);
+            for (k = 0; k < columns; ++k) row[k] /= u[i];
+        }
+        return MS_OK;
+    }
+    return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix of %d latents is not positive definite even with 1e-6 sf^2 added to sn^2",
+                    p->z);
+}
+
+MS_GPR_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
+{
+    ms_allocator allocator;
+    if (plane == NULL) return;
+    allocator = plane->allocator;
+    ms_gpr__release_doubles(&allocator, plane->block, plane->doubles);
+    ms__release(&allocator, plane, sizeof *plane);
+}
+
+MS_GPR_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
+                                          const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error)
+{
+    ms_gpr_latent_options o;
+    ms_gpr_latent *p;
+    ms_status status;
+    int l;
+    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    *out = NULL;
+    if (latent == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "latent is NULL");
+    if (options) o = *options;
+    else memset(&o, 0, sizeof o);
+    l = o.dimensions ? o.dimensions : 2;
+    status = ms_gpr__latent_make(x, z, m, 0, &o, &p, error);
+    if (status != MS_OK) return status;
+    status = ms_gpr__check_rows(latent, z, l, "latent", error);
+    if (status == MS_OK) status = ms_gpr__check_theta(theta, l, error);
+    if (status == MS_OK) {
+        memcpy(p->latent, latent, (size_t)z * (size_t)l * sizeof *latent);
+        memcpy(p->theta, theta, ((size_t)l + 2) * sizeof *theta);
+        status = ms_gpr__latent_condition(p, error);
+    }
+    if (status != MS_OK) ms_gpr_latent_destroy(p);
+    else *out = p;
+    return status;
+}
+
+MS_GPR_API int ms_gpr_latent_count(const ms_gpr_latent *plane) { return plane->z; }
+MS_GPR_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane) { return plane->latent; }
+MS_GPR_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane) { return plane->theta; }
+MS_GPR_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane) { return plane->jitter; }
+
+MS_GPR_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
+                                              double *gradient_latent, ms_error *error)
+{
+    const ms_gpr_latent *p = plane;
+    double sf2 = exp(2 * p->theta[p->l]), sn2 = exp(2 * p->theta[p->l + 1]), noise = sn2 + p->jitter * sf2, value = 0, gradient[5];
+    size_t doubles = ms__size_add(ms_gpr__embedding_doubles(p->z, p->m), (size_t)p->l * p->stride);
+    ms_gpr__embedding e;
+    double *slopes;
+    void *block;
+    int i, k, wanted = gradient_theta || gradient_latent, defined;
+    slopes = ms_gpr__doubles(&p->allocator, doubles, &block);
+    if (slopes == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", p->z);
+    e = ms_gpr__embedding_make(p, slopes + (size_t)p->l * p->stride);
+    defined = ms_gpr__embedding_evaluate(&e, p->points, sf2, noise, &value, wanted ? gradient : NULL, slopes);
+    for (k = 0; defined && gradient_latent && k < p->l; ++k)
+        for (i = 0; i < p->z; ++i) gradient_latent[i * p->l + k] = slopes[(size_t)k * p->stride + (size_t)i] * exp(-p->theta[k]);
+    ms_gpr__release_doubles(&p->allocator, block, doubles);
+    if (!defined) return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
+    if (likelihood) *likelihood = value;
+    for (k = 0; gradient_theta && k < p->l + 2; ++k) gradient_theta[k] = gradient[k] * (k == p->l + 1 ? 2 * sn2 : 1); /* of log sn */
+    return MS_OK;
+}
+
+/* --- maps both ways --- */
+
+/* Kernel between a latent point and the training ones, [padded z]; padding is 0. */
+static void ms_gpr__latent_kernel(const ms_gpr_latent *p, const double *latent, double *kernel)
+{
+    double sf2 = exp(2 * p->theta[p->l]), place[3];
+    int padded = ms_gpr__padded(p->z), i, k;
+    for (k = 0; k < p->l; ++k) place[k] = (latent[k] - p->origin[k]) * exp(-p->theta[k]);
+    for (i = 0; i < padded; ++i) kernel[i] = 0;
+    for (k = 0; k < p->l; ++k) {
+        const double *q = p->points + (size_t)k * p->stride;
+        for (i = 0; i < p->z; ++i) kernel[i] += (place[k] - q[i]) * (place[k] - q[i]);
+    }
+    p->kernels->exponentials(kernel, padded, sf2);
+    for (i = p->z; i < padded; ++i) kernel[i] = 0;
+}
+
+/* center + X' K'^-1 k (3.11); x [columns], padding 0. */
+static void ms_gpr__latent_material(const ms_gpr_latent *p, const double *kernel, double *x)
+{
+    int i;
+    memcpy(x, p->center, p->columns * sizeof *x);
+    for (i = 0; i < p->z; ++i) p->kernels->axpy(x, kernel[i], p->weight + (size_t)i * p->columns, (int)p->columns);
+}
+
+/* sf^2 - k' K'^-1 k; the kernel is used up. */
+static double ms_gpr__latent_variance(const ms_gpr_latent *p, double *kernel)
+{
+    double variance;
+    int padded = ms_gpr__padded(p->z);
+    ms_gpr__forward_vector(p->kernels, p->upper, p->stride, padded, kernel);
+    variance = exp(2 * p->theta[p->l]) - p->kernels->dot(kernel, kernel, padded);
+    return variance > 0 ? variance : 0;
+}
+
+MS_GPR_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x, double *variance,
+                                       ms_error *error)
+{
+    size_t m, doubles;
+    double *kernel, *material;
+    ms_status status;
+    void *block;
+    int i;
+    if (plane == NULL || latent == NULL || count < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane or latent is NULL, or count is %d", count);
+    status = ms_gpr__check_rows(latent, count, plane->l, "latent", error);
+    if (status != MS_OK) return status;
+    m = (size_t)plane->m;
+    doubles = plane->stride + plane->columns;
+    kernel = ms_gpr__doubles(&plane->allocator, doubles, &block);
+    if (kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a material");
+    material = kernel + plane->stride;
+    for (i = 0; i < count; ++i) {
+        ms_gpr__latent_kernel(plane, latent + (size_t)i * (size_t)plane->l, kernel);
+        if (x) {
+            ms_gpr__latent_material(plane, kernel, material);
+            memcpy(x + (size_t)i * m, material, m * sizeof *x);
+        }
+        if (variance) variance[i] = ms_gpr__latent_variance(plane, kernel);
+    }
+    ms_gpr__release_doubles(&plane->allocator, block, doubles);
+    return MS_OK;
+}
+
+/* The latent point of a material: q sees half the squared distance of its material. */
+typedef struct ms_gpr__nearest {
+    const ms_gpr_latent *plane;
+    const double *x;  /* [m] */
+    double *kernel;   /* [stride] */
+    double *material; /* [columns] */
+} ms_gpr__nearest;
+
+static int ms_gpr__nearest_objective(void *context, const double *q, double *value, double *gradient)
+{
+    const ms_gpr__nearest *s = (const ms_gpr__nearest *)context;
+    const ms_gpr_latent *p = s->plane;
+    int i, k;
+    ms_gpr__latent_kernel(p, q, s->kernel);
+    ms_gpr__latent_material(p, s->kernel, s->material);
+    for (k = 0, *value = 0; k < p->m; ++k) {
+        s->material[k] -= s->x[k];
+        *value += 0.5 * s->material[k] * s->material[k];
+    }
+    for (k = p->m; k < (int)p->columns; ++k) s->material[k] = 0;
+    for (k = 0; k < p->l; ++k) gradient[k] = 0;
+    for (i = 0; i < p->z; ++i) { /* dk_i/dq = k_i (l_i - q) / length^2 */
+        double pull = s->kernel[i] * p->kernels->dot(s->material, p->weight + (size_t)i * p->columns, (int)p->columns);
+        for (k = 0; k < p->l; ++k) gradient[k] += pull * (p->latent[i * p->l + k] - q[k]) * exp(-2 * p->theta[k]);
+    }
+    return 1;
+}
+
+MS_GPR_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance, double *variance,
+                                        ms_error *error)
+{
+    const ms_gpr_latent *p = plane;
+    ms_gpr__nearest s;
+    ms_gpr__search search;
+    double *work, *misfit, best = HUGE_VAL, q[3], gradient[3];
+    size_t doubles;
+    ms_status status;
+    void *block;
+    int start, i, k, nearest;
+    if (p == NULL || x == NULL || latent == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane, x or latent is NULL");
+    status = ms_gpr__check_rows(x, 1, p->m, "material", error);
+    if (status != MS_OK) return status;
+    doubles = ms_gpr__minimize_doubles(p->l) + 2 * p->stride + p->columns;
+    s.kernel = ms_gpr__doubles(&p->allocator, doubles, &block);
+    if (s.kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search in the latent space");
+    s.material = s.kernel + p->stride;
+    misfit = s.material + p->columns;
+    work = misfit + p->stride;
+    s.plane = p;
+    s.x = x;
+    memset(&search, 0, sizeof search);
+    search.f = ms_gpr__nearest_objective;
+    search.context = &s;
+    search.count = p->l;
+    search.tolerance = 1e-20 * exp(2 * p->theta[p->l]);
+    search.evaluations = 200;
+    for (i = 0; i < p->z; ++i) ms_gpr__nearest_objective(&s, p->latent + i * p->l, &misfit[i], gradient);
+    for (start = 0; start < MS_GPR__LATENT_STARTS && start < p->z; ++start) {
+        ms_gpr__minimum found;
+        for (i = 1, nearest = 0; i < p->z; ++i)
+            if (misfit[i] < misfit[nearest]) nearest = i;
+        misfit[nearest] = HUGE_VAL;
+        memcpy(q, p->latent + nearest * p->l, (size_t)p->l * sizeof *q);
+        found = ms_gpr__minimize(&search, q, work);
+        if (!(found.value < best)) continue;
+        best = found.value;
+        for (k = 0; k < p->l; ++k) latent[k] = q[k];
+    }
+    if (distance) *distance = sqrt(2 * best / p->m);
+    ms_gpr__latent_kernel(p, latent, s.kernel);
+    if (variance) *variance = ms_gpr__latent_variance(p, s.kernel);
+    ms_gpr__release_doubles(&p->allocator, block, doubles);
+    return MS_OK;
+}
+
+/* --- fit --- */
+
+/* What the minimiser sees: q = [log sf, log sn, points by dimension]; lengths are 1. */
+typedef struct ms_gpr__latent_problem {
+    ms_gpr__embedding e;
+    double prior;
+    double *points, *slopes; /* [l][stride] */
+    const ms_progress *progress;
+    int evaluations, limit;
+} ms_gpr__latent_problem;
+
+/* Minus the log posterior a datum. */
+static int ms_gpr__latent_objective(void *context, const double *q, double *value, double *gradient)
+{
+    ms_gpr__latent_problem *p = (ms_gpr__latent_problem *)context;
+    double noise = exp(2 * q[1]), scale = -1 / ((double)p->e.z * p->e.m), likelihood, theta[5];
+    int i, k;
+    if (p->progress->report && p->progress->report(p->progress->user, (double)p->evaluations / p->limit)) return -1;
+    if (p->evaluations < p->limit) ++p->evaluations;
+    for (k = 0; k < p->e.l; ++k) memcpy(p->points + (size_t)k * p->e.stride, q + 2 + k * p->e.z, (size_t)p->e.z * sizeof *q);
+    if (!ms_gpr__embedding_evaluate(&p->e, p->points, exp(2 * q[0]), noise, &likelihood, theta, p->slopes)) return 0;
+    gradient[0] = scale * theta[p->e.l];
+    gradient[1] = scale * 2 * noise * theta[p->e.l + 1];
+    for (k = 0; k < p->e.l; ++k)
+        for (i = 0; i < p->e.z; ++i) {
+            int at = 2 + k * p->e.z + i;
+            likelihood -= 0.5 * p->prior * q[at] * q[at];
+            gradient[at] = scale * (p->slopes[(size_t)k * p->e.stride + (size_t)i] - p->prior * q[at]);
+        }
+    *value = scale * likelihood;
+    return 1;
+}
+
+/* The first l principal components of the materials, each of variance 1, as points [l][z]: orthogonal iteration with X X'.
+   A component without variance stays 0. axis: [columns] scratch. */
+static void ms_gpr__latent_components(const ms_gpr_latent *p, double *points, double *axis)
+{
+    ms__rng rng = ms__rng_make(0, 0);
+    int columns = (int)p->columns, pass, i, j, k;
+    double total = p->kernels->dot(p->x, p->x, p->z * columns);
+    for (i = 0; i < p->l * p->z; ++i) points[i] = ms__rng_uniform(&rng) - 0.5;
+    for (pass = 0; pass < 60; ++pass) {
+        for (k = 0; k < p->l; ++k) {
+            double *component = points + k * p->z, norm2 = 0, scale;
+            memset(axis, 0, p->columns * sizeof *axis);
+            for (i = 0; i < p->z; ++i) p->kernels->axpy(axis, component[i], p->x + (size_t)i * p->columns, columns);
+            for (i = 0; i < p->z; ++i) component[i] = p->kernels->dot(axis, p->x + (size_t)i * p->columns, columns);
+            for (j = 0; j < k; ++j) {
+                const double *before = points + j * p->z;
+                double overlap = 0;
+                for (i = 0; i < p->z; ++i) overlap += component[i] * before[i] / p->z;
+                for (i = 0; i < p->z; ++i) component[i] -= overlap * before[i];
+            }
+            for (i = 0; i < p->z; ++i) norm2 += component[i] * component[i] / p->z;
+            scale = norm2 > 1e-20 * total * total ? 1 / sqrt(norm2) : 0;
+            for (i = 0; i < p->z; ++i) component[i] *= scale;
+        }
+    }
+}
+
+/* Root mean square of what the space makes of its own latents less its materials. */
+static double ms_gpr__latent_error(const ms_gpr_latent *p, double *kernel, double *material)
+{
+    double sum = 0;
+    int i, k;
+    for (i = 0; i < p->z; ++i) {
+        ms_gpr__latent_kernel(p, p->latent + i * p->l, kernel);
+        ms_gpr__latent_material(p, kernel, material);
+        for (k = 0; k < p->m; ++k) {
+            double d = material[k] - p->center[k] - p->x[(size_t)i * p->columns + (size_t)k];
+            sum += d * d;
+        }
+    }
+    return sqrt(sum / ((double)p->z * p->m));
+}
+
+/* Scratch of a fit. */
+typedef struct ms_gpr__latent_scratch {
+    double *q, *best, *low, *start, *work;
+    double *memory; /* of the embedding */
+} ms_gpr__latent_scratch;
+
+static void ms_gpr__latent_scratch_layout(const ms_gpr_latent *p, ms_gpr__latent_problem *problem, ms_gpr__latent_scratch *s,
+                                          ms_gpr__arena *arena)
+{
+    size_t count = (size_t)p->l * (size_t)p->z + 2;
+    s->q = ms_gpr__take(arena, count, 1);
+    s->best = ms_gpr__take(arena, count, 1);
+    s->low = ms_gpr__take(arena, count, 1);
+    s->start = ms_gpr__take(arena, count, 1);
+    s->work = ms_gpr__take(arena, ms__size_add(ms_gpr__minimize_doubles((int)count), ms__size_add(p->stride, p->columns)), 1);
+    s->memory = ms_gpr__take(arena, ms_gpr__embedding_doubles(p->z, p->m), 1);
+    problem->points = ms_gpr__take(arena, p->stride, (size_t)p->l);
+    problem->slopes = ms_gpr__take(arena, p->stride, (size_t)p->l);
+}
+
+/* Latents and theta: every start for a while, then the best of them to the end. spread: root mean square of the materials. */
+static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, const ms_gpr_latent_options *o, double spread, ms_gpr__latent_problem *problem,
+                                       const ms_gpr__latent_scratch *s, ms_error *error)
+{
+    static const double scale[] = {0.5, 0.3, 1, 0.2, 2}; /* of the principal components, in lengths */
+    int count = plane->l * plane->z, starts = o->starts ? o->starts : 3, i, k;
+    double best = HUGE_VAL;
+    ms_gpr__search search;
+    memset(&search, 0, sizeof search);
+    search.f = ms_gpr__latent_objective;
+    search.context = problem;
+    search.count = count + 2;
+    search.low = s->low;
+    search.step = 1;
+    search.tolerance = 1e-9;
+    s->low[0] = log(spread) - 5;
+    s->low[1] = log(o->noise_floor > 0 ? o->noise_floor : 1e-3 * spread);
+    for (i = 0; i < count; ++i) s->low[2 + i] = -1e3;
+    ms_gpr__latent_components(plane, s->start, s->work);
+    for (k = 0; k <= starts; ++k) {
+        ms_gpr__minimum found;
+        if (k < starts) {
+            s->q[0] = log(spread);
+            s->q[1] = log(0.3 * spread);
+            for (i = 0; i < count; ++i) s->q[2 + i] = scale[k] * s->start[i];
+            search.evaluations = MS_GPR__LATENT_TRIAL;
+        } else {
+            memcpy(s->q, s->best, ((size_t)count + 2) * sizeof(double));
+            search.evaluations = problem->limit - problem->evaluations;
+        }
+        found = ms_gpr__minimize(&search, s->q, s->work);
+        if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", problem->evaluations);
+        if (!(found.value < best)) continue;
+        best = found.value;
+        memcpy(s->best, s->q, ((size_t)count + 2) * sizeof(double));
+    }
+    if (!(best < HUGE_VAL)) return ms__fail(error, MS_NOT_CONVERGED, 0, "the likelihood is not defined at any start");
+    for (k = 0; k < plane->l; ++k)
+        for (i = 0; i < plane->z; ++i) plane->latent[i * plane->l + k] = s->best[2 + k * plane->z + i];
+    plane->theta[plane->l] = s->best[0];
+    plane->theta[plane->l + 1] = s->best[1];
+    return ms_gpr__latent_condition(plane, error);
+}
+
+MS_GPR_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options, ms_gpr_latent **out,
+                                       ms_gpr_latent_report *report, ms_error *error)
+{
+    ms_gpr_latent_options o;
+    ms_gpr_latent *p;
+    ms_gpr__latent_problem problem;
+    ms_gpr__latent_scratch scratch;
+    ms_gpr__arena arena = {NULL, 0};
+    double spread;
+    ms_status status;
+    size_t doubles;
+    void *block;
+    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    *out = NULL;
+    if (options) o = *options;
+    else memset(&o, 0, sizeof o);
+    if (!(o.prior >= 0 && o.prior <= 1e300) || !(o.noise_floor >= 0 && o.noise_floor <= 1e300) || o.starts < 0 || o.starts > 5 || o.evaluations < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prior is %g, noise_floor %g, starts %d, evaluations %d: expected at least 0, starts at most 5",
+                        o.prior, o.noise_floor, o.starts, o.evaluations);
+    status = ms_gpr__latent_make(x, z, m, 1, &o, &p, error);
+    if (status != MS_OK) return status;
+    spread = sqrt(p->kernels->dot(p->x, p->x, z * (int)p->columns) / ((double)z * m));
+    if (!(spread > 1e-150) || !(spread * spread > 1e-26 * p->kernels->dot(p->center, p->center, (int)p->columns) / m)) {
+        ms_gpr_latent_destroy(p);
+        return ms__fail(error, MS_BAD_DATA, 0, "all %d materials are equal", z);
+    }
+    memset(&problem, 0, sizeof problem);
+    ms_gpr__latent_scratch_layout(p, &problem, &scratch, &arena);
+    doubles = arena.used;
+    arena.base = ms_gpr__doubles(&o.allocator, doubles, &block);
+    if (arena.base == NULL) {
+        ms_gpr_latent_destroy(p);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the embedding of %d materials", z);
+    }
+    arena.used = 0;
+    ms_gpr__latent_scratch_layout(p, &problem, &scratch, &arena);
+    memset(problem.points, 0, (size_t)p->l * p->stride * sizeof(double));
+    problem.e = ms_gpr__embedding_make(p, scratch.memory);
+    problem.prior = o.prior;
+    problem.progress = &o.progress;
+    problem.limit = o.evaluations ? o.evaluations : 2000;
+    status = ms_gpr__latent_search(p, &o, spread, &problem, &scratch, error);
+    if (status == MS_OK && report) {
+        double sf2 = exp(2 * p->theta[p->l]);
+        ms_gpr__embedding_evaluate(&problem.e, p->points, sf2, exp(2 * p->theta[p->l + 1]) + p->jitter * sf2, &report->likelihood, NULL, NULL);
+        report->error = ms_gpr__latent_error(p, scratch.work, scratch.work + p->stride);
+        report->evaluations = problem.evaluations;
+    }
+    ms_gpr__release_doubles(&o.allocator, block, doubles);
+    if (status != MS_OK) ms_gpr_latent_destroy(p);
+    else *out = p;
+    return status;
+}
+
 /* -------------------------------------------------------------------------------------------------- MAPS */
+
+MS_GPR_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution)
+{
+    ms_gpr_grid grid;
+    double low[2], high[2];
+    int i, k;
+    for (k = 0; k < 2; ++k) {
+        double length = exp(plane->theta[k]), margin;
+        low[k] = high[k] = plane->latent[k];
+        for (i = 1; i < plane->z; ++i) {
+            double v = plane->latent[i * plane->l + k];
+            if (v < low[k]) low[k] = v;
+            if (v > high[k]) high[k] = v;
+        }
+        margin = 0.25 * (high[k] - low[k]);
+        if (!(margin < length && margin > 0)) margin = length;
+        low[k] -= margin;
+        high[k] += margin;
+    }
+    grid.x0 = low[0];
+    grid.y0 = low[1];
+    grid.x1 = high[0];
+    grid.y1 = high[1];
+    grid.columns = grid.rows = resolution;
+    return grid;
+}
+
+MS_GPR_API void ms_gpr_grid_point(const ms_gpr_grid *grid, int column, int row, double latent[2])
+{
+    latent[0] = grid->x0 + (grid->x1 - grid->x0) * column / (grid->columns - 1);
+    latent[1] = grid->y0 + (grid->y1 - grid->y0) * row / (grid->rows - 1);
+}
+
+MS_GPR_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, double x, double y)
+{
+    double u = (x - grid->x0) / (grid->x1 - grid->x0) * (grid->columns - 1);
+    double v = (y - grid->y0) / (grid->y1 - grid->y0) * (grid->rows - 1);
+    const double *p;
+    int i, j;
+    u = u > 0 ? u < grid->columns - 1 ? u : grid->columns - 1 : 0; /* NaN: 0 */
+    v = v > 0 ? v < grid->rows - 1 ? v : grid->rows - 1 : 0;
+    i = u < grid->columns - 2 ? (int)u : grid->columns - 2;
+    j = v < grid->rows - 2 ? (int)v : grid->rows - 2;
+    u -= i;
+    v -= j;
+    p = map + (size_t)j * (size_t)grid->columns + (size_t)i;
+    return (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * ((1 - u) * p[grid->columns] + u * p[grid->columns + 1]);
+}
+
+static ms_status ms_gpr__grid_check(const ms_gpr_latent *plane, const ms_gpr_grid *grid, ms_error *error)
+{
+    if (plane == NULL || grid == NULL || plane->l != 2)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane or grid is NULL, or the latent space has not 2 dimensions");
+    if (grid->columns < 2 || grid->rows < 2 || grid->columns > 32768 || grid->rows > 32768 || !ms__finite(grid->x0) || !ms__finite(grid->y0) || 
+        !ms__finite(grid->x1) || !ms__finite(grid->y1) || !(grid->x0 < grid->x1) || !(grid->y0 < grid->y1))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a grid of %d x %d points from (%g, %g) to (%g, %g)", grid->columns, grid->rows,
+                        grid->x0, grid->y0, grid->x1, grid->y1);
+    return MS_OK;
+}
+
+/* Materials of all grid points, [rows][columns][m]. The kernel is a product over the two coordinates: z exponentials a row and
+   a column, not a point. scratch: [columns][padded z] across, [padded z] down and kernel, [padded m] material. */
+static void ms_gpr__grid_materials(const ms_gpr_latent *p, const ms_gpr_grid *grid, double *x, double *scratch)
+{
+    size_t padded = (size_t)ms_gpr__padded(p->z);
+    double *across = scratch, *down = across + (size_t)grid->columns * padded, *kernel = down + padded, *material = kernel + padded;
+    double sf2 = exp(2 * p->theta[2]), at[2];
+    int n = (int)padded, column, row, i;
+    for (column = 0; column < grid->columns; ++column) {
+        double *c = across + (size_t)column * padded;
+        ms_gpr_grid_point(grid, column, 0, at);
+        for (i = 0; i < n; ++i) {
+            double d = (at[0] - p->origin[0]) * exp(-p->theta[0]) - p->points[i];
+            c[i] = d * d;
+        }
+        p->kernels->exponentials(c, n, 1);
+    }
+    for (row = 0; row < grid->rows; ++row) {
+        ms_gpr_grid_point(grid, 0, row, at);
+        for (i = 0; i < n; ++i) {
+            double d = (at[1] - p->origin[1]) * exp(-p->theta[1]) - p->points[p->stride + (size_t)i];
+            down[i] = d * d;
+        }
+        p->kernels->exponentials(down, n, sf2);
+        for (column = 0; column < grid->columns; ++column) {
+            const double *c = across + (size_t)column * padded;
+            for (i = 0; i < n; ++i) kernel[i] = c[i] * down[i];
+            ms_gpr__latent_material(p, kernel, material);
+            memcpy(x, material, (size_t)p->m * sizeof *x);
+            x += p->m;
+        }
+    }
+}
+
+/* Memory for the materials of a grid, and the materials. */
+static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double **x, void **block, size_t *doubles,
+                                   ms_error *error)
+{
+    ms_status status = ms_gpr__grid_check(plane, grid, error);
+    size_t materials, padded;
+    if (status != MS_OK) return status;
+    padded = (size_t)ms_gpr__padded(plane->z);
+    materials = ms__size_mul(ms__size_mul((size_t)grid->columns, (size_t)grid->rows), (size_t)plane->m);
+    *doubles = ms__size_add(ms__size_add(materials, ms__size_mul((size_t)grid->columns + 2, padded)), plane->columns);
+    *x = ms_gpr__doubles(&plane->allocator, *doubles, block);
+    if (*x == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the materials of %d x %d points", grid->columns, grid->rows);
+    ms_gpr__grid_materials(plane, grid, *x, *x + materials);
+    return MS_OK;
+}
+
+MS_GPR_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid, double *mean,
+                                           double *sigma, ms_error *error)
+{
+    double *x;
+    size_t doubles;
+    ms_status status;
+    void *block;
+    int count, i;
+    if (gp == NULL || plane == NULL || gp->m != plane->m)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp or plane is NULL, or their materials have different dimensions");
+    status = ms_gpr__grid_make(plane, grid, &x, &block, &doubles, error);
+    if (status != MS_OK) return status;
+    count = grid->columns * grid->rows;
+    status = ms_gpr_predict(gp, x, count, mean, sigma, error);
+    for (i = 0; status == MS_OK && sigma && i < count; ++i) sigma[i] = sqrt(sigma[i]);
+    ms_gpr__release_doubles(&plane->allocator, block, doubles);
+    return status;
+}
+
+MS_GPR_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence, ms_error *error)
+{
+    ms_status status = ms_gpr__grid_check(plane, grid, error);
+    double sf2, at[2], *kernel;
+    void *block;
+    int row, column;
+    if (status != MS_OK) return status;
+    kernel = ms_gpr__doubles(&plane->allocator, plane->stride, &block);
+    if (kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a row of the covariance matrix");
+    sf2 = exp(2 * plane->theta[2]);
+    for (row = 0; row < grid->rows; ++row)
+        for (column = 0; column < grid->columns; ++column) {
+            ms_gpr_grid_point(grid, column, row, at);
+            ms_gpr__latent_kernel(plane, at, kernel);
+            confidence[(size_t)row * (size_t)grid->columns + (size_t)column] = 1 - ms_gpr__latent_variance(plane, kernel) / sf2;
+        }
+    ms_gpr__release_doubles(&plane->allocator, block, plane->stride);
+    return MS_OK;
+}
+
+/* --- similarity --- */
+
+static ms_status ms_gpr__similarity_check(const ms_gpr_latent *plane, const ms_gpr_similarity *s, ms_error *error)
+{
+    if (plane == NULL || s == NULL || s->x == NULL || !(s->scale >= 0 && s->scale <= 1e300) || (s->pixels > 0 && s->render == NULL))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane, the similarity, its x or its render is NULL, or its scale is no number >= 0");
+    return ms_gpr__check_rows(s->x, 1, plane->m, "reference", error);
+}
+
+/* Two pictures, the first of them the reference's. */
+static ms_status ms_gpr__pictures(const ms_gpr_latent *plane, const ms_gpr_similarity *s, float **pictures, ms_error *error)
+{
+    ms_status status = MS_OK;
+    size_t size = ms__size_mul(2 * sizeof(float), s->pixels);
+    *pictures = (float *)ms__alloc(&plane->allocator, size);
+    if (*pictures == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for two pictures of %z values", s->pixels);
+    if (s->pixels > 0) status = s->render(s->user, s->x, *pictures);
+    if (status == MS_OK) return MS_OK;
+    ms__release(&plane->allocator, *pictures, size);
+    return ms__fail(error, status, 0, "render failed for the reference");
+}
+
+static void ms_gpr__release_pictures(const ms_gpr_latent *plane, const ms_gpr_similarity *s, float *pictures)
+{
+    ms__release(&plane->allocator, pictures, 2 * sizeof(float) * s->pixels);
+}
+
+/* s(x*, x); 0 where a picture has a value that is not finite. */
+static ms_status ms_gpr__similarity(const ms_gpr_similarity *s, int m, const double *x, float *pictures, double *value, ms_error *error)
+{
+    double sum = 0, scale = s->scale > 0 ? s->scale : 0.1;
+    float *picture = pictures + s->pixels;
+    size_t i, count = s->pixels > 0 ? s->pixels : (size_t)m;
+    if (s->pixels > 0) {
+        ms_status status = s->render(s->user, x, picture);
+        if (status != MS_OK) return ms__fail(error, status, 0, "render failed");
+    }
+    for (i = 0; i < count; ++i) {
+        double d = s->pixels > 0 ? (double)picture[i] - (double)pictures[i] : x[i] - s->x[i];
+        sum += d * d;
+    }
+    *value = ms__finite(sum) ? exp(-0.5 * sum / ((double)count * scale * scale)) : 0;
+    return MS_OK;
+}
+
+MS_GPR_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity, const ms_gpr_grid *grid,
+                                           double *map, ms_error *error)
+{
+    double *x;
+    float *pictures;
+    size_t doubles;
+    void *block;
+    int count, i;
+    ms_status status = ms_gpr__similarity_check(plane, similarity, error);
+    if (status == MS_OK) status = ms_gpr__grid_make(plane, grid, &x, &block, &doubles, error);
+    if (status != MS_OK) return status;
+    status = ms_gpr__pictures(plane, similarity, &pictures, error);
+    if (status == MS_OK) {
+        count = grid->columns * grid->rows;
+        for (i = 0; status == MS_OK && i < count; ++i)
+            status = ms_gpr__similarity(similarity, plane->m, x + (size_t)i * (size_t)plane->m, pictures, &map[i], error);
+        ms_gpr__release_pictures(plane, similarity, pictures);
+    }
+    ms_gpr__release_doubles(&plane->allocator, block, doubles);
+    return status;
+}
+
+MS_GPR_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
+                                   const double *similarity, double *product)
+{
+    int row, column;
+    for (row = 0; row < grid->rows; ++row)
+        for (column = 0; column < grid->columns; ++column) {
+            size_t i = (size_t)row * (size_t)grid->columns + (size_t)column;
+            double at[2];
+            ms_gpr_grid_point(grid, column, row, at);
+            product[i] = (preference[i] > 0 ? preference[i] : 0) * ms_gpr_grid_value(similarity_grid, similarity, at[0], at[1]);
+        }
+}
+
+/* --- automatic variants --- */
+
+#define MS_GPR__MOVES 40    /* of a pattern search, at most */
+#define MS_GPR__HALVINGS 10 /* of its step: from a cell to a thousandth */
+
+/* Every point of the plane that was looked at, with its similarity and score. */
+typedef struct ms_gpr__looks {
+    const ms_gpr_latent *plane;
+    const ms_gpr *gp;
+    const ms_gpr_similarity *similarity;
+    float *pictures;      /* [2][pixels] */
+    double *x;            /* [m] of the point in hand */
+    ms_gpr_variant *seen;
+    int count;
+    double best;          /* the score that counts as 1 */
+} ms_gpr__looks;
+
+static ms_status ms_gpr__look(ms_gpr__looks *looks, double a, double b, ms_error *error)
+{
+    ms_gpr_variant *v = &looks->seen[looks->count];
+    ms_status status;
+    v->latent[0] = a;
+    v->latent[1] = b;
+    status = ms_gpr_latent_map(looks->plane, v->latent, 1, looks->x, NULL, error);
+    if (status == MS_OK) status = ms_gpr_predict(looks->gp, looks->x, 1, &v->score, NULL, error);
+    if (status == MS_OK)
+        status = ms_gpr__similarity(looks->similarity, looks->plane->m, looks->x, looks->pictures, &v->similarity, error);
+    if (status == MS_OK) ++looks->count;
+    return status;
+}
+
+static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lambda)
+{
+    ms_gpr_variant chosen = looks->seen[0];
+    int i;
+    chosen.value = -HUGE_VAL;
+    for (i = 0; i < looks->count; ++i) {
+        double value = lambda * looks->seen[i].similarity + (1 - lambda) * looks->seen[i].score / looks->best;
+        if (!(value > chosen.value)) continue;
+        chosen = looks->seen[i];
+        chosen.value = value;
+    }
+    return chosen;
+}
+
+/* Pattern search from the best so far: the four neighbours at a step, which is halved where none is better. */
+static ms_status ms_gpr__looks_refine(ms_gpr__looks *looks, double lambda, double step_x, double step_y, ms_error *error)
+{
+    ms_gpr_variant at = ms_gpr__looks_best(looks, lambda);
+    int halvings, moves, side;
+    for (halvings = 0, moves = 0; halvings < MS_GPR__HALVINGS && moves < MS_GPR__MOVES; ++moves) {
+        double before = at.value;
+        ms_gpr_variant center = at;
+        for (side = 0; side < 4; ++side) {
+            double sign = side % 2 ? -1 : 1;
+            ms_status status = ms_gpr__look(looks, center.latent[0] + (side < 2 ? sign * step_x : 0),
+                                            center.latent[1] + (side < 2 ? 0 : sign * step_y), error);
+            if (status != MS_OK) return status;
+        }
+        at = ms_gpr__looks_best(looks, lambda);
+        if (at.value > before) continue;
+        step_x *= 0.5;
+        step_y *= 0.5;
+        ++halvings;
+    }
+    return MS_OK;
+}
+
+MS_GPR_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
+                                     const ms_gpr_grid *grid, const double *lambda, int count, double best, ms_gpr_variant *variant,
+                                     double *x, ms_error *error)
+{
+    ms_gpr__looks looks;
+    double at[2];
+    size_t points, x_size, seen_size;
+    ms_status status = ms_gpr__grid_check(plane, grid, error);
+    int row, column, i;
+    if (status == MS_OK) status = ms_gpr__similarity_check(plane, similarity, error);
+    if (status != MS_OK) return status;
+    if (gp == NULL || gp->m != plane->m || lambda == NULL || variant == NULL || count < 1 || !(best >= 0 && best <= 1e300))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp, lambda or variant is NULL, gp has another m than plane, count is %d, or best %g",
+                        count, best);
+    for (i = 0; i < count; ++i)
+        if (!(lambda[i] >= 0 && lambda[i] <= 1))
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "lambda[%d] is %g: expected 0 to 1", i, lambda[i]);
+    points = (size_t)grid->columns * (size_t)grid->rows + 1 + ms__size_mul((size_t)count, 4 * MS_GPR__MOVES);
+    seen_size = ms__size_mul(points, sizeof *looks.seen);
+    x_size = (size_t)plane->m * sizeof *looks.x;
+    looks.plane = plane;
+    looks.gp = gp;
+    looks.similarity = similarity;
+    looks.count = 0;
+    looks.x = (double *)ms__alloc(&plane->allocator, x_size);
+    looks.seen = (ms_gpr_variant *)ms__alloc(&plane->allocator, seen_size);
+    status = looks.x && looks.seen ? ms_gpr__pictures(plane, similarity, &looks.pictures, error)
+                                   : ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z points", points);
+    if (status == MS_OK) {
+        status = ms_gpr_latent_find(plane, similarity->x, at, NULL, NULL, error);
+        if (status == MS_OK) status = ms_gpr__look(&looks, at[0], at[1], error);
+        for (row = 0; row < grid->rows; ++row)
+            for (column = 0; column < grid->columns && status == MS_OK; ++column) {
+                ms_gpr_grid_point(grid, column, row, at);
+                status = ms_gpr__look(&looks, at[0], at[1], error);
+            }
+        looks.best = best > 0 ? best : 1;
+        for (i = 0; !(best > 0) && i < looks.count; ++i)
+            if (i == 0 ? looks.seen[i].score > 0 : looks.seen[i].score > looks.best) looks.best = looks.seen[i].score;
+        for (i = 0; i < count && status == MS_OK; ++i)
+            status = ms_gpr__looks_refine(&looks, lambda[i], (grid->x1 - grid->x0) / (grid->columns - 1),
+                                          (grid->y1 - grid->y0) / (grid->rows - 1), error);
+        for (i = 0; i < count && status == MS_OK; ++i) {
+            variant[i] = ms_gpr__looks_best(&looks, lambda[i]);
+            if (x) status = ms_gpr_latent_map(plane, variant[i].latent, 1, x + (size_t)i * (size_t)plane->m, NULL, error);
+        }
+        ms_gpr__release_pictures(plane, similarity, looks.pictures);
+    }
+    ms__release(&plane->allocator, looks.seen, seen_size);
+    ms__release(&plane->allocator, looks.x, x_size);
+    return status;
+}
 
 #endif /* MS_GPR_IMPLEMENTATION */
 
