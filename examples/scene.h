@@ -155,6 +155,7 @@ static inline float scene__face(scene_vec p, scene_vec q, float d) /* adds the f
 
     /* nose */
     d = scene__join(d, scene__capsule(p, scene_v(0, 12, 83), scene_v(0, -29, 99), 5.5f, 7.5f), 13);
+    d = scene__join(d, scene__capsule(p, scene_v(0, 0, 76), scene_v(0, -33, 86), 8, 11.5f), 8);
     d = scene__join(d, scene__ellipsoid(p, 0, -33.5f, 101, 9.5f, 8.2f, 10), 10);
     d = scene__join(d, scene__ellipsoid(q, 12, -38.5f, 90, 6, 6.8f, 11), 9);
     d = scene__cut(d, scene__ellipsoid(q, 6.3f, -45.5f, 97, 3.3f, 3.6f, 5.5f), 3);
@@ -162,11 +163,11 @@ static inline float scene__face(scene_vec p, scene_vec q, float d) /* adds the f
     /* mouth: a mound, two lips, the seam between them, its corners, the hollows above and below */
     d = scene__join(d, scene__ellipsoid(p, 0, -68, 66, 29, 24, 25), 16);
     d = scene__cut(d, scene__capsule(p, scene_v(0, -50, 97), scene_v(0, -61, 96.5f), 2.2f, 2.8f), 6);
-    d = scene__join(d, scene__capsule(q, scene_v(2.5f, -66.3f, 90.5f), scene_v(23, -70.5f, 81.5f), 4.6f, 2.2f), 5);
+    d = scene__join(d, scene__capsule(q, scene_v(0, -66.8f, 90.5f), scene_v(23, -70.5f, 81.5f), 4.6f, 2.2f), 5);
     d = scene__join(d, scene__capsule(q, scene_v(0, -76, 89.5f), scene_v(21, -73, 82), 5.8f, 3), 5);
     seam = p.y + 70.8f + 1.1f * scene__bump(ax, 3.5f) - 0.9f * scene__bump(ax - 11, 5);
-    d += 1.5f * scene__bump(seam, 0.75f) * scene__step(27, 18, ax) * scene__step(72, 78, p.z);
-    d = scene__cut(d, scene__ellipsoid(q, 27, -71.5f, 86, 3, 2.5f, 4), 6);
+    d += 1.5f * scene__bump(seam, 0.75f) * scene__step(25, 15, ax) * scene__step(72, 78, p.z);
+    d = scene__cut(d, scene__ellipsoid(q, 25.5f, -71.5f, 86, 2.5f, 2, 3.5f), 6);
     d = scene__cut(d, scene__ellipsoid(p, 0, -86.5f, 94, 15, 3.6f, 5), 8);
     return scene__min(d, scene__eyeball(p));
 }
@@ -178,8 +179,8 @@ static inline float scene_bust(scene_vec p)
     d = scene__join(d, scene__ellipsoid(p, 0, -28, 20, 59, 82, 62), 26);
     d = scene__join(d, scene__capsule(q, scene_v(45, -58, 2), scene_v(7, -99, 58), 16, 14), 26);
     d = scene__join(d, scene__ellipsoid(p, 0, -98, 74, 17, 14, 14), 20);
-    d = scene__join(d, scene__ellipsoid(q, 40, -17, 53, 18, 12, 17), 24);
-    d = scene__join(d, scene__capsule(q, scene_v(0, 17, 79), scene_v(52, 19, 55), 8, 4.5f), 17);
+    d = scene__join(d, scene__ellipsoid(q, 39, -18, 52, 18, 13, 17), 28);
+    d = scene__join(d, scene__capsule(q, scene_v(0, 17, 79), scene_v(50, 17, 54), 8, 2.5f), 20);
     if (p.y < 20) { /* neck, shoulders, chest */
         float body = scene__capsule(p, scene_v(0, -50, -34), scene_v(0, -200, -36), 46, 55);
         body = scene__join(body, scene__capsule(q, scene_v(22, -128, -55), scene_v(118, -212, -42), 30, 26), 40);
@@ -230,7 +231,7 @@ static inline float scene_knot(scene_vec p)
 /* Ground, and a wall behind it, joined by a round corner. */
 static inline float scene__backdrop(scene_object object, scene_vec p)
 {
-    return object == SCENE_BUST ? scene__join(p.y + 250, p.z + 900, 160) : scene__join(p.y + 42.6f, p.z + 260, 200);
+    return object == SCENE_BUST ? scene__join(p.y + 250, p.z + 900, 160) : scene__join(p.y + 37.0f, p.z + 260, 200);
 }
 
 static inline float scene_distance(scene_object object, scene_vec p)
@@ -286,7 +287,7 @@ enum { SCENE_LIGHTS = 3 };
 static inline void scene_lights(scene_object object, scene_light light[SCENE_LIGHTS])
 {
     static const float bust[SCENE_LIGHTS][7] = {{-560, 330, 250, 55, 3.3f, 2.95f, 2.5f},  /* key: warm, from the left */
-                                                {420, 260, -520, 60, 1.3f, 1.75f, 2.4f},   /* rim: cold, from behind */
+                                                {400, 260, -560, 60, 1.2f, 1.6f, 2.2f},   /* rim: cold, from behind */
                                                 {560, 40, 420, 220, 0.07f, 0.09f, 0.125f}}; /* fill: large and weak */
     static const float knot[SCENE_LIGHTS][7] = {{-190, 210, 60, 20, 3.3f, 3.0f, 2.6f},
                                                 {170, 120, -190, 30, 1.0f, 1.35f, 1.9f},
@@ -387,11 +388,11 @@ static inline scene_hit scene__trace(const scene_grid *g, scene_vec from, scene_
     int i;
     float t = 0, end = 6000, d;
     if (scene__clip(g, from, direction, 0, &t, &end)) {
-        for (i = 0; i < 200 && t < end; ++i) {
+        for (i = 0; t < end; ++i) {
             scene_vec p = scene_mad(direction, t, from);
             d = scene__grid_distance(g, p);
             if (d < 0.3f * g->cell) d = scene_distance(g->object, p); /* near the surface: the field itself */
-            if (d < 3e-5f * t) {
+            if (d < 3e-5f * t || i == 250) { /* or it crept along an outline */
                 hit.what = g->object == SCENE_BUST && scene__eyeball(p) < 0.05f ? SCENE_EYE : SCENE_OBJECT;
                 hit.t = t;
                 return hit;
@@ -491,9 +492,7 @@ static inline scene_surface scene__surface(const scene_grid *g, int what, scene_
         f = 1 + 0.05f * scene_fractal(scene_mul(p, 0.02f), 4);
         for (c = 0; c < 3; ++c) s.albedo[c] = f * (g->object == SCENE_BUST ? wall[c] : slab[c]);
         s.mask = 0;
-        s.reflectance = g->object == SCENE_BUST ? 0 : 0.03f;
-        s.roughness = 0.35f;
-        s.coat = 0;
+        s.reflectance = 0;
     } else if (what == SCENE_EYE) { /* white, iris with a dark rim, pupil; both eyes look at the camera */
         scene_vec center = scene_v(p.x < 0 ? -SCENE_EYE_X : SCENE_EYE_X, 0, SCENE_EYE_Z);
         scene_vec look = scene_normalize(scene_v(0.30f, 0.01f, 1)), q = scene_sub(p, center), side = scene_cross(look, scene_v(0, 1, 0));
@@ -525,8 +524,8 @@ static inline scene_surface scene__surface(const scene_grid *g, int what, scene_
             s.albedo[c] *= scene__mix(1, lip[c], lips);
             s.albedo[c] *= scene__mix(1, hair[c], 0.9f * brow);
         }
-        s.roughness = scene__mix(0.50f, 0.36f, lips);
-        s.coat = scene__mix(0.14f, 0.4f, lips);
+        s.roughness = scene__mix(0.54f, 0.36f, lips);
+        s.coat = scene__mix(0.10f, 0.4f, lips);
         s.reflectance *= 1 - 0.6f * brow;
     } else { /* marble: thin dark veins where a folded noise crosses zero */
         scene_vec q = scene_add(scene_mul(p, 0.045f), scene_mul(scene_v(scene_fractal(scene_mul(p, 0.05f), 4),
@@ -645,7 +644,8 @@ static inline void scene__shade(scene *s, const scene_grid *g, const scene_light
     s->mask.pixels[pixel] = m.mask;
 }
 
-/* Outlines: where neighbours differ in depth, 16 rays a pixel ask which of the 3x3 pixels shows what they hit. */
+/* Outlines: where neighbours differ in depth or in what they show, 16 rays a pixel ask which of the 3x3 pixels shows what
+   they hit. */
 static inline void scene__cover(scene *s, const scene_grid *g)
 {
     int x, y, i, k;
@@ -653,27 +653,33 @@ static inline void scene__cover(scene *s, const scene_grid *g)
         for (x = 0; x < s->width; ++x) {
             size_t pixel = (size_t)y * (size_t)s->width + (size_t)x;
             unsigned char *weight = s->coverage + 9 * pixel;
-            float near_depth = 1e30f, far_depth = 0, z[9];
+            float near_depth = 1e30f, far_depth = 0, depth[9], mask[9];
+            int edge = 0;
             for (i = 0; i < 9; ++i) {
                 int nx = x + i % 3 - 1, ny = y + i / 3 - 1;
-                z[i] = nx < 0 || ny < 0 || nx >= s->width || ny >= s->height ? -1
-                       : s->depth.pixels[(size_t)ny * (size_t)s->width + (size_t)nx];
-                if (z[i] < 0) continue;
-                near_depth = scene__min(near_depth, z[i]);
-                far_depth = scene__max(far_depth, z[i]);
+                int beside = nx < 0 || ny < 0 || nx >= s->width || ny >= s->height;
+                size_t neighbour = beside ? pixel : (size_t)ny * (size_t)s->width + (size_t)nx;
+                depth[i] = beside ? 1e30f : s->depth.pixels[neighbour];
+                mask[i] = s->mask.pixels[neighbour];
+                if (beside) continue;
+                near_depth = scene__min(near_depth, depth[i]);
+                far_depth = scene__max(far_depth, depth[i]);
+                edge |= fabsf(mask[i] - s->mask.pixels[pixel]) > 0;
             }
-            if (far_depth < 1.01f * near_depth) {
+            if (!edge && far_depth < 1.01f * near_depth) {
                 weight[4] = 16;
                 continue;
             }
             for (k = 0; k < 16; ++k) { /* 16 points of a rotated grid, 4 to a row */
                 float dx = (float)(k % 4) / 4 + (float)(k / 4) / 16 + 0.03125f, dy = (float)(k / 4) / 4 + (float)(k % 4) / 16 + 0.03125f;
                 scene_vec ray = scene_ray(&s->camera, s->width, s->height, (float)x + dx, (float)y + dy);
-                float depth = -scene_dot(ray, s->camera.back) * scene__trace(g, s->camera.eye, ray).t, best = 1e30f;
+                scene_hit hit = scene__trace(g, s->camera.eye, ray);
+                float z = -scene_dot(ray, s->camera.back) * hit.t, best = 1e30f;
                 int choice = 4;
                 for (i = 0; i < 9; ++i) {
-                    float cost = fabsf(z[i] - depth) + 0.004f * depth * (fabsf(dx + 0.5f - (float)(i % 3)) + fabsf(dy + 0.5f - (float)(i / 3)));
-                    if (z[i] < 0 || cost >= best) continue;
+                    float aside = fabsf(dx + 0.5f - (float)(i % 3)) + fabsf(dy + 0.5f - (float)(i / 3));
+                    float cost = fabsf(depth[i] - z) + 0.004f * z * aside + (mask[i] > 0 != (hit.what == SCENE_OBJECT) ? z : 0);
+                    if (cost >= best) continue;
                     best = cost;
                     choice = i;
                 }
