@@ -429,6 +429,54 @@ MS_SSS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kerne
 
 /* -------------------------------------------------------------- GPU TEXT */
 
+/* The language of a shader text. */
+typedef enum ms_sss_language {
+    MS_SSS_GLSL_330 = 0,    /* desktop OpenGL 3.3; constants: uniform vec4 ms_sss[] */
+    MS_SSS_GLSL_ES_300 = 1, /* OpenGL ES 3.0, WebGL 2; the same */
+    MS_SSS_GLSL_VULKAN = 2, /* GLSL 450 for SPIR-V; constants: uniform block, set 0, binding 0; textures: bindings 1 to 4 */
+    MS_SSS_HLSL = 3         /* shader model 4 and later; constants: cbuffer b0; textures: t0 to t3 */
+} ms_sss_language;
+
+/* One pass of the filter as a fragment or pixel shader over a full-screen triangle. Pass 1 (second 0) writes RGB and, in
+   alpha, whether the pixel takes part, to a float or half RGBA target; pass 2 writes the result. Textures, read by
+   texel, no sampler state needed:
+     ms_sss_colour    what the pass blurs: the input in pass 1, pass 1's target in pass 2
+     ms_sss_depth     with_depth: as ms_sss_frame.depth, in red
+     ms_sss_strength  with_strength: in red
+     ms_sss_input     pass 2: the input
+   Albedo, specular light and profiles stay with the shader that composes: run the pass under a stencil per profile. */
+typedef struct ms_sss_shader {
+    ms_sss_language language;
+    int second;         /* 0: along x (or the turned axis), 1: along y */
+    int tap_count;      /* of the kernel */
+    int half_kernel;    /* 0: all taps are uploaded; 1: the centre and one of each pair */
+    int with_depth;     /* perspective needs it */
+    int with_strength;
+} ms_sss_shader;
+
+/* The text of a pass for these options, with entry point main.
+   text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
+   Returns the length; 0: an argument out of range. */
+MS_SSS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
+                                     size_t capacity);
+
+/* Float4 constants that a shader of tap_count taps reads: 7 and one a tap. */
+MS_SSS_API int ms_sss_shader_constant_count(int tap_count, int half_kernel);
+
+/* Their values for term `term`. Terms after the first are drawn with additive blending over the first.
+   out    [ms_sss_shader_constant_count()][4]; the same for both passes
+   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
+MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int term, const ms_sss_filter_options *options,
+                                             int width, int height, const ms_sss_shader *shader, float (*out)[4],
+                                             ms_error *error);
+
+/* The taps alone, for engines with a shader of their own: RGB weight and offset in mm, entry 0 is the centre.
+   out    [tap_count][4], or [tap_count / 2 + 1][4] with half_kernel (centre, then one of each pair by growing offset);
+          float, or uint16_t that hold binary16 with binary16 = 1
+   MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
+MS_SSS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
+                                          ms_error *error);
+
 #ifdef __cplusplus
 }
 #endif
@@ -2170,114 +2218,104 @@ static void ms_sss__gaussian_cells(double sigma, int cells, double *g, double *s
     }
 }
 
-static double ms_sss__dot_cells(const double *a, const double *b, int cells)
-{
-    double sum = 0;
-    int i;
-    for (i = 1; i <= cells; ++i) sum += a[i] * b[i];
-    return a[0] * b[0] + 2 * sum;
-}
-
-/* The Gaussians of one fit and their products with each other and the kernel; every product of 2D Gaussians is one of
-   1D ones: <g g^T, h h^T> = (g h)^2. */
+/* Gaussians whose sum approximates one channel: weight q^2 / sum of q^2. */
 typedef struct ms_sss__mixture {
     int count;
-    double q[MS_SSS_TERMS_MAX], log_sigma[MS_SSS_TERMS_MAX]; /* weight = q^2 */
-    double gg[MS_SSS_TERMS_MAX][MS_SSS_TERMS_MAX];           /* g_n g_m */
-    double gs[MS_SSS_TERMS_MAX][MS_SSS_TERMS_MAX];           /* g_n slope_m */
-    double ss[MS_SSS_TERMS_MAX][MS_SSS_TERMS_MAX];           /* slope_n slope_m */
-    double kg[MS_SSS_TERMS_MAX], ks[MS_SSS_TERMS_MAX];       /* g_n^T K g_n, slope_n^T K g_n */
-    double objective;
+    double q[MS_SSS_TERMS_MAX], log_sigma[MS_SSS_TERMS_MAX], objective;
 } ms_sss__mixture;
 
-/* ||K - sum w_n g_n g_n^T||_F^2 less ||K||^2, and the energy constraint as a heavy row. */
-#define MS_SSS__ENERGY_ROW 10
-static void ms_sss__mixture_products(const ms_sss_designer *d, int c, ms_sss__mixture *m)
+/* wave, slope [count][nodes]: spectra of the Gaussians and their derivatives by log sigma. */
+static void ms_sss__mixture_waves(const ms_sss_designer *d, ms_sss__mixture *m, int nodes, const int *node, double *wave,
+                                  double *slope)
 {
-    double g[MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1], slope[MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1];
-    double Kg[MS_SSS__CELLS_MAX + 1], energy = 1;
-    int n, k, i, row = d->cells + 1;
-    m->objective = 0;
-    for (n = 0; n < m->count; ++n) ms_sss__gaussian_cells(exp(m->log_sigma[n]), d->cells, g[n], slope[n]);
+    double g[MS_SSS__CELLS_MAX + 1], s[MS_SSS__CELLS_MAX + 1], sum = 0;
+    int n, a, i;
+    for (n = 0; n < m->count; ++n) sum += m->q[n] * m->q[n];
     for (n = 0; n < m->count; ++n) {
-        double w = m->q[n] * m->q[n];
-        for (i = 0; i < row; ++i) Kg[i] = ms_sss__dot_cells(d->cell[c] + i * row, g[n], d->cells);
-        m->kg[n] = ms_sss__dot_cells(g[n], Kg, d->cells);
-        m->ks[n] = ms_sss__dot_cells(slope[n], Kg, d->cells);
-        m->objective -= 2 * w * m->kg[n];
-        energy -= w;
-        for (k = 0; k < m->count; ++k) {
-            m->gg[n][k] = ms_sss__dot_cells(g[n], g[k], d->cells);
-            m->gs[n][k] = ms_sss__dot_cells(g[n], slope[k], d->cells);
-            m->ss[n][k] = ms_sss__dot_cells(slope[n], slope[k], d->cells);
-            m->objective += w * m->q[k] * m->q[k] * m->gg[n][k] * m->gg[n][k];
+        m->q[n] /= sqrt(sum);
+        ms_sss__gaussian_cells(exp(m->log_sigma[n]), d->cells, g, s);
+        for (a = 0; a < nodes; ++a) {
+            double re = g[0], along = s[0];
+            for (i = 1; i <= d->cells; ++i) {
+                double c = 2 * d->cosine[node[a] * i & (MS_SSS__SIZE - 1)];
+                re += g[i] * c;
+                along += s[i] * c;
+            }
+            wave[n * nodes + a] = re;
+            slope[n * nodes + a] = along;
         }
     }
-    m->objective += MS_SSS__ENERGY_ROW * energy * energy;
 }
 
-static void ms_sss__fit_mixture_from(const ms_sss_designer *d, int c, double narrowest, double widest,
-                                     ms_sss__mixture *m)
+/* Levenberg-Marquardt over (q, log sigma) from Gaussians spread evenly in log sigma. */
+static void ms_sss__fit_mixture_from(const ms_sss_designer *d, int c, double narrowest, double widest, ms_sss__mixture *best)
 {
     enum { P = 2 * MS_SSS_TERMS_MAX };
-    double H[P * P], g[P], work[P * P], step[P], lambda = 1e-2, energy, sum = 0;
-    int N = m->count, unknowns = 2 * N, round, n, k;
-    ms_sss__mixture trial;
+    double wave[MS_SSS_TERMS_MAX * MS_SSS__NODES_MAX], slope[MS_SSS_TERMS_MAX * MS_SSS__NODES_MAX], share[MS_SSS__NODES_MAX];
+    double H[P * P], g[P], work[P * P], step[P], lambda = 1e-2;
+    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, node, share), N = best->count, round, n, a, b, i, j;
+    ms_sss__mixture m = *best;
     for (n = 0; n < N; ++n) {
-        m->q[n] = sqrt(1.0 / N);
-        m->log_sigma[n] = log(narrowest) + log(widest / narrowest) * (n + 0.5) / N;
+        m.q[n] = 1;
+        m.log_sigma[n] = log(narrowest) + log(widest / narrowest) * (n + 0.5) / N;
     }
-    ms_sss__mixture_products(d, c, m);
-    for (round = 0; round < 200 && lambda < 1e12; ++round) {
-        for (n = 0, energy = 1; n < N; ++n) energy -= m->q[n] * m->q[n];
-        for (n = 0; n < N; ++n) {
-            double wn = m->q[n] * m->q[n];
-            g[n] = 2 * m->q[n] * (m->kg[n] + MS_SSS__ENERGY_ROW * energy);
-            g[N + n] = 2 * wn * m->ks[n];
-            for (k = 0; k < N; ++k) { /* unknown 0 to N-1: q, N to 2N-1: log sigma */
-                double wk = m->q[k] * m->q[k], gg = m->gg[n][k], gs = m->gs[n][k];
-                g[n] -= 2 * m->q[n] * wk * gg * gg;
-                g[N + n] -= 2 * wn * wk * gg * m->gs[k][n];
-                H[n * unknowns + k] = 4 * m->q[n] * m->q[k] * (gg * gg + MS_SSS__ENERGY_ROW);
-                H[n * unknowns + N + k] = 4 * m->q[n] * wk * gg * gs;
-                H[(N + k) * unknowns + n] = H[n * unknowns + N + k];
-                H[(N + n) * unknowns + N + k] = 2 * wn * wk * (m->ss[n][k] * gg + gs * m->gs[k][n]);
+    best->objective = HUGE_VAL;
+    for (round = 0; round < 80 && lambda < 1e10; ++round) {
+        double Ht[P * P], gt[P];
+        memset(Ht, 0, sizeof Ht);
+        memset(gt, 0, sizeof gt);
+        m.objective = 0;
+        ms_sss__mixture_waves(d, &m, nodes, node, wave, slope);
+        for (a = 0; a < nodes; ++a)
+            for (b = 0; b <= a; ++b) {
+                double J[P], found = 0, rest, weight = share[a] * share[b] * (a == b ? 1 : 2);
+                if (N > 1) weight *= a > 0 ? ms_sss__texture_power(node[a], node[b]) : 0;
+                for (n = 0; n < N; ++n) {
+                    const double *w = wave + n * nodes, *s = slope + n * nodes;
+                    J[n] = w[a] * w[b];
+                    J[N + n] = m.q[n] * m.q[n] * (s[a] * w[b] + w[a] * s[b]);
+                    found += m.q[n] * m.q[n] * J[n];
+                }
+                for (n = 0; n < N; ++n) J[n] = 2 * m.q[n] * (J[n] - found); /* q^2 over their sum */
+                rest = d->spectrum[c][ms_sss__octant(node[a], node[b])] - found;
+                m.objective += weight * rest * rest;
+                for (i = 0; i < 2 * N; ++i) {
+                    gt[i] += weight * J[i] * rest;
+                    for (j = 0; j <= i; ++j) Ht[i * 2 * N + j] += weight * J[i] * J[j];
+                }
             }
-        }
-        trial = *m;
-        if (ms_sss__marquardt(H, g, lambda, unknowns, work, step)) {
-            for (n = 0; n < N; ++n) {
-                double s = m->log_sigma[n] + step[N + n];
-                trial.q[n] = m->q[n] + step[n];
-                trial.log_sigma[n] = s < -4 ? -4 : s > 7 ? 7 : s; /* a fiftieth of a cell to a thousand */
-            }
-            ms_sss__mixture_products(d, c, &trial);
-        }
-        if (trial.objective < m->objective) {
-            int done = m->objective - trial.objective < 1e-18;
-            *m = trial;
+        if (m.objective < best->objective) {
+            int done = best->objective - m.objective < 1e-7 * m.objective;
+            *best = m;
+            memcpy(H, Ht, sizeof H);
+            memcpy(g, gt, sizeof g);
             lambda *= 0.2;
             if (done) break;
         } else {
-            lambda *= 4;
+            lambda *= 5;
+        }
+        m = *best;
+        if (!ms_sss__marquardt(H, g, lambda, 2 * N, work, step)) break;
+        for (n = 0; n < N; ++n) {
+            double s = best->log_sigma[n] + step[N + n];
+            m.q[n] = best->q[n] + step[n];
+            m.log_sigma[n] = s < -4 ? -4 : s > 7 ? 7 : s; /* a fiftieth of a cell to a thousand */
         }
     }
-    for (n = 0; n < N; ++n) sum += m->q[n] * m->q[n];
-    for (n = 0; n < N; ++n) m->q[n] /= sqrt(sum);
 }
 
-/* The best of fits that start from differently narrow Gaussians. */
+/* The best of fits that start from differently narrow Gaussians: one Gaussian in the Frobenius norm, as it is usually
+   done; more by least texture error, as that norm sees little but the centre. */
 static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, ms_sss__mixture *best)
 {
-    static const double spread[] = {20, 60, 180};
+    static const double spread[] = {20, 90};
     ms_sss__mixture m;
     int n;
     best->objective = HUGE_VAL;
-    for (n = 0; n < 3; ++n) {
+    for (n = 0; n < 2; ++n) {
         m.count = count;
         ms_sss__fit_mixture_from(d, c, d->width[c] / spread[n] + 0.1, d->width[c] / 2 + 0.2, &m);
         if (m.objective < best->objective) *best = m;
-        if (count == 1) break;
     }
 }
 
@@ -3868,6 +3906,315 @@ MS_SSS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kerne
 /* ---------------------------------------------------------- PYRAMID CODE */
 
 /* -------------------------------------------------------------- GPU CODE */
+
+/* Written in HLSL's names, which the GLSL heads define. The comments of FILTER KERNELS hold for these lines too. */
+static const char *const ms_sss__shader_body[] = {
+    "#define SIZE ms_sss[0].xy        /* of the picture */\n",
+    "#define PIXELS ms_sss[0].z       /* a mm, times depth in perspective */\n",
+    "#define PIXELS_MAX ms_sss[0].w\n",
+    "#define PIXELS_MIN ms_sss[1].x   /* kernels up to this leave a pixel as it is */\n",
+    "#define DEPTH_SCALE ms_sss[1].y\n",
+    "#define CUT ms_sss[1].z\n",
+    "#define GAIN ms_sss[1].w\n",
+    "#define ASPECT ms_sss[2].xy\n",
+    "#define ROTATION ms_sss[2].z\n",
+    "#define JITTER ms_sss[2].w\n",
+    "#define TOTAL ms_sss[3].rgb      /* sum of the weights */\n",
+    "#define FIRST ms_sss[3].w        /* 1 for the first term */\n",
+    "#define SCALE ms_sss[4].rgb\n",
+    "#define DELTA ms_sss[5].rgb\n",
+    "#define MIXED ms_sss[6].rgb      /* 1: what is missing goes to the pixel's own colour */\n",
+    "#define TAP(k) ms_sss[7 + (k)]   /* weight, offset in mm */\n",
+    "\n",
+    "float depth_at(int2 p)\n",
+    "{\n",
+    "#if WITH_DEPTH\n",
+    "    return FETCH(ms_sss_depth, p).r;\n",
+    "#else\n",
+    "    return 1.0;\n",
+    "#endif\n",
+    "}\n",
+    "\n",
+    "bool takes_part(float4 colour, float depth, int2 p)\n",
+    "{\n",
+    "    bool part = depth > 0.0 && depth < 3.4e38;\n",
+    "#if SECOND\n",
+    "    part = part && colour.a > 0.5;\n",
+    "#else\n",
+    "    part = part && abs(colour.r) < 3.4e38 && abs(colour.g) < 3.4e38 && abs(colour.b) < 3.4e38;\n",
+    "#if WITH_STRENGTH\n",
+    "    part = part && FETCH(ms_sss_strength, p).r > 0.0;\n",
+    "#endif\n",
+    "#endif\n",
+    "    return part;\n",
+    "}\n",
+    "\n",
+    "/* Adds share f (colour, 1) of the pixel p, where f is what its depth leaves. */\n",
+    "void add_pixel(int2 p, float share, float depth, inout float4 sum)\n",
+    "{\n",
+    "    float4 colour;\n",
+    "    float other, dz, q, f;\n",
+    "    if (!(share > 0.0) || p.x < 0 || p.y < 0 || p.x >= int(SIZE.x) || p.y >= int(SIZE.y)) return;\n",
+    "    colour = FETCH(ms_sss_colour, p);\n",
+    "    other = depth_at(p);\n",
+    "    if (!takes_part(colour, other, p)) return;\n",
+    "    dz = (other - depth) * DEPTH_SCALE;\n",
+    "    q = dz * dz;\n",
+    "    if (!(q < CUT)) return;\n",
+    "#if FOLLOW\n",
+    "    f = share * (1.0 - abs(dz));\n",
+    "#else\n",
+    "    f = share * exp2(-q);\n",
+    "#endif\n",
+    "    sum += float4(colour.rgb * f, f);\n",
+    "}\n",
+    "\n",
+    "/* Adds the pixels beside position p + step. */\n",
+    "void add_tap(int2 p, float2 step, float depth, inout float4 sum)\n",
+    "{\n",
+    "    float2 whole = floor(step), part = step - whole;\n",
+    "    int2 at = p + int2(int(whole.x), int(whole.y));\n",
+    "#if TURNED\n",
+    "    add_pixel(at, (1.0 - part.x) * (1.0 - part.y), depth, sum);\n",
+    "    add_pixel(at + int2(1, 0), part.x * (1.0 - part.y), depth, sum);\n",
+    "    add_pixel(at + int2(0, 1), (1.0 - part.x) * part.y, depth, sum);\n",
+    "    add_pixel(at + int2(1, 1), part.x * part.y, depth, sum);\n",
+    "#elif SECOND\n",
+    "    add_pixel(at, 1.0 - part.y, depth, sum);\n",
+    "    add_pixel(at + int2(0, 1), part.y, depth, sum);\n",
+    "#else\n",
+    "    add_pixel(at, 1.0 - part.x, depth, sum);\n",
+    "    add_pixel(at + int2(1, 0), part.x, depth, sum);\n",
+    "#endif\n",
+    "}\n",
+    "\n",
+    "float restore(float sum, float weight, float own, float total, float mixed)\n",
+    "{\n",
+    "    if (mixed > 0.5) return sum + own * (total - weight);\n",
+    "    return weight > 1e-30 ? sum / weight * total : own * total;\n",
+    "}\n",
+    "\n",
+    "float4 filter_pixel(int2 p)\n",
+    "{\n",
+    "    float4 own = FETCH(ms_sss_colour, p), sum;\n",
+    "    float depth = depth_at(p), pixels = PIXELS, strength = GAIN;\n",
+    "    bool part = takes_part(own, depth, p), large;\n",
+    "    float3 result = own.rgb * TAP(0).rgb, weight = TAP(0).rgb, total = TOTAL;\n",
+    "    float2 axis;\n",
+    "    int k;\n",
+    "#if SECOND\n",
+    "    float3 unblurred = FETCH(ms_sss_input, p).rgb;\n",
+    "    if (!part) return float4(unblurred * FIRST, 1.0);\n",
+    "#else\n",
+    "    if (!part) return float4(0.0, 0.0, 0.0, 0.0);\n",
+    "#endif\n",
+    "#if PERSPECTIVE\n",
+    "    pixels = min(PIXELS / depth, PIXELS_MAX);\n",
+    "#endif\n",
+    "    large = pixels > PIXELS_MIN;\n",
+    "    axis = float2(SECOND == 1 ? 0.0 : 1.0, SECOND == 1 ? 1.0 : 0.0);\n",
+    "#if TURNED\n",
+    "    float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10) + 0.5;\n",
+    "    float angle = ROTATION + JITTER * turn * (1.57079632679 / 64.0);\n",
+    "    axis = SECOND == 1 ? float2(-sin(angle), cos(angle)) : float2(cos(angle), sin(angle));\n",
+    "#endif\n",
+    "    axis *= pixels * ASPECT;\n",
+    "    if (large) {\n",
+    "        for (k = 1; k < TAPS; ++k) {\n",
+    "            float4 tap = TAP(k);\n",
+    "            sum = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "            add_tap(p, axis * tap.w, depth, sum);\n",
+    "#if HALF_KERNEL\n",
+    "            add_tap(p, axis * -tap.w, depth, sum);\n",
+    "#endif\n",
+    "            result += tap.rgb * sum.rgb;\n",
+    "            weight += tap.rgb * sum.a;\n",
+    "        }\n",
+    "        result = float3(restore(result.r, weight.r, own.r, total.r, MIXED.r), restore(result.g, weight.g, own.g, total.g, MIXED.g),\n",
+    "                        restore(result.b, weight.b, own.b, total.b, MIXED.b));\n",
+    "    } else {\n",
+    "        result = own.rgb * total;\n",
+    "    }\n",
+    "#if SECOND\n",
+    "#if WITH_STRENGTH\n",
+    "    strength *= min(FETCH(ms_sss_strength, p).r, 1.0);\n",
+    "#endif\n",
+    "    result = SCALE * result + FIRST * DELTA * unblurred;\n",
+    "    if (!large) result = FIRST * unblurred;\n",
+    "    result = strength * result + FIRST * (1.0 - strength) * unblurred;\n",
+    "#endif\n",
+    "    return float4(result, 1.0);\n",
+    "}\n"};
+
+/* A text that is measured first and written second. */
+typedef struct ms_sss__text {
+    char *out; /* NULL: measure */
+    size_t length;
+} ms_sss__text;
+
+static void ms_sss__say(ms_sss__text *text, const char *s)
+{
+    size_t n = strlen(s);
+    if (text->out) memcpy(text->out + text->length, s, n);
+    text->length += n;
+}
+
+static void ms_sss__say_number(ms_sss__text *text, const char *before, int number, const char *after)
+{
+    char digits[32];
+    ms__format_number(digits, number);
+    ms_sss__say(text, before);
+    ms_sss__say(text, digits);
+    ms_sss__say(text, after);
+}
+
+static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
+{
+    static const char *const texture[4] = {"ms_sss_colour", "ms_sss_depth", "ms_sss_strength", "ms_sss_input"};
+    const int used[4] = {1, s->with_depth, s->with_strength, s->second};
+    const int taps = s->half_kernel ? s->tap_count / 2 + 1 : s->tap_count;
+    const int constants = ms_sss_shader_constant_count(s->tap_count, s->half_kernel);
+    size_t i;
+    int t;
+    if (s->language == MS_SSS_GLSL_330) ms_sss__say(text, "#version 330\n");
+    if (s->language == MS_SSS_GLSL_ES_300)
+        ms_sss__say(text, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+    if (s->language == MS_SSS_GLSL_VULKAN) ms_sss__say(text, "#version 450\n");
+    ms_sss__say_number(text, "#define SECOND ", s->second, "\n");
+    ms_sss__say_number(text, "#define TAPS ", taps, "\n");
+    ms_sss__say_number(text, "#define HALF_KERNEL ", s->half_kernel, "\n");
+    ms_sss__say_number(text, "#define WITH_DEPTH ", s->with_depth, "\n");
+    ms_sss__say_number(text, "#define WITH_STRENGTH ", s->with_strength, "\n");
+    ms_sss__say_number(text, "#define PERSPECTIVE ", o->fov_degrees > 0, "\n");
+    ms_sss__say_number(text, "#define FOLLOW ", o->depth_mode == MS_SSS_DEPTH_FOLLOW, "\n");
+    ms_sss__say_number(text, "#define TURNED ", ms_sss__differ(o->rotation, 0) || o->jitter > 0, "\n");
+    if (s->language == MS_SSS_HLSL) {
+        ms_sss__say(text, "#define FETCH(image, p) image.Load(int3(p, 0))\n");
+        ms_sss__say_number(text, "cbuffer ms_sss_block : register(b0) { float4 ms_sss[", constants, "]; };\n");
+    } else {
+        ms_sss__say(text, "#define float2 vec2\n#define float3 vec3\n#define float4 vec4\n#define int2 ivec2\n"
+                          "#define FETCH(image, p) texelFetch(image, p, 0)\n");
+        if (s->language == MS_SSS_GLSL_VULKAN)
+            ms_sss__say_number(text, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[", constants, "]; };\n"
+                                     "layout(location = 0) out vec4 ms_sss_out;\n");
+        else ms_sss__say_number(text, "uniform vec4 ms_sss[", constants, "];\nout vec4 ms_sss_out;\n");
+    }
+    for (t = 0; t < 4; ++t) {
+        if (!used[t]) continue;
+        if (s->language == MS_SSS_HLSL) {
+            ms_sss__say(text, "Texture2D<float4> ");
+            ms_sss__say(text, texture[t]);
+            ms_sss__say_number(text, " : register(t", t, ");\n");
+        } else {
+            if (s->language == MS_SSS_GLSL_VULKAN) ms_sss__say_number(text, "layout(set = 0, binding = ", t + 1, ") ");
+            ms_sss__say(text, "uniform sampler2D ");
+            ms_sss__say(text, texture[t]);
+            ms_sss__say(text, ";\n");
+        }
+    }
+    ms_sss__say(text, "\n");
+    for (i = 0; i < sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]; ++i)
+        ms_sss__say(text, ms_sss__shader_body[i]);
+    if (s->language == MS_SSS_HLSL)
+        ms_sss__say(text, "\nfloat4 main(float4 position : SV_Position) : SV_Target { return filter_pixel(int2(position.xy)); }\n");
+    else ms_sss__say(text, "\nvoid main() { ms_sss_out = filter_pixel(int2(gl_FragCoord.xy)); }\n");
+}
+
+MS_SSS_API int ms_sss_shader_constant_count(int tap_count, int half_kernel)
+{
+    return 7 + (half_kernel ? tap_count / 2 + 1 : tap_count);
+}
+
+MS_SSS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
+                                     size_t capacity)
+{
+    ms_sss__text measured = {NULL, 0}, written = {NULL, 0};
+    if (!shader || !options || ms_sss__check_options(options, NULL) != MS_OK || (int)shader->language < 0 ||
+        (int)shader->language > (int)MS_SSS_HLSL || shader->tap_count < 1 || shader->tap_count > MS_SSS_TAPS_MAX ||
+        shader->tap_count % 2 == 0 || (options->fov_degrees > 0 && !shader->with_depth))
+        return 0;
+    ms_sss__say_shader(&measured, shader, options);
+    if (text && capacity > measured.length) {
+        written.out = text;
+        ms_sss__say_shader(&written, shader, options);
+        text[written.length] = 0;
+    }
+    return measured.length;
+}
+
+MS_SSS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
+                                          ms_error *error)
+{
+    ms_status status;
+    int i, c;
+    if (!kernel || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel or out is NULL");
+    if ((status = ms_sss__check_kernel(kernel, 0, error)) != MS_OK) return status;
+    if (term < 0 || term >= kernel->term_count)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term %d is not within the kernel's %d", term, kernel->term_count);
+    for (i = 1; half_kernel && i < kernel->tap_count; i += 2) {
+        int same = !ms_sss__differ(kernel->offset_mm[i], -kernel->offset_mm[i + 1]);
+        for (c = 0; c < 3; ++c)
+            if (ms_sss__differ(kernel->weight[term][i][c], kernel->weight[term][i + 1][c])) same = 0;
+        if (!same) return ms__fail(error, MS_UNSUPPORTED, 0, "taps %d and %d differ: half a kernel cannot hold both", i, i + 1);
+    }
+    for (i = 0; i < kernel->tap_count; ++i) {
+        const int at = half_kernel ? i / 2 : i;
+        if (half_kernel && i % 2 == 1) continue;
+        for (c = 0; c < 4; ++c) {
+            const float value = c < 3 ? kernel->weight[term][i][c] : kernel->offset_mm[i];
+            if (binary16) ((uint16_t *)out)[4 * at + c] = ms_sss__to_half(value);
+            else ((float *)out)[4 * at + c] = value;
+        }
+    }
+    return MS_OK;
+}
+
+MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int term, const ms_sss_filter_options *options,
+                                             int width, int height, const ms_sss_shader *shader, float (*out)[4],
+                                             ms_error *error)
+{
+    ms_sss__job job;
+    ms_status status;
+    float constant[7][4];
+    const ms_sss__pass *p = &job.pass;
+    int c;
+    if (!kernel || !options || !shader || !out)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel, options, shader or out is NULL");
+    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX || shader->tap_count != kernel->tap_count)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d x %d pixels, %d taps: expected 1 to %d pixels, and the kernel's %d taps",
+                        width, height, shader->tap_count, (int)MS_SSS__SIDE_MAX, kernel->tap_count);
+    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
+    if ((status = ms_sss_kernel_upload(kernel, term, shader->half_kernel, 0, out + 7, error)) != MS_OK) return status;
+    memset(&job, 0, sizeof job);
+    memset(constant, 0, sizeof constant);
+    job.frame.width = width;
+    job.frame.height = height;
+    job.options = *options;
+    ms_sss__set_kernel(&job, kernel, 0);
+    ms_sss__totals(kernel, term, p->follow && shader->with_depth, job.pass.total, job.pass.mixed);
+    constant[0][0] = (float)width;
+    constant[0][1] = (float)height;
+    constant[0][2] = p->perspective ? p->size / job.depth_scale : job.idle ? 0.0f : p->size;
+    constant[0][3] = p->size_max;
+    constant[1][0] = p->size_min;
+    constant[1][1] = job.depth_scale;
+    constant[1][2] = p->cut;
+    constant[1][3] = 1.0f - options->fade;
+    constant[2][0] = p->aspect[0];
+    constant[2][1] = p->aspect[1];
+    constant[2][2] = options->rotation;
+    constant[2][3] = options->jitter;
+    for (c = 0; c < 3; ++c) {
+        constant[3][c] = p->total[c];
+        constant[4][c] = kernel->scale[term][c];
+        constant[5][c] = kernel->delta[c];
+        constant[6][c] = (float)p->mixed[c];
+    }
+    constant[3][3] = term == 0 ? 1.0f : 0.0f;
+    constant[6][3] = kernel->radius_mm;
+    memcpy(out, constant, sizeof constant);
+    return MS_OK;
+}
 
 #endif /* MS_SSS_IMPLEMENTATION */
 
