@@ -204,6 +204,7 @@ typedef enum ms_gpr_method {
 typedef struct ms_gpr_fit_options {
     double floor_offset;    /* If every score is >= 0 and some are 0, zeros are taken as -floor_offset standard deviations, so that
                                dislike has room below "barely liked". 0: 0.5 for MAP, none otherwise. Negative: none */
+    ms_gpr_method method;
     const double *start;    /* [m + 2] theta where the search starts; NULL: l_k = 0.25, 0.5 and 3 sqrt(m) widths for MAP,
                                length_start widths otherwise, sf = 1 and sn = 0.1 standard deviations */
     double length_start;    /* of the methods with one start, in widths; 0: 1 */
@@ -265,7 +266,8 @@ MS_GPR_API size_t ms_gpr_save_size(const ms_gpr *gp);
 MS_GPR_API void ms_gpr_save(const ms_gpr *gp, void *bytes);
 
 /* The model again. Strict: any other size, version, checksum or a value that is not finite is MS_BAD_DATA (position: the byte)
-   or MS_UNSUPPORTED (a later version). Memory stays below 16 MB + 4 size^2 bytes of a valid file, checked before allocation. */
+   or MS_UNSUPPORTED (a later version); nothing is allocated before the size agrees with n and m. The model is conditioned again:
+   equal to the saved one bit for bit, but for points that were appended or dropped (then to rounding). */
 MS_GPR_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 
 #ifndef MS_GPR_NO_STDIO
@@ -1412,6 +1414,15 @@ static void ms_gpr__solve_alpha(ms_gpr *gp)
     }
 }
 
+/* log p(y | X, theta) from the factor. */
+static double ms_gpr__likelihood_of(const ms_gpr *gp)
+{
+    double fit = 0;
+    int i;
+    for (i = 0; i < gp->n; ++i) fit += ms_gpr__target(gp, i) * gp->alpha[i];
+    return -0.5 * (fit + ms_gpr__log_determinant(gp->upper, gp->stride, gp->n) + gp->n * 1.8378770664093454836);
+}
+
 /* Everything that follows from x, y and theta. The jitter, in units of sf^2, is the least power of ten that does. */
 static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
 {
@@ -1987,6 +1998,532 @@ MS_GPR_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *
     ms_gpr__release_doubles(&gp->allocator, block, doubles);
     return MS_OK;
 }
+
+/* ------------------------------------------------------------------------------------------------------ FIT */
+
+/* Log-normal priors of MAP: means of log l_k (widths), of log sf and log sn (standard deviations of the scores), and the standard
+   deviation of all three. The divergence on synthetic users is flat around these values (tests/bench/bench_gpr.c). */
+#define MS_GPR__PRIOR_LENGTH 2.0 /* plus log(m) / 2 */
+#define MS_GPR__PRIOR_SF 0.0
+#define MS_GPR__PRIOR_SN -2.0
+#define MS_GPR__PRIOR_SD 1.0
+
+/* The search over q = log l_k / width_k, log sf / s, log sn / s for scores of mean 0 and standard deviation s = 1. */
+typedef struct ms_gpr__fit {
+    ms_gpr__problem problem;
+    const double *x;          /* [n][m] */
+    double *width;            /* [m] */
+    double *center;           /* [m] */
+    double *prior;            /* [m + 2] means; NULL: none */
+    int evaluations, expected;
+    const ms_progress *progress;
+} ms_gpr__fit;
+
+/* Minus the log posterior (without prior: likelihood) and its gradient (NULL: not wanted). */
+static int ms_gpr__fit_objective(void *context, const double *q, double *value, double *gradient)
+{
+    ms_gpr__fit *fit = (ms_gpr__fit *)context;
+    ms_gpr__problem *p = &fit->problem;
+    double likelihood;
+    int i, k;
+    if (fit->progress->report &&
+        fit->progress->report(fit->progress->user, fit->evaluations < fit->expected ? (double)fit->evaluations / fit->expected : 1.0))
+        return -1;
+    ++fit->evaluations;
+    for (k = 0; k < p->m; ++k) {
+        double *row = p->points + (size_t)k * p->stride, scale = exp(-q[k]) / fit->width[k];
+        for (i = 0; i < p->n; ++i) row[i] = (fit->x[(size_t)i * (size_t)p->m + (size_t)k] - fit->center[k]) * scale;
+    }
+    if (!ms_gpr__evaluate(p, exp(2 * q[p->m]), exp(2 * q[p->m + 1]), &likelihood, gradient)) return 0;
+    *value = -likelihood;
+    for (k = 0; k < p->m + 2; ++k) {
+        if (gradient) gradient[k] = -gradient[k];
+        if (fit->prior) {
+            double z = (q[k] - fit->prior[k]) / MS_GPR__PRIOR_SD;
+            *value += 0.5 * z * z;
+            if (gradient) gradient[k] += z / MS_GPR__PRIOR_SD;
+        }
+    }
+    return 1;
+}
+
+/* Resilient backpropagation as the thesis used it: each variable keeps a step of its own that grows by 1.2 while the sign of its
+   slope stays, and halves when it turns (Riedmiller & Braun 1992; Blum & Riedmiller 2013). work: 4 count doubles. */
+static ms_gpr__minimum ms_gpr__rprop(const ms_gpr__search *s, double *q, double *work)
+{
+    size_t n = (size_t)s->count;
+    double *at = work, *gradient = at + n, *before = gradient + n, *step = before + n, value;
+    ms_gpr__minimum best;
+    int i;
+    best.value = HUGE_VAL;
+    best.evaluations = best.stopped = 0;
+    for (i = 0; i < s->count; ++i) {
+        at[i] = ms_gpr__clip(s, i, q[i]);
+        before[i] = 0;
+        step[i] = 0.1;
+    }
+    while (best.evaluations < s->evaluations) {
+        int defined = s->f(s->context, at, &value, gradient);
+        ++best.evaluations;
+        best.stopped = defined < 0;
+        if (defined != 1) break;
+        if (value < best.value) {
+            best.value = value;
+            memcpy(q, at, n * sizeof *q);
+        }
+        for (i = 0; i < s->count; ++i) {
+            double turn = before[i] * gradient[i];
+            if (turn > 0) step[i] = step[i] * 1.2 < 50 ? step[i] * 1.2 : 50;
+            if (turn < 0) step[i] = step[i] * 0.5 > 1e-6 ? step[i] * 0.5 : 1e-6;
+            before[i] = turn < 0 ? 0 : gradient[i];
+            if (turn >= 0) at[i] = ms_gpr__clip(s, i, at[i] - (gradient[i] > 0 ? step[i] : gradient[i] < 0 ? -step[i] : 0));
+        }
+    }
+    return best;
+}
+
+/* Scaled conjugate gradients (Moller 1993, steps 1 to 9). work: 6 count doubles. */
+static ms_gpr__minimum ms_gpr__scg(const ms_gpr__search *s, double *q, double *work)
+{
+    size_t n = (size_t)s->count;
+    double *gradient = work, *direction = gradient + n, *trial = direction + n, *slope = trial + n, *residual = slope + n, value;
+    double lambda = 1e-6, lambda_raised = 0, delta = 0;
+    ms_gpr__minimum best;
+    int success = 1, k = 1, i, defined;
+    best.stopped = 0;
+    best.evaluations = 1;
+    best.value = HUGE_VAL;
+    for (i = 0; i < s->count; ++i) q[i] = ms_gpr__clip(s, i, q[i]);
+    defined = s->f(s->context, q, &best.value, gradient);
+    best.stopped = defined < 0;
+    if (defined != 1) best.value = HUGE_VAL;
+    if (defined != 1) return best;
+    for (i = 0; i < s->count; ++i) direction[i] = residual[i] = -gradient[i];
+    while (best.evaluations < s->evaluations) {
+        double p2 = 0, mu = 0, alpha, comparison, r2 = 0, gain;
+        for (i = 0; i < s->count; ++i) {
+            p2 += direction[i] * direction[i];
+            mu += direction[i] * residual[i];
+        }
+        if (!(p2 > 1e-20)) break;
+        if (success) { /* second-order information from a short step */
+            double sigma = 1e-4 / sqrt(p2);
+            for (i = 0; i < s->count; ++i) trial[i] = q[i] + sigma * direction[i];
+            defined = s->f(s->context, trial, &value, slope);
+            ++best.evaluations;
+            if (defined < 0) { best.stopped = 1; break; }
+            if (!defined) break;
+            for (i = 0, delta = 0; i < s->count; ++i) delta += direction[i] * (slope[i] - gradient[i]) / sigma;
+        }
+        delta += (lambda - lambda_raised) * p2;
+        if (delta <= 0) { /* make the Hessian positive definite */
+            lambda_raised = 2 * (lambda - delta / p2);
+            delta = -delta + lambda * p2;
+            lambda = lambda_raised;
+        }
+        alpha = mu / delta;
+        for (i = 0; i < s->count; ++i) trial[i] = ms_gpr__clip(s, i, q[i] + alpha * direction[i]);
+        defined = s->f(s->context, trial, &value, slope);
+        ++best.evaluations;
+        if (defined < 0) { best.stopped = 1; break; }
+        if (!defined || !ms__finite(value)) value = HUGE_VAL;
+        comparison = value < HUGE_VAL ? 2 * delta * (best.value - value) / (mu * mu) : -1;
+        if (comparison >= 0) {
+            double turn, cross = 0;
+            gain = best.value - value;
+            best.value = value;
+            memcpy(q, trial, n * sizeof *q);
+            for (i = 0; i < s->count; ++i) {
+                cross += residual[i] * -slope[i];
+                gradient[i] = slope[i];
+                residual[i] = -slope[i];
+                r2 += residual[i] * residual[i];
+            }
+            lambda_raised = 0;
+            success = 1;
+            turn = k++ % s->count == 0 ? 0 : (r2 - cross) / mu;
+            for (i = 0; i < s->count; ++i) direction[i] = residual[i] + turn * direction[i];
+            if (comparison >= 0.75) lambda *= 0.25;
+            if (gain < s->tolerance && r2 < s->tolerance * s->count) break;
+        } else {
+            lambda_raised = lambda;
+            success = 0;
+        }
+        if (comparison < 0.25) lambda += delta * (1 - comparison) / p2;
+        if (!(lambda < 1e100)) break;
+    }
+    return best;
+}
+
+/* What zeros are taken as: below "barely liked", where dislike has room. Only for scores that are a scale from 0 up. */
+static double ms_gpr__fit_zero(const double *y, int n, double below)
+{
+    int i, zeros = 0;
+    for (i = 0; i < n; ++i) {
+        if (y[i] < 0) return 0;
+        zeros += !(y[i] > 0);
+    }
+    return zeros < n ? -below : 0; /* no zeros: without effect */
+}
+
+/* Mean and standard deviation of n values `stride` apart; a value of 0 counts as `zero`. */
+static void ms_gpr__fit_moments(const double *y, int n, size_t stride, double zero, double *mean, double *sd)
+{
+    double sum = 0, sum2 = 0;
+    int i;
+    for (i = 0; i < n; ++i) {
+        double v = y[(size_t)i * stride];
+        sum += (v < 0 || v > 0 ? v : zero) / n;
+    }
+    for (i = 0; i < n; ++i) {
+        double v = y[(size_t)i * stride], d = (v < 0 || v > 0 ? v : zero) - sum;
+        sum2 += d * d / n;
+    }
+    *mean = sum;
+    *sd = sqrt(sum2);
+}
+
+/* Tries every dimension alone at another length: one that matters is switched off, one that a start overlooked is switched on
+   (length 1 width). What raises the posterior is kept. The number of switches; *stopped: the caller cancelled. */
+static int ms_gpr__fit_probe(ms_gpr__fit *fit, double *q, double *value, int *stopped)
+{
+    int switched = 0, k;
+    for (k = 0; k < fit->problem.m; ++k) {
+        double before = q[k], trial;
+        int defined;
+        q[k] = before < 0.5 * fit->prior[k] ? fit->prior[k] : 0;
+        defined = ms_gpr__fit_objective(fit, q, &trial, NULL);
+        if (defined < 0) *stopped = 1;
+        if (defined == 1 && trial < *value) {
+            *value = trial;
+            ++switched;
+        } else {
+            q[k] = before;
+        }
+        if (*stopped) break;
+    }
+    return switched;
+}
+
+/* Start number `start` of a fit. */
+static void ms_gpr__fit_start(const ms_gpr__fit *fit, const ms_gpr_fit_options *o, int start, double unit, double *q)
+{
+    static const double length[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
+    int m = fit->problem.m, k;
+    ms__rng rng = ms__rng_make(o->seed, (uint64_t)start);
+    q[m] = 0;
+    q[m + 1] = -2.302585092994046; /* log 0.1 */
+    for (k = 0; k < m; ++k) {
+        if (fit->prior == NULL) q[k] = log(o->length_start);
+        else if (start < 3) q[k] = log(length[start] * sqrt((double)m));
+        else q[k] = -1 + ms__rng_uniform(&rng) * (fit->prior[k] + 1); /* from 0.37 widths to the prior's */
+    }
+    if (o->start)
+        for (k = 0; k < m + 2; ++k) q[k] = o->start[k] - log(k < m ? fit->width[k] : unit);
+}
+
+/* The optimum of one method, or of MAP: all starts run a little, the better half of them goes on, until one is left; that is
+   run to its end, probed, and run again if a probe found something. q [starts][m + 2]: the winner is in its first row. */
+static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit, ms_gpr__search *s, const ms_gpr_fit_options *o, int starts, double *q,
+                                          double *value, int *order, double *work, ms_gpr_fit_report *r)
+{
+    size_t row = (size_t)s->count;
+    ms_gpr__minimum found;
+    int alive = starts, budget = s->evaluations, i, j, polish;
+    for (i = 0; i < starts; ++i) order[i] = i;
+    while (alive > 1) {
+        s->evaluations = budget < 16 ? budget : 16;
+        for (i = 0; i < alive; ++i) {
+            int start = order[i];
+            found = ms_gpr__minimize(s, q + (size_t)start * row, work);
+            if (found.stopped) return found;
+            value[start] = found.value;
+            for (j = i; j > 0 && value[order[j - 1]] > value[start]; --j) order[j] = order[j - 1];
+            order[j] = start;
+        }
+        alive = (alive + 1) / 2;
+    }
+    r->start = order[0];
+    memmove(q, q + (size_t)r->start * row, row * sizeof *q);
+    s->evaluations = budget;
+    if (o->method == MS_GPR_METHOD_RPROP) return ms_gpr__rprop(s, q, work);
+    if (o->method == MS_GPR_METHOD_SCG) return ms_gpr__scg(s, q, work);
+    for (polish = 0;; ++polish) {
+        found = ms_gpr__minimize(s, q, work);
+        if (fit->prior == NULL || found.stopped || polish == 1) return found;
+        i = ms_gpr__fit_probe(fit, q, &found.value, &found.stopped);
+        r->probes += i;
+        if (i == 0 || found.stopped) return found;
+    }
+}
+
+static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, ms_gpr_fit_options *o, ms_error *error)
+{
+    memset(o, 0, sizeof *o);
+    if (options) *o = *options;
+    if ((int)o->method < 0 || (int)o->method > (int)MS_GPR_METHOD_SCG)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d: expected 0 to 3", (int)o->method);
+    if (!ms__finite(o->floor_offset) || !(o->length_start >= 0 && ms__finite(o->length_start)) || !(o->length_min >= 0) ||
+        !(o->length_max >= 0 && ms__finite(o->length_max)) || !(o->noise_min >= 0 && o->noise_min < 10) || o->evaluations < 0 ||
+        o->random_starts < 0 || o->random_starts > 1000)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "an option of the fit is negative or not finite, noise_min is 10 or more, "
+                                                       "or random_starts is above 1000");
+    if (o->floor_offset < 0) o->floor_offset = 0;
+    else if (!(o->floor_offset > 0)) o->floor_offset = o->method == MS_GPR_METHOD_MAP ? 0.5 : 0;
+    if (!(o->length_start > 0)) o->length_start = 1;
+    if (!(o->length_min > 0)) o->length_min = 0.01;
+    if (!(o->length_max > 0)) o->length_max = 1000;
+    if (!(o->noise_min > 0)) o->noise_min = 1e-3;
+    if (o->evaluations == 0) o->evaluations = o->method == MS_GPR_METHOD_RPROP ? 100 : 200;
+    if (!(o->length_min < o->length_max))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_min is %g: expected less than length_max, %g", o->length_min, o->length_max);
+    return o->start ? ms_gpr__check_theta(o->start, m, error) : MS_OK;
+}
+
+MS_GPR_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr **out,
+                                ms_gpr_fit_report *report, ms_error *error)
+{
+    ms_gpr_fit_options o;
+    ms_gpr_fit_report r;
+    ms_gpr_options model;
+    ms_gpr__fit fit;
+    ms_gpr__search s;
+    ms_gpr__minimum found;
+    double *memory, *work, *q, *low, *high, sd, zero, unit;
+    size_t doubles, row, data;
+    void *block;
+    ms_status status;
+    int i, k, starts;
+    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    *out = NULL;
+    status = ms_gpr__check_data(x, y, n, m, error);
+    if (status == MS_OK) status = ms_gpr__fit_options(options, m, &o, error);
+    if (status != MS_OK) return status;
+    starts = o.method == MS_GPR_METHOD_MAP && o.start == NULL ? 3 + o.random_starts : 1;
+    row = (size_t)m + 2;
+    data = ms_gpr__problem_doubles(n, m);
+    doubles = ms__size_add(ms__size_add(data, ms_gpr__minimize_doubles(m + 2)), ms__size_mul(ms__size_add(row, 2), (size_t)starts + 5));
+    memory = ms_gpr__doubles(&o.allocator, doubles, &block);
+    if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to fit %d points of %d dimensions", n, m);
+    memset(&fit, 0, sizeof fit);
+    memset(&s, 0, sizeof s);
+    memset(&r, 0, sizeof r);
+    memset(&model, 0, sizeof model);
+    work = memory + data;
+    q = work + ms_gpr__minimize_doubles(m + 2);
+    low = q + (size_t)starts * row;
+    high = low + row;
+    fit.width = high + row;
+    fit.center = fit.width + row;
+    if (o.method == MS_GPR_METHOD_MAP) fit.prior = fit.center + row;
+    fit.problem = ms_gpr__problem_make(ms_gpr__kernels_of(ms_gpr__simd_pick(o.simd)), n, m, memory);
+    fit.x = x;
+    fit.progress = &o.progress;
+    fit.expected = 30 * starts + o.evaluations / 2;
+
+    ms_gpr__fit_moments(y, n, 1, 0, &model.mean, &sd);
+    zero = ms_gpr__fit_zero(y, n, o.floor_offset * sd);
+    ms_gpr__fit_moments(y, n, 1, zero, &model.mean, &sd);
+    unit = sd > 0 ? sd : model.mean > 0 || model.mean < 0 ? fabs(model.mean) : 1;
+    for (i = 0; i < n; ++i) fit.problem.target[i] = ((y[i] < 0 || y[i] > 0 ? y[i] : zero) - model.mean) / unit;
+    for (k = 0; k < m + 2; ++k) {
+        if (k < m) {
+            ms_gpr__fit_moments(x + (n ? k : 0), n, (size_t)m, 0, &fit.center[k], &sd);
+            fit.width[k] = sd > 0 ? 3.4641016151377544 * sd : 1; /* sqrt 12 */
+        }
+        low[k] = log(k < m ? o.length_min : k == m ? 1e-3 : o.noise_min);
+        high[k] = log(k < m ? o.length_max : k == m ? 1e3 : 10.0);
+        if (fit.prior) fit.prior[k] = k < m ? MS_GPR__PRIOR_LENGTH + 0.5 * log((double)m) : k == m ? MS_GPR__PRIOR_SF : MS_GPR__PRIOR_SN;
+    }
+    for (i = 0; i < starts; ++i) ms_gpr__fit_start(&fit, &o, i, unit, q + (size_t)i * row);
+
+    s.f = ms_gpr__fit_objective;
+    s.context = &fit;
+    s.count = m + 2;
+    s.low = low;
+    s.high = high;
+    s.step = 2;
+    s.tolerance = 1e-4;
+    s.evaluations = o.evaluations;
+    found = ms_gpr__fit_search(&fit, &s, &o, starts, q, high + 4 * row, (int *)(void *)(high + 4 * row + starts), work, &r);
+    if (found.stopped) {
+        status = ms__fail(error, MS_CANCELLED, 0, "the fit was cancelled after %d evaluations", fit.evaluations);
+    } else {
+        for (k = 0; k < m + 2; ++k) q[k] += log(k < m ? fit.width[k] : unit);
+        model.simd = o.simd;
+        model.allocator = o.allocator;
+        model.parallel = o.parallel;
+        status = ms_gpr__make(x, y, n, m, q, zero, &model, out, error);
+    }
+    if (status == MS_OK && report) {
+        r.evaluations = fit.evaluations;
+        r.likelihood = ms_gpr__likelihood_of(*out);
+        r.objective = -found.value - n * log(unit);
+        r.jitter = (*out)->jitter;
+        *report = r;
+    }
+    ms_gpr__release_doubles(&o.allocator, block, doubles);
+    return status;
+}
+
+/* ---------------------------------------------------------------------------------------------------- FILES */
+
+#define MS_GPR__HEADER 24 /* bytes before the doubles */
+
+static void ms_gpr__put(unsigned char *bytes, int count, uint64_t value)
+{
+    int i;
+    for (i = 0; i < count; ++i) bytes[i] = (unsigned char)(value >> (8 * i));
+}
+
+static uint64_t ms_gpr__take(const unsigned char *bytes, int count)
+{
+    uint64_t value = 0;
+    int i;
+    for (i = 0; i < count; ++i) value |= (uint64_t)bytes[i] << (8 * i);
+    return value;
+}
+
+static uint64_t ms_gpr__checksum(const unsigned char *bytes, size_t size)
+{
+    uint64_t hash = 0xcbf29ce484222325u; /* FNV-1a */
+    size_t i;
+    for (i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3u;
+    return hash;
+}
+
+static size_t ms_gpr__file_doubles(size_t n, size_t m)
+{
+    return ms__size_add(ms__size_add(m, 4), ms__size_mul(n, ms__size_add(m, 1)));
+}
+
+MS_GPR_API size_t ms_gpr_save_size(const ms_gpr *gp)
+{
+    return MS_GPR__HEADER + 8 * ms_gpr__file_doubles((size_t)gp->n, (size_t)gp->m) + 8;
+}
+
+MS_GPR_API void ms_gpr_save(const ms_gpr *gp, void *bytes)
+{
+    unsigned char *start = (unsigned char *)bytes, *at = start + MS_GPR__HEADER;
+    const double *part[5];
+    size_t count[5], i;
+    int k;
+    memcpy(start, "ms_gpr\r\n", 8);
+    ms_gpr__put(start + 8, 4, 1);
+    ms_gpr__put(start + 12, 4, (uint64_t)gp->n);
+    ms_gpr__put(start + 16, 4, (uint64_t)gp->m);
+    ms_gpr__put(start + 20, 4, 0);
+    part[0] = &gp->mean, count[0] = 1;
+    part[1] = &gp->zero_score, count[1] = 1;
+    part[2] = gp->theta, count[2] = (size_t)gp->m + 2;
+    part[3] = gp->x, count[3] = (size_t)gp->n * (size_t)gp->m;
+    part[4] = gp->y, count[4] = (size_t)gp->n;
+    for (k = 0; k < 5; ++k) {
+        for (i = 0; i < count[k]; ++i, at += 8) {
+            uint64_t bits;
+            memcpy(&bits, part[k] + i, 8);
+            ms_gpr__put(at, 8, bits);
+        }
+    }
+    ms_gpr__put(at, 8, ms_gpr__checksum(start, (size_t)(at - start)));
+}
+
+/* The doubles of a file whose frame is sound, into `value`. */
+static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_t m, double *value, ms_error *error)
+{
+    size_t count = ms_gpr__file_doubles(n, m), i;
+    for (i = 0; i < count; ++i) {
+        uint64_t bits = ms_gpr__take(bytes + MS_GPR__HEADER + 8 * i, 8);
+        memcpy(&value[i], &bits, 8);
+        if (!ms__finite(value[i]))
+            return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * i, "value %z is not finite", i + 1);
+    }
+    if (ms_gpr__check_theta(value + 2, (int)m, NULL) != MS_OK)
+        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 16, "a hyperparameter is out of range");
+    return MS_OK;
+}
+
+MS_GPR_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+{
+    const unsigned char *b = (const unsigned char *)bytes;
+    ms_gpr_options o;
+    size_t n, m, expected, doubles;
+    double *value;
+    ms_status status;
+    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    *out = NULL;
+    if (bytes == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "bytes is NULL");
+    if (size < MS_GPR__HEADER + 8 || memcmp(b, "ms_gpr\r\n", 8) != 0)
+        return ms__fail(error, MS_BAD_DATA, 0, "not a model: it does not start with \"ms_gpr\" and a line end, or is cut short");
+    if (ms_gpr__take(b + 8, 4) != 1)
+        return ms__fail(error, MS_UNSUPPORTED, 8, "version %z: expected 1", (size_t)ms_gpr__take(b + 8, 4));
+    n = (size_t)ms_gpr__take(b + 12, 4);
+    m = (size_t)ms_gpr__take(b + 16, 4);
+    if (n > MS_GPR__N_MAX || m < 1 || m > 0x7fffff || ms_gpr__take(b + 20, 4) != 0)
+        return ms__fail(error, MS_BAD_DATA, 12, "%z points of %z dimensions: expected at most %d points, 1 to 8388607 dimensions, and 0 "
+                                                "in bytes 20 to 23", n, m, MS_GPR__N_MAX);
+    doubles = ms_gpr__file_doubles(n, m);
+    expected = ms__size_add(ms__size_mul(doubles, 8), MS_GPR__HEADER + 8);
+    if (size != expected)
+        return ms__fail(error, MS_BAD_DATA, size < expected ? size : expected, "%z bytes: expected %z for %z points of %z dimensions", size,
+                        expected, n, m);
+    if (ms_gpr__take(b + size - 8, 8) != ms_gpr__checksum(b, size - 8))
+        return ms__fail(error, MS_BAD_DATA, size - 8, "the checksum does not match: the file was changed or damaged");
+    memset(&o, 0, sizeof o);
+    if (options) o = *options;
+    value = (double *)ms__alloc(&o.allocator, doubles * sizeof *value);
+    if (value == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to read %z values", doubles);
+    status = ms_gpr__load_values(b, n, m, value, error);
+    if (status == MS_OK) {
+        double *x = value + 4 + m;
+        o.mean = value[0];
+        status = ms_gpr__make(x, x + n * m, (int)n, (int)m, value + 2, value[1], &o, out, error);
+    }
+    ms__release(&o.allocator, value, doubles * sizeof *value);
+    return status;
+}
+
+#ifndef MS_GPR_NO_STDIO
+MS_GPR_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_error *error)
+{
+    size_t size = ms_gpr_save_size(gp);
+    void *bytes = ms__alloc(&gp->allocator, size);
+    FILE *file;
+    int good;
+    if (bytes == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a file of %z bytes", size);
+    ms_gpr_save(gp, bytes);
+    file = fopen(path, "wb");
+    good = file != NULL && fwrite(bytes, 1, size, file) == size;
+    if (file != NULL && fclose(file) != 0) good = 0;
+    ms__release(&gp->allocator, bytes, size);
+    return good ? MS_OK : ms__fail(error, MS_IO, 0, "cannot write %s", path);
+}
+
+MS_GPR_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+{
+    const ms_allocator *allocator = options ? &options->allocator : NULL;
+    ms_status status;
+    FILE *file;
+    void *bytes;
+    long size;
+    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    *out = NULL;
+    file = fopen(path, "rb");
+    if (file == NULL) return ms__fail(error, MS_IO, 0, "cannot open %s", path);
+    size = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+    if (size < 0 || fseek(file, 0, SEEK_SET) != 0) {
+        fclose(file);
+        return ms__fail(error, MS_IO, 0, "cannot read %s", path);
+    }
+    bytes = ms__alloc(allocator, (size_t)size);
+    if (bytes == NULL) status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a file of %z bytes", (size_t)size);
+    else if (fread(bytes, 1, (size_t)size, file) != (size_t)size) status = ms__fail(error, MS_IO, 0, "cannot read %s", path);
+    else status = ms_gpr_load(bytes, (size_t)size, options, out, error);
+    fclose(file);
+    ms__release(allocator, bytes, (size_t)size);
+    return status;
+}
+#endif
 
 /* ---------------------------------------------------------------------------------------- RECOMMENDATION */
 
