@@ -2207,14 +2207,21 @@ static ms_status ms_sss__singular_terms(const ms_sss_designer *d, int c, const d
     return MS_OK;
 }
 
-/* A 1D Gaussian integrated over cells, and its derivative by log sigma. */
+/* A 1D Gaussian integrated over cells and scaled so that the square holds all of it, and its derivative by log sigma. */
 static void ms_sss__gaussian_cells(double sigma, int cells, double *g, double *slope)
 {
+    double sum = 0, growth = 0;
     int i;
     for (i = 0; i <= cells; ++i) {
         double a = (i - 0.5) / sigma, b = (i + 0.5) / sigma;
         g[i] = 0.5 * (erf(b * sqrt(0.5)) - erf(a * sqrt(0.5)));
         slope[i] = (a * exp(-0.5 * a * a) - b * exp(-0.5 * b * b)) / sqrt(2 * MS_SSS__PI);
+        sum += (i ? 2 : 1) * g[i];
+        growth += (i ? 2 : 1) * slope[i];
+    }
+    for (i = 0; i <= cells; ++i) {
+        slope[i] = (slope[i] - g[i] * growth / sum) / sum;
+        g[i] /= sum;
     }
 }
 
@@ -2260,7 +2267,7 @@ static void ms_sss__fit_mixture_from(const ms_sss_designer *d, int c, double nar
         m.log_sigma[n] = log(narrowest) + log(widest / narrowest) * (n + 0.5) / N;
     }
     best->objective = HUGE_VAL;
-    for (round = 0; round < 80 && lambda < 1e10; ++round) {
+    for (round = 0; round < 150 && lambda < 1e10; ++round) {
         double Ht[P * P], gt[P];
         memset(Ht, 0, sizeof Ht);
         memset(gt, 0, sizeof gt);
@@ -2285,7 +2292,7 @@ static void ms_sss__fit_mixture_from(const ms_sss_designer *d, int c, double nar
                 }
             }
         if (m.objective < best->objective) {
-            int done = best->objective - m.objective < 1e-7 * m.objective;
+            int done = best->objective - m.objective < 1e-8 * m.objective;
             *best = m;
             memcpy(H, Ht, sizeof H);
             memcpy(g, gt, sizeof g);
