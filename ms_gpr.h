@@ -2376,7 +2376,7 @@ static void ms_gpr__put(unsigned char *bytes, int count, uint64_t value)
     for (i = 0; i < count; ++i) bytes[i] = (unsigned char)(value >> (8 * i));
 }
 
-static uint64_t ms_gpr__take(const unsigned char *bytes, int count)
+static uint64_t ms_gpr__get(const unsigned char *bytes, int count)
 {
     uint64_t value = 0;
     int i;
@@ -2433,7 +2433,7 @@ static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_
 {
     size_t count = ms_gpr__file_doubles(n, m), i;
     for (i = 0; i < count; ++i) {
-        uint64_t bits = ms_gpr__take(bytes + MS_GPR__HEADER + 8 * i, 8);
+        uint64_t bits = ms_gpr__get(bytes + MS_GPR__HEADER + 8 * i, 8);
         memcpy(&value[i], &bits, 8);
         if (!ms__finite(value[i]))
             return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * i, "value %z is not finite", i + 1);
@@ -2455,11 +2455,11 @@ MS_GPR_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_op
     if (bytes == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "bytes is NULL");
     if (size < MS_GPR__HEADER + 8 || memcmp(b, "ms_gpr\r\n", 8) != 0)
         return ms__fail(error, MS_BAD_DATA, 0, "not a model: it does not start with \"ms_gpr\" and a line end, or is cut short");
-    if (ms_gpr__take(b + 8, 4) != 1)
-        return ms__fail(error, MS_UNSUPPORTED, 8, "version %z: expected 1", (size_t)ms_gpr__take(b + 8, 4));
-    n = (size_t)ms_gpr__take(b + 12, 4);
-    m = (size_t)ms_gpr__take(b + 16, 4);
-    if (n > MS_GPR__N_MAX || m < 1 || m > 0x7fffff || ms_gpr__take(b + 20, 4) != 0)
+    if (ms_gpr__get(b + 8, 4) != 1)
+        return ms__fail(error, MS_UNSUPPORTED, 8, "version %z: expected 1", (size_t)ms_gpr__get(b + 8, 4));
+    n = (size_t)ms_gpr__get(b + 12, 4);
+    m = (size_t)ms_gpr__get(b + 16, 4);
+    if (n > MS_GPR__N_MAX || m < 1 || m > 0x7fffff || ms_gpr__get(b + 20, 4) != 0)
         return ms__fail(error, MS_BAD_DATA, 12, "%z points of %z dimensions: expected at most %d points, 1 to 8388607 dimensions, and 0 "
                                                 "in bytes 20 to 23", n, m, MS_GPR__N_MAX);
     doubles = ms_gpr__file_doubles(n, m);
@@ -2467,7 +2467,7 @@ MS_GPR_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_op
     if (size != expected)
         return ms__fail(error, MS_BAD_DATA, size < expected ? size : expected, "%z bytes: expected %z for %z points of %z dimensions", size,
                         expected, n, m);
-    if (ms_gpr__take(b + size - 8, 8) != ms_gpr__checksum(b, size - 8))
+    if (ms_gpr__get(b + size - 8, 8) != ms_gpr__checksum(b, size - 8))
         return ms__fail(error, MS_BAD_DATA, size - 8, "the checksum does not match: the file was changed or damaged");
     memset(&o, 0, sizeof o);
     if (options) o = *options;
