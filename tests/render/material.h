@@ -178,8 +178,10 @@ typedef struct material_scene {
     RTCScene embree;
     float *ball, *ball_normal, *ring; /* vertices */
     uint32_t *ball_index, *ring_index;
-    float floor[12 * 3 * 2];
     material_lamp lamp[2];
+    float sky[3];  /* radiance of the sky in direction d: sky[0] + sky[1] d.y + sky[2] d.z */
+    int bare;      /* non-zero: the ball alone under the sky (for tests) */
+    int brute;     /* non-zero: lamps are found by chance only (for tests) */
     void (*run)(void *user, int count, void (*task)(void *context, int index), void *context); /* NULL: no threads */
     void *run_user;
 } material_scene;
@@ -291,12 +293,13 @@ static inline material_scene *material_scene_create(float detail)
     if (!smooth) material__attach(s, MATERIAL_RING, s->ring, (int)ring_vertices, s->ring_index, 2 * ring_rows * ring_columns);
     rtcSetSceneFlags(s->embree, RTC_SCENE_FLAG_ROBUST);
     rtcCommitScene(s->embree);
-    s->lamp[0] = material__lamp(scene_v(-4.2f, 2.6f, 1.2f), scene_v(1.6f, 1.9f, -1.0f), scene_v(1.5f, 0, 2.4f), 13);
-    s->lamp[1] = material__lamp(scene_v(3.2f, 0.6f, -2.6f), scene_v(0, 2.8f, 0), scene_v(0.5f, 0, 0.9f), 16);
-    for (k = 0; k < 2; ++k)
-        if (scene_dot(s->lamp[k].normal, s->lamp[k].corner) > 0) {
-            s->lamp[k].normal = scene_mul(s->lamp[k].normal, -1);
-        }
+    s->lamp[0] = material__lamp(scene_v(-4.2f, 2.6f, 1.2f), scene_v(1.6f, 1.9f, -1.0f), scene_v(1.5f, 0, 2.4f), 9);
+    s->lamp[1] = material__lamp(scene_v(3.2f, 0.6f, -2.6f), scene_v(0, 2.8f, 0), scene_v(0.5f, 0, 0.9f), 12);
+    for (k = 0; k < 2; ++k) /* they shine towards the ball */
+        if (scene_dot(s->lamp[k].normal, s->lamp[k].corner) > 0) s->lamp[k].normal = scene_mul(s->lamp[k].normal, -1);
+    s->sky[0] = 0.22f;
+    s->sky[1] = 0.18f;
+    s->sky[2] = 0.08f;
     return s;
 }
 
@@ -358,8 +361,6 @@ static inline float material__lamp_hit(const material_lamp *l, scene_vec p, scen
     return u >= 0 && u <= 1 && v >= 0 && v <= 1 ? t : end;
 }
 
-static inline float material__sky(scene_vec d) { return 0.30f + 0.25f * d.y + 0.10f * d.z; }
-
 static inline material_hit material__nearest(const material_scene *s, scene_vec p, scene_vec d)
 {
     material_hit hit;
@@ -401,7 +402,7 @@ static inline material_hit material__nearest(const material_scene *s, scene_vec 
             if (scene_dot(hit.normal, hit.shading) < 0) hit.normal = scene_mul(hit.normal, -1);
         }
     }
-    {
+    if (!s->bare) {
         scene_vec n;
         t = material__floor(p, d, hit.t, &n);
         if (t < hit.t) {
@@ -414,7 +415,7 @@ static inline material_hit material__nearest(const material_scene *s, scene_vec 
             hit.grey = ((int)floorf(q.x / 0.6f) + (int)floorf(along / 0.6f)) & 1 ? 0.58f : 0.22f;
         }
     }
-    for (k = 0; k < 2; ++k) {
+    for (k = 0; k < 2 && !s->bare; ++k) {
         t = material__lamp_hit(&s->lamp[k], p, d, hit.t);
         if (t < hit.t) { hit.t = t; hit.kind = 3 + k; }
     }
@@ -446,8 +447,8 @@ static inline void material__path(const material_scene *s, const material *m, tr
         if (inside)
             for (c = 0; c < 3; ++c) through[c] *= expf(-m->absorption * scene__min(hit.t, 1e3f));
         if (hit.kind < 0 || hit.kind >= 3) { /* sky or lamp */
-            float light = hit.kind < 0 ? material__sky(d) : s->lamp[hit.kind - 3].radiance;
-            if (hit.kind >= 3 && density > 0) {
+            float light = hit.kind < 0 ? s->sky[0] + s->sky[1] * d.y + s->sky[2] * d.z : s->lamp[hit.kind - 3].radiance;
+            if (hit.kind >= 3 && density > 0 && !s->brute) {
                 const material_lamp *l = &s->lamp[hit.kind - 3];
                 float other = hit.t * hit.t / (l->area * scene__max(-scene_dot(l->normal, d), 1e-6f));
                 light *= material__heuristic(density, other);
@@ -468,7 +469,7 @@ static inline void material__path(const material_scene *s, const material *m, tr
         trace__frame(n, &a, &b);
         o = material__local(scene_mul(d, -1), a, b, n);
         /* lamps */
-        for (k = 0; k < 2; ++k) {
+        for (k = 0; k < 2 && !s->bare && !s->brute; ++k) {
             const material_lamp *l = &s->lamp[k];
             scene_vec to, q;
             float d2, distance, facing, other, weight;

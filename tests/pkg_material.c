@@ -1,0 +1,307 @@
+/* The material-test tracer (tests/render/material.h): its lobes against closed forms, their densities and quadrature, the
+   whole against furnaces, an absorbing ball and a variant that finds lamps by chance alone. */
+#define MS_SSS_IMPLEMENTATION
+#include "ms_sss.h" /* for ms_parallel */
+#include "test.h"
+#include "image.h"
+#include "render/material.h"
+
+static void parameters(float x[19])
+{
+    int k;
+    for (k = 0; k < 19; ++k) x[k] = 0;
+    for (k = 0; k < 3; ++k) x[k] = x[3 + k] = x[8 + k] = x[13 + k] = 1;
+    x[12] = 0.5f;
+}
+
+static void test_fresnel(void)
+{
+    static const float etas[] = {1.01f, 1.33f, 1.5f, 2, 1 / 1.5f, 1 / 2.0f};
+    int e, k;
+    double worst = 0;
+    for (e = 0; e < 6; ++e)
+        for (k = 1; k <= 1000; ++k) {
+            double c = k / 1000.0, s2 = (1 - c * c) / ((double)etas[e] * (double)etas[e]), ct, rs, rp, exact = 1;
+            if (s2 < 1) { /* Snell, then the amplitudes of both polarisations */
+                ct = sqrt(1 - s2);
+                rs = (c - (double)etas[e] * ct) / (c + (double)etas[e] * ct);
+                rp = ((double)etas[e] * c - ct) / ((double)etas[e] * c + ct);
+                exact = 0.5 * (rs * rs + rp * rp);
+            }
+            worst = fmax(worst, fabs((double)material_fresnel((float)c, etas[e]) - exact));
+        }
+    CHECK_LE(worst, 2e-3); /* float near the critical angle, where the reflectance rises as a square root */
+    TEST_NOTE("largest error %.1e", worst);
+}
+
+static void test_beckmann(void)
+{
+    static const float alphas[] = {0.05f, 0.3f, 0.9f};
+    int a;
+    for (a = 0; a < 3; ++a) {
+        enum { BINS = 40, SAMPLES = 400000 };
+        double count[BINS], chi2 = 0;
+        int k, bins = 0;
+        uint64_t state = test_seed;
+        memset(count, 0, sizeof count);
+        for (k = 0; k < SAMPLES; ++k) {
+            scene_vec h = material_half(alphas[a], (float)test_uniform(&state) * 0.9999999f, (float)test_uniform(&state));
+            double t = tan(acos((double)h.z)) / (double)alphas[a];
+            int bin = (int)(t * BINS / 3);
+            if (bin < BINS) count[bin] += 1;
+        }
+        for (k = 0; k < BINS; ++k) { /* D(h) cos integrated by the midpoint rule over each bin of tan / alpha */
+            double expected = 0;
+            int i;
+            for (i = 0; i < 200; ++i) {
+                double t = (k + (i + 0.5) / 200) * 3 / BINS * (double)alphas[a], c = 1 / sqrt(1 + t * t);
+                double dt = 3.0 / BINS / 200 * (double)alphas[a]; /* solid angle: sin dtheta = t c^3 dt */
+                expected += (double)material_beckmann((float)c, alphas[a]) * c * 6.283185307179586 * t * c * c * c * dt;
+            }
+            expected *= SAMPLES;
+            if (expected < 20) continue;
+            chi2 += (count[k] - expected) * (count[k] - expected) / expected;
+            ++bins;
+        }
+        CHECK(test_chi2_p(chi2, bins) > 1e-4);
+        TEST_NOTE("alpha %.2f: chi2 %.0f of %d", (double)alphas[a], chi2, bins);
+    }
+}
+
+/* The mean of f / density over material_sample equals the integral of f by quadrature, and no lobe gains energy. */
+static void test_lobes(void)
+{
+    int lobe, k, r;
+    for (lobe = 0; lobe < 4; ++lobe) {
+        double worst = 0, most = 0;
+        for (r = 0; r < 6; ++r) {
+            float x[19], eta, f[3];
+            double sampled = 0, square = 0, integral = 0, density = 0;
+            material m;
+            scene_vec o = scene_v(sqrtf(1 - 0.49f), 0, 0.7f), i;
+            uint64_t state = 5 + (uint64_t)r;
+            enum { SAMPLES = 100000, N = 600 };
+            int a, b;
+            parameters(x);
+            x[6] = x[11] = 0.5f + 0.08f * (float)r;
+            x[7] = lobe == MATERIAL_GLOSSY;
+            x[16] = lobe == MATERIAL_TRANSLUCENT;
+            x[17] = lobe >= MATERIAL_GLASS;
+            m = material_from(x);
+            eta = r % 2 ? m.ior : 1 / m.ior;
+            for (k = 0; k < SAMPLES; ++k) {
+                double w = 0;
+                if (material_sample(&m, o, eta, (float)test_uniform(&state) * 0.9999999f, (float)test_uniform(&state) * 0.9999999f,
+                                    (float)test_uniform(&state), &i)) {
+                    float pdf = material_eval(&m, o, i, eta, f);
+                    if (pdf > 0) w = (double)f[0] / (double)pdf;
+                }
+                sampled += w;
+                square += w * w;
+            }
+            sampled /= SAMPLES;
+            square = sqrt((square / SAMPLES - sampled * sampled) / SAMPLES);
+            for (a = 0; a < N; ++a)
+                for (b = 0; b < N; ++b) { /* uniform in cosine and angle over the whole sphere */
+                    double z = -1 + 2 * (a + 0.5) / N, s = sqrt(1 - z * z), phi = 6.283185307179586 * (b + 0.5) / N, cell = 2.0 / N * 6.283185307179586 / N;
+                    double p = (double)material_eval(&m, o, scene_v((float)(s * cos(phi)), (float)(s * sin(phi)), (float)z), eta, f);
+                    integral += (double)f[0] * cell;
+                    density += p * cell;
+                }
+            CHECK_NEAR(sampled, integral, 5 * square + 4e-3 * integral); /* 5 standard errors and the quadrature's own error */
+            CHECK_LE(density, 1 + 5e-3);
+            CHECK_LE(integral, 1 + 5e-3);
+            worst = fmax(worst, fabs(sampled - integral));
+            most = fmax(most, integral);
+        }
+        TEST_NOTE("lobe %d: sampling and quadrature differ by %.1e, albedo at most %.3f", lobe, worst, most);
+    }
+}
+
+static void test_reciprocity(void)
+{
+    uint64_t state = test_seed;
+    int k;
+    double worst = 0;
+    for (k = 0; k < 20000; ++k) {
+        float x[19], f[3], g[3], eta;
+        double z1 = test_uniform(&state), p1 = 6.28 * test_uniform(&state), z2 = 2 * test_uniform(&state) - 1, p2 = 6.28 * test_uniform(&state), a, b;
+        scene_vec o = scene_v((float)(sqrt(1 - z1 * z1) * cos(p1)), (float)(sqrt(1 - z1 * z1) * sin(p1)), (float)z1), i, o2, i2;
+        material m;
+        int j;
+        i = scene_v((float)(sqrt(1 - z2 * z2) * cos(p2)), (float)(sqrt(1 - z2 * z2) * sin(p2)), (float)z2);
+        for (j = 0; j < 19; ++j) x[j] = (float)test_uniform(&state);
+        x[6] = 0.3f + 0.7f * x[6];
+        x[11] = 0.3f + 0.7f * x[11];
+        m = material_from(x);
+        eta = m.ior;
+        o2 = i;
+        i2 = o;
+        if (i.z < 0) { /* seen from behind: the frame turns over, the index is inverted */
+            o2 = scene_v(i.x, i.y, -i.z);
+            i2 = scene_v(o.x, o.y, -o.z);
+            m.share[MATERIAL_TRANSLUCENT] = 0;
+        }
+        if (fabs(z2) < 0.05 || z1 < 0.05) continue;
+        material_eval(&m, o, i, eta, f);
+        material_eval(&m, o2, i2, i.z < 0 ? 1 / eta : eta, g);
+        a = (double)f[0] / fabs(z2);
+        b = (double)g[0] / z1;
+        if (i.z < 0) a /= (double)eta * (double)eta; /* f(o, i) / eta^2 is symmetric under refraction (Veach 1997, 5.2) */
+        worst = fmax(worst, fabs(a - b) / (1e-3 + fmax(a, b)));
+    }
+    CHECK_LE(worst, 5e-3); /* float */
+    TEST_NOTE("largest relative difference %.1e", worst);
+}
+
+static double mean_of(const image *im, int channel, double *deviation)
+{
+    size_t k, n = (size_t)im->width * (size_t)im->height;
+    double sum = 0, square = 0;
+    for (k = 0; k < n; ++k) {
+        double v = (double)im->pixels[3 * k + (size_t)channel];
+        sum += v;
+        square += v * v;
+    }
+    if (deviation) *deviation = sqrt(square / (double)n - sum / (double)n * (sum / (double)n));
+    return sum / (double)n;
+}
+
+/* Under a sky of 1 a ball that absorbs nothing is invisible: diffuse and translucent exactly, glass but for the
+   directions that microfacets lose. */
+static void test_furnace(void)
+{
+    static const struct { int lobe; float roughness; double loss; } cases[] = {
+        {MATERIAL_DIFFUSE, 0, 1e-5}, {MATERIAL_TRANSLUCENT, 0, 2e-3}, {MATERIAL_GLASS, 0, 2e-2}, {MATERIAL_GLOSSY, 0, 2e-3}};
+    material_scene *s = material_scene_create(-0.5f);
+    int k;
+    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    s->bare = 1;
+    s->sky[0] = 1;
+    s->sky[1] = s->sky[2] = 0;
+    for (k = 0; k < 4; ++k) {
+        float x[19];
+        image im;
+        double mean;
+        parameters(x);
+        x[7] = cases[k].lobe == MATERIAL_GLOSSY;
+        x[16] = cases[k].lobe == MATERIAL_TRANSLUCENT;
+        x[17] = cases[k].lobe >= MATERIAL_GLASS;
+        CHECK(material_render(s, x, 24, 24, 64, 3, &im));
+        mean = mean_of(&im, 0, NULL);
+        /* lost: paths cut after 32 bounces, sides that the interpolated normal confuses at the rim */
+        CHECK(mean <= 1 + 2e-3 && mean >= 1 - cases[k].loss);
+        TEST_NOTE("lobe %d: mean %.5f", cases[k].lobe, mean);
+        image_free(&im);
+    }
+    material_scene_destroy(s);
+}
+
+/* Through the middle of a clear ball of index 1.01 light keeps exp(-2 absorption) (and all but 5e-5 of Fresnel's). */
+static void test_absorption(void)
+{
+    material_scene *s = material_scene_create(-1);
+    static const float absorptions[] = {0, 0.1f, 0.5f, 1};
+    int k;
+    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    s->bare = 1;
+    s->sky[0] = 1;
+    s->sky[1] = s->sky[2] = 0;
+    for (k = 0; k < 4; ++k) {
+        float x[19], out[3];
+        double sum = 0, expected = exp(-2 * 4 * (double)absorptions[k]);
+        material m;
+        int i;
+        parameters(x);
+        x[12] = 0.01f;
+        x[17] = 1;
+        x[18] = absorptions[k];
+        m = material_from(x);
+        for (i = 0; i < 20000; ++i) {
+            trace_sampler sampler;
+            memset(&sampler, 0, sizeof sampler);
+            sampler.seed = 77;
+            sampler.index = (uint32_t)i;
+            material__path(s, &m, &sampler, scene_v(0.001f, 0.002f, 6), scene_v(0, 0, -1), out);
+            sum += (double)out[0];
+        }
+        CHECK_NEAR(sum / 20000, expected, 2e-3 * expected + 1e-4); /* facets of 0.01, reflections 5e-5 */
+        TEST_NOTE("%.5f of %.5f", sum / 20000, expected);
+    }
+    material_scene_destroy(s);
+}
+
+static void test_brute_force(void)
+{
+    material_scene *s = material_scene_create(0.5f);
+    float x[19];
+    image a, b;
+    double mean_a, mean_b, error, deviation;
+    int k;
+    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    for (k = 0; k < 3; ++k) {
+        int runs;
+        double sum = 0, square = 0;
+        enum { RUNS = 8 };
+        parameters(x);
+        x[6] = x[11] = 0.6f;
+        x[7] = k == 1 ? 1 : 0.3f;
+        x[16] = 0.4f;
+        x[17] = k == 2 ? 0.7f : 0;
+        CHECK(material_render(s, x, 16, 16, 512, 5, &a));
+        mean_a = mean_of(&a, 0, &deviation);
+        s->brute = 1;
+        for (runs = 0; runs < RUNS; ++runs) {
+            CHECK(material_render(s, x, 16, 16, 256, 100 + (uint32_t)runs, &b));
+            mean_b = mean_of(&b, 0, NULL);
+            sum += mean_b;
+            square += mean_b * mean_b;
+            image_free(&b);
+        }
+        s->brute = 0;
+        mean_b = sum / RUNS;
+        error = sqrt((square / RUNS - mean_b * mean_b) / (RUNS - 1));
+        CHECK_NEAR(mean_a, mean_b, 5 * error + 5e-3 * mean_a); /* 5 standard errors of the brute one, 0.5% for the other */
+        TEST_NOTE("%.4f, by chance %.4f +- %.4f", mean_a, mean_b, error);
+        image_free(&a);
+    }
+    material_scene_destroy(s);
+}
+
+static void test_same_bytes(void)
+{
+    material_scene *s = material_scene_create(0.5f);
+    float x[19], swapped[19];
+    image a, b;
+    test_pool pool;
+    ms_parallel parallel = test_parallel(&pool, 3);
+    uint64_t state = test_seed;
+    int k, c, same = 1;
+    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    for (k = 0; k < 19; ++k) x[k] = (float)test_uniform(&state);
+    CHECK(material_render(s, x, 20, 12, 16, 9, &a));
+    s->run = parallel.run;
+    s->run_user = parallel.user;
+    CHECK(material_render(s, x, 20, 12, 16, 9, &b));
+    CHECK(memcmp(a.pixels, b.pixels, 20 * 12 * 3 * sizeof(float)) == 0);
+    image_free(&b);
+    memcpy(swapped, x, sizeof x);
+    for (c = 0; c < 4; ++c) {
+        static const int at[4] = {0, 3, 8, 13};
+        swapped[at[c]] = x[at[c] + 1];
+        swapped[at[c] + 1] = x[at[c]];
+    }
+    CHECK(material_render(s, swapped, 20, 12, 16, 9, &b));
+    for (k = 0; k < 20 * 12; ++k)
+        same &= a.pixels[3 * k] == b.pixels[3 * k + 1] && a.pixels[3 * k + 1] == b.pixels[3 * k] && a.pixels[3 * k + 2] == b.pixels[3 * k + 2];
+    CHECK(same);
+    image_free(&a);
+    image_free(&b);
+    material_scene_destroy(s);
+}
+
+static const test_case cases[] = {{"fresnel", test_fresnel},           {"beckmann density", test_beckmann},
+                                  {"lobes", test_lobes},               {"reciprocity", test_reciprocity},
+                                  {"furnace", test_furnace},           {"absorbing ball", test_absorption},
+                                  {"lamps by chance", test_brute_force}, {"same bytes, swapped channels", test_same_bytes}};
+TEST_MAIN(cases)
