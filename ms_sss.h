@@ -3101,7 +3101,7 @@ static void ms_sss__store(const ms_sss_image *image, int width, int y, int x, in
 
 /* --- the passes --- */
 
-static int ms_sss__differ(float a, float b) { return a < b || a > b; }
+static int ms_sss__differ(float a, float b) { return !(a >= b && a <= b); } /* as != , which compilers warn about */
 
 typedef struct ms_sss__job {
     ms_sss_frame frame; /* strides filled in */
