@@ -247,7 +247,9 @@ MS_NN_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_optio
 MS_NN_API void ms_nn_destroy(ms_nn *nn); /* NULL is allowed */
 
 #ifndef MS_NN_NO_STDIO
-/* The same for a file by name: mapped on POSIX systems, read into one allocation elsewhere. MS_IO: cannot be read. */
+/* ms_nn_file_open and ms_nn_load for a file by name: mapped on POSIX systems (it must not shrink while it is used), read
+   into one allocation elsewhere. MS_IO: cannot be read. */
+MS_NN_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error);
 MS_NN_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error);
 
 /* ms_nn_file_write into a file by name, replaced if it is there. */
@@ -308,6 +310,81 @@ MS_NN_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const 
    jacobian   [output size][input size] out
    Workspace MS_NN_JACOBIAN, count 1. The weights are read once. */
 MS_NN_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace);
+
+/* --- collapse: a network with a linear last layer as an objective --- */
+
+/* With y = W h(x) + b, target t and a weight for each output in the diagonal of M,
+     |y - t|_M^2 = |R (h - h0) - e|^2 + rest,   R'R = W' M W,
+   where R is square in the features h: an evaluation needs the layers up to h and one triangular product, not W. */
+typedef struct ms_nn_collapse ms_nn_collapse;
+
+/* Makes R by a QR of sqrt(M) W in double precision (blocked Householder; parts joined in a fixed order).
+   nn      its last layer must be dense and linear, without shared_channels (MS_UNSUPPORTED); must outlive *c
+   weight  [output size] >= 0, diagonal of M; NULL: all 1. Then R is read from the file's tensor
+           "ms_nn.collapse" (F64, [features (features + 1) / 2]) if it is there
+   *c      out; ms_nn_collapse_destroy releases it
+   About output size x features^2 multiply-adds; 16 MB of memory for 1000 features and each of 8 parts.
+   MS_INVALID_ARGUMENT: a negative or non-finite weight (position: its index). MS_OUT_OF_MEMORY. */
+MS_NN_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error);
+MS_NN_API void ms_nn_collapse_destroy(ms_nn_collapse *c); /* NULL is allowed */
+
+MS_NN_API size_t ms_nn_collapse_features(const ms_nn_collapse *c);
+
+/* R, rows of the upper triangle one after the other: store it as F64 tensor "ms_nn.collapse" (ms_nn_file_write) and
+   the next ms_nn_collapse_create takes no time. */
+MS_NN_API const double *ms_nn_collapse_r(const ms_nn_collapse *c);
+
+/* Changes the weights of some outputs: R is updated by their rows (Householder for more weight, mixed hyperbolic
+   rotations for less), or made anew where that would lose accuracy or time. The target must be set again.
+   index   [count] outputs, each once
+   weight  [count] >= 0
+   MS_INVALID_ARGUMENT (position: index of the offender), MS_OUT_OF_MEMORY: c is unchanged. */
+MS_NN_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error);
+
+/* Sets t. Two passes over W: semi-normal equations with a correction (Bjoerck 1987), so that the residual of the best h
+   is summed, not subtracted.
+   target  [output size], finite */
+MS_NN_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error);
+
+/* |f(x) - t|_M^2 in double. Its error is about 1e-16 |t|_M^2 + that of h(x) in float: a residual of 1e-6 |t| keeps
+   four digits.
+   workspace  ms_nn_collapse_workspace_size(c, 0) bytes, any alignment; NULL: from the allocator
+   MS_INVALID_ARGUMENT: no target since the last mask. c is only read: calls may overlap if their workspaces differ. */
+MS_NN_API ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace);
+
+/* The residual vector, whose square sum is the value, and its Jacobian, for least-squares solvers.
+   residual  [features + 1] out; the last is sqrt(rest) and does not depend on x
+   jacobian  [features + 1][input size] out; NULL: not wanted
+   workspace ms_nn_collapse_workspace_size(c, jacobian != NULL) bytes; NULL: from the allocator */
+MS_NN_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace);
+MS_NN_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian);
+
+/* --- low rank: a smaller last layer for the inputs that matter --- */
+
+/* Over sample inputs, W (h - mean h) is replaced by its projection on the `rank` output directions that carry most of
+   its variance: U U' W, the best of that rank for these features (a truncated SVD of W times a factor of the
+   covariance of h; plain truncation of W needs a far higher rank). */
+typedef struct ms_nn_low_rank ms_nn_low_rank;
+
+/* c        made without weights or masks; must outlive *low_rank
+   samples  how many; more than the features for a faithful covariance
+   x        [samples][input size]
+   peak     the largest output, for PSNR: 10 log10(peak^2 / mean square error); 0: 1
+   About 10 features^3 multiply-adds. */
+MS_NN_API ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak, ms_nn_low_rank **low_rank,
+                                          ms_error *error);
+MS_NN_API void ms_nn_low_rank_destroy(ms_nn_low_rank *low_rank); /* NULL is allowed */
+
+/* PSNR in dB of the rank, against the full network, over the samples; infinite where nothing is lost. */
+MS_NN_API double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank);
+
+/* The smallest rank of at least that PSNR; the number of features if there is none. */
+MS_NN_API int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db);
+
+/* Writes the file of the smaller network: the last dense layer becomes two, "<name>.low" and "<name>".
+   rank   1 to the number of features
+   dtype  of their weights: F32, F16 or BF16 */
+MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -667,6 +744,14 @@ static float ms_nn__float_of(uint32_t bits)
     return x;
 }
 
+/* Native floats at any alignment. */
+static float ms_nn__float_at(const unsigned char *v, size_t i)
+{
+    float x;
+    memcpy(&x, v + 4 * i, sizeof x);
+    return x;
+}
+
 /* IEEE binary16 with subnormals, infinities and NaN; the exponent's bias is moved by a multiplication. */
 static float ms_nn__half(uint32_t h)
 {
@@ -896,7 +981,10 @@ typedef struct ms_nn__record {
 
 struct ms_nn_file {
     ms_allocator allocator;
-    size_t bytes; /* of this allocation, which holds everything below */
+    size_t bytes;        /* of this allocation, which holds everything below */
+    const void *content; /* the file, where ms_nn_file_read mapped it or read it into memory; else NULL */
+    size_t content_bytes;
+    int content_is_mapped;
     size_t tensors, entries;
     ms_nn__record *record;  /* [tensors] in the order of the header */
     ms_nn_entry *entry;     /* [entries] */
@@ -1136,6 +1224,7 @@ MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_
     total = ms__size_add(total, ms__size_add(ms__size_mul(h.dimensions, sizeof(size_t)), h.text));
     f = (ms_nn_file *)ms_nn__alloc(&o, total);
     if (f == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a list of %z tensors", h.tensors);
+    memset(f, 0, sizeof *f);
     f->allocator = o.allocator;
     f->bytes = total;
     f->tensors = h.tensors;
@@ -1159,12 +1248,27 @@ MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_
     return status;
 }
 
+/* What ms_nn_file_read made. */
+static void ms_nn__release_content(const ms_allocator *allocator, const void *content, size_t bytes, int is_mapped)
+{
+    void *at = (void *)(uintptr_t)content;
+#ifdef MS_NN__MMAP
+    if (is_mapped) {
+        munmap(at, bytes);
+        return;
+    }
+#endif
+    (void)is_mapped;
+    ms__release(allocator, at, bytes);
+}
+
 MS_NN_API void ms_nn_file_close(ms_nn_file *file)
 {
-    if (file != NULL) {
-        ms_allocator allocator = file->allocator;
-        ms__release(&allocator, file, file->bytes);
-    }
+    ms_allocator allocator;
+    if (file == NULL) return;
+    allocator = file->allocator;
+    ms_nn__release_content(&allocator, file->content, file->content_bytes, file->content_is_mapped);
+    ms__release(&allocator, file, file->bytes);
 }
 
 MS_NN_API size_t ms_nn_file_tensor_count(const ms_nn_file *file) { return file->tensors; }
@@ -1222,6 +1326,8 @@ static void ms_nn__put(ms_nn__writer *w, const char *text, size_t n)
     w->length += n;
 }
 
+static void ms_nn__put_text(ms_nn__writer *w, const char *text) { ms_nn__put(w, text, strlen(text)); }
+
 static void ms_nn__put_size(ms_nn__writer *w, size_t value)
 {
     char digit[24];
@@ -1236,7 +1342,7 @@ static void ms_nn__put_size(ms_nn__writer *w, size_t value)
 static void ms_nn__put_string(ms_nn__writer *w, const char *text)
 {
     static const char hex[] = "0123456789abcdef";
-    ms_nn__put(w, "\"", 1);
+    ms_nn__put_text(w, "\"");
     for (; *text; ++text) {
         unsigned char c = (unsigned char)*text;
         char escape[6] = {'\\', 'u', '0', '0', 0, 0};
@@ -1251,7 +1357,7 @@ static void ms_nn__put_string(ms_nn__writer *w, const char *text)
             ms_nn__put(w, text, 1);
         }
     }
-    ms_nn__put(w, "\"", 1);
+    ms_nn__put_text(w, "\"");
 }
 
 static int ms_nn__valid_text(const char *text)
@@ -1319,37 +1425,37 @@ static void ms_nn__write_header(ms_nn__writer *w, const ms_nn_tensor *tensors, s
     size_t i, offset = 0;
     int d;
     w->length = 8;
-    ms_nn__put(w, "{", 1);
+    ms_nn__put_text(w, "{");
     if (entries) {
-        ms_nn__put(w, "\"__metadata__\":{", 16);
+        ms_nn__put_text(w, "\"__metadata__\":{");
         for (i = 0; i < entries; ++i) {
-            if (i) ms_nn__put(w, ",", 1);
+            if (i) ms_nn__put_text(w, ",");
             ms_nn__put_string(w, metadata[i].key);
-            ms_nn__put(w, ":", 1);
+            ms_nn__put_text(w, ":");
             ms_nn__put_string(w, metadata[i].value);
         }
-        ms_nn__put(w, count ? "}," : "}", count ? 2 : 1);
+        ms_nn__put_text(w, count ? "}," : "}");
     }
     for (i = 0; i < count; ++i) {
         const ms_nn_tensor *t = &tensors[order[i]];
-        if (i) ms_nn__put(w, ",", 1);
+        if (i) ms_nn__put_text(w, ",");
         ms_nn__put_string(w, t->name);
-        ms_nn__put(w, ":{\"dtype\":", 10);
+        ms_nn__put_text(w, ":{\"dtype\":");
         ms_nn__put_string(w, ms_nn__dtype_name((int)t->dtype));
-        ms_nn__put(w, ",\"shape\":[", 10);
+        ms_nn__put_text(w, ",\"shape\":[");
         for (d = 0; d < t->rank; ++d) {
-            if (d) ms_nn__put(w, ",", 1);
+            if (d) ms_nn__put_text(w, ",");
             ms_nn__put_size(w, t->shape[d]);
         }
-        ms_nn__put(w, "],\"data_offsets\":[", 18);
+        ms_nn__put_text(w, "],\"data_offsets\":[");
         ms_nn__put_size(w, offset);
-        ms_nn__put(w, ",", 1);
+        ms_nn__put_text(w, ",");
         offset += t->bytes;
         ms_nn__put_size(w, offset);
-        ms_nn__put(w, "]}", 2);
+        ms_nn__put_text(w, "]}");
     }
-    ms_nn__put(w, "}", 1);
-    while (w->length % 64) ms_nn__put(w, " ", 1);
+    ms_nn__put_text(w, "}");
+    while (w->length % 64) ms_nn__put_text(w, " ");
 }
 
 MS_NN_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
@@ -1704,9 +1810,6 @@ typedef struct ms_nn__block {
 struct ms_nn {
     ms_nn_options options;
     ms_nn_file *file;
-    const void *mapped; /* what ms_nn_load_file made, or NULL */
-    size_t mapped_bytes;
-    int mapped_is_block; /* read into memory rather than mapped */
     ms_nn__block *blocks;
     const struct ms_nn__kernels *kernels;
     ms_simd level;
@@ -1832,7 +1935,7 @@ static ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weight
                                    int last, ms_error *error)
 {
     ms_nn__matrix *m = &op->matrix;
-    size_t rows = w->weight->shape[0], cols = w->weight->shape[1], folds = fold[0] * fold[1], r, c, y, x, i, k;
+    size_t rows = w->weight->shape[0], cols = w->weight->shape[1], folds = fold[0] * fold[1], r, c, y, x, i;
     m->rows = rows;
     m->cols = cols / folds;
     m->dtype = w->weight->dtype;
@@ -1844,22 +1947,22 @@ static ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weight
         m->w = (const unsigned char *)copy;
         m->dtype = MS_NN_F32;
         for (r = 0; r < rows; ++r) {
-            if (folds == 1) {
-                for (c = 0; c < cols; ++c) *copy++ = (float)ms_nn__element(w->weight->data, w->weight->dtype, r * cols + c);
-                continue;
+            const unsigned char *row = (const unsigned char *)w->weight->data + r * cols * (size_t)(ms_nn__bits(w->weight->dtype) / 8);
+            for (i = 0; i < low.h * low.w; ++i) {
+                size_t at = i / low.w * fold[0] * low.w * fold[1] + i % low.w * fold[1]; /* its first copy */
+                for (c = 0; c < low.c; ++c) {
+                    double sum = 0;
+                    for (y = 0; y < fold[0]; ++y)
+                        for (x = 0; x < fold[1]; ++x) {
+                            size_t pixel = at + y * low.w * fold[1] + x;
+                            size_t col = last ? pixel * low.c + c : c * low.h * low.w * folds + pixel;
+                            sum += w->weight->dtype == MS_NN_F32 ? (double)ms_nn__float_of(ms_nn__u32(row + 4 * col))
+                                                                 : ms_nn__element(row, MS_NN_F64, col);
+                        }
+                    copy[last ? i * low.c + c : c * low.h * low.w + i] = (float)sum;
+                }
             }
-            for (k = 0; k < m->cols; ++k) {
-                double sum = 0;
-                c = last ? k % low.c : k / (low.h * low.w);
-                i = last ? k / low.c : k % (low.h * low.w);
-                for (y = 0; y < fold[0]; ++y)
-                    for (x = 0; x < fold[1]; ++x) {
-                        size_t at = (i / low.w * fold[0] + y) * low.w * fold[1] + i % low.w * fold[1] + x;
-                        sum += ms_nn__element(w->weight->data, w->weight->dtype,
-                                              r * cols + (last ? at * low.c + c : c * low.h * low.w * folds + at));
-                    }
-                *copy++ = (float)sum;
-            }
+            copy += m->cols;
         }
     } else if (MS_NN__BIG_ENDIAN && m->dtype != MS_NN_I8) {
         size_t n = w->weight->bytes / (size_t)(ms_nn__bits(m->dtype) / 8);
@@ -2345,24 +2448,20 @@ static ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_error *error
     return ms_nn__plan(nn, error);
 }
 
-MS_NN_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error)
+/* A network of an open file, which it owns from here on. */
+static ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *o, ms_nn **nn, ms_error *error)
 {
-    ms_nn_options o = options ? *options : ms_nn_defaults();
-    ms_nn_file *file = NULL;
-    ms_nn *made;
+    ms_nn *made = (ms_nn *)ms_nn__alloc(o, sizeof *made);
     const char *version, *input, *layers, *format;
     ms_status status;
-    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn must not be NULL");
-    if ((status = ms_nn_file_open(bytes, size, &o, &file, error)) != MS_OK) return status;
-    made = (ms_nn *)ms_nn__alloc(&o, sizeof *made);
     if (made == NULL) {
         ms_nn_file_close(file);
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a network");
     }
     memset(made, 0, sizeof *made);
-    made->options = o;
+    made->options = *o;
     made->file = file;
-    made->level = ms__simd_pick(o.simd);
+    made->level = ms__simd_pick(o->simd);
     made->kernels = ms_nn__kernels_for(made->level);
     format = ms_nn_file_metadata(file, "format");
     version = ms_nn_file_metadata(file, "ms_nn_version");
@@ -2379,6 +2478,16 @@ MS_NN_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_optio
     if (status != MS_OK) ms_nn_destroy(made);
     else *nn = made;
     return status;
+}
+
+MS_NN_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error)
+{
+    ms_nn_options o = options ? *options : ms_nn_defaults();
+    ms_nn_file *file = NULL;
+    ms_status status;
+    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn must not be NULL");
+    status = ms_nn_file_open(bytes, size, &o, &file, error);
+    return status == MS_OK ? ms_nn__make(file, &o, nn, error) : status;
 }
 
 /* === run === */
@@ -2435,7 +2544,14 @@ typedef struct ms_nn__kernels {
     void (*activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
     void (*derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha);
     void (*pool2)(const float *x, size_t row, float *y, size_t n);
+    void (*gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out);
+    void (*add)(double *y, const double *a, size_t na, size_t stride, size_t n, const double *s, size_t s_stride);
+    void (*rotate)(double *a, double *b, size_t n, double c, double s);
+    void (*row)(const ms_nn__matrix *m, size_t row, float *out);
 } ms_nn__kernels;
+
+/* Does a matrix come from memory rather than from a cache? */
+static int ms_nn__large(const ms_nn__dense *job) { return job->m->rows * job->m->cols > 2000000; }
 
 static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->block; }
 
@@ -2521,9 +2637,9 @@ static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, co
     job.kernels = nn->kernels;
     if (m->dtype == MS_NN_I8) {
         size_t n = (size_t)batch, wide = ms_nn__digit_cols(m->cols), runs = ms_nn__digit_runs(m->cols), b;
-        ms_nn__digits *digits = (ms_nn__digits *)scratch;
+        signed char *d = (signed char *)scratch; /* 64-byte aligned, as each digit's row is */
+        ms_nn__digits *digits = (ms_nn__digits *)(void *)(d + 3 * wide * n);
         int32_t *sum = (int32_t *)(void *)(digits + n);
-        signed char *d = (signed char *)(sum + 3 * runs * n);
         for (b = 0; b < n; ++b)
             ms_nn__digits_make(&digits[b], d + 3 * wide * b, sum + 3 * runs * b, x + b * m->cols, m->cols);
         job.digits = digits;
@@ -2690,20 +2806,39 @@ static size_t ms_nn__pool_at(const ms_nn__op *op, const float *x, size_t c, size
     return best;
 }
 
-/* point: the values the maxima are taken of; x: what is picked (the same, or a direction); to_x: scatter back. */
+/* point: the values that the maxima are taken of; x: what is picked, the same or a direction. */
+typedef struct ms_nn__pool_job {
+    const ms_nn__op *op;
+    const float *point, *x;
+    float *y;
+    size_t chunk; /* channels of a task */
+    const ms_nn__kernels *kernels;
+} ms_nn__pool_job;
+
+static void ms_nn__pool_task(void *context, int index)
+{
+    const ms_nn__pool_job *job = (const ms_nn__pool_job *)context;
+    const ms_nn__op *op = job->op;
+    size_t c = (size_t)index * job->chunk, c1 = ms_nn__min(c + job->chunk, op->out.c), i, j;
+    int fast = job->point == job->x && op->size[0] == 2 && op->size[1] == 2 && op->stride[0] == 2 && op->stride[1] == 2;
+    float *y = job->y + c * op->out.h * op->out.w;
+    for (; c < c1; ++c)
+        for (i = 0; i < op->out.h; ++i, y += op->out.w) {
+            if (fast) job->kernels->pool2(job->x + (c * op->in.h + 2 * i) * op->in.w, op->in.w, y, op->out.w);
+            else for (j = 0; j < op->out.w; ++j) y[j] = job->x[ms_nn__pool_at(op, job->point, c, i, j)];
+        }
+}
+
 static void ms_nn__run_pool(const ms_nn *nn, const ms_nn__op *op, const float *point, const float *x, float *y)
 {
-    size_t c, i, j;
-    int fast = point == x && op->size[0] == 2 && op->size[1] == 2 && op->stride[0] == 2 && op->stride[1] == 2;
-    for (c = 0; c < op->out.c; ++c)
-        for (i = 0; i < op->out.h; ++i) {
-            if (fast) {
-                nn->kernels->pool2(x + (c * op->in.h + 2 * i) * op->in.w, op->in.w, y, op->out.w);
-                y += op->out.w;
-                continue;
-            }
-            for (j = 0; j < op->out.w; ++j) *y++ = x[ms_nn__pool_at(op, point, c, i, j)];
-        }
+    ms_nn__pool_job job;
+    job.op = op;
+    job.point = point;
+    job.x = x;
+    job.y = y;
+    job.kernels = nn->kernels;
+    job.chunk = 65536 / (op->in.h * op->in.w) + 1;
+    ms_nn__chunks(nn, op->out.c, &job.chunk, ms_nn__pool_task, &job);
 }
 
 static void ms_nn__run_pool_back(const ms_nn__op *op, const float *point, const float *g_y, float *g_x)
@@ -3123,10 +3258,6 @@ MS_NN_API void ms_nn_destroy(ms_nn *nn)
         ms__release(&allocator, b, b->bytes);
     }
     ms_nn_file_close(nn->file);
-#ifdef MS_NN__MMAP
-    if (nn->mapped && !nn->mapped_is_block) munmap((void *)(uintptr_t)nn->mapped, nn->mapped_bytes);
-#endif
-    if (nn->mapped_is_block) ms__release(&allocator, (void *)(uintptr_t)nn->mapped, nn->mapped_bytes);
     ms__release(&allocator, nn, sizeof *nn);
 }
 
@@ -3188,31 +3319,36 @@ static ms_status ms_nn__slurp(const char *path, const ms_nn_options *o, void **b
     return status;
 }
 
+MS_NN_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error)
+{
+    ms_nn_options o = options ? *options : ms_nn_defaults();
+    const void *mapped = NULL;
+    void *block = NULL;
+    size_t size = 0, used;
+    ms_status status;
+    if (path == NULL || file == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path and file must not be NULL");
+    ms_nn__map(path, &mapped, &size);
+    used = size;
+    if (mapped == NULL && (status = ms_nn__slurp(path, &o, &block, &size, &used, error)) != MS_OK) return status;
+    status = ms_nn_file_open(mapped ? mapped : block, used, &o, file, error);
+    if (status != MS_OK) {
+        ms_nn__release_content(&o.allocator, mapped ? mapped : block, size, mapped != NULL);
+        return status;
+    }
+    (*file)->content = mapped ? mapped : block;
+    (*file)->content_bytes = size;
+    (*file)->content_is_mapped = mapped != NULL;
+    return MS_OK;
+}
+
 MS_NN_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
-    const void *bytes = NULL;
-    void *block = NULL;
-    size_t size = 0, used = 0;
+    ms_nn_file *file = NULL;
     ms_status status;
-    if (path == NULL || nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path and nn must not be NULL");
-    ms_nn__map(path, &bytes, &size);
-    used = size;
-    if (bytes == NULL) {
-        if ((status = ms_nn__slurp(path, &o, &block, &size, &used, error)) != MS_OK) return status;
-        bytes = block;
-    }
-    if ((status = ms_nn_load(bytes, used, &o, nn, error)) == MS_OK) {
-        (*nn)->mapped = bytes;
-        (*nn)->mapped_bytes = size;
-        (*nn)->mapped_is_block = block != NULL;
-        return MS_OK;
-    }
-    if (block) ms__release(&o.allocator, block, size);
-#ifdef MS_NN__MMAP
-    else munmap((void *)(uintptr_t)bytes, size);
-#endif
-    return status;
+    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn must not be NULL");
+    status = ms_nn_file_read(path, &o, &file, error);
+    return status == MS_OK ? ms_nn__make(file, &o, nn, error) : status;
 }
 
 static int ms_nn__to_stream(void *user, const void *bytes, size_t size) { return fwrite(bytes, 1, size, (FILE *)user) != size; }
@@ -3232,6 +3368,752 @@ MS_NN_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensor
 }
 #endif /* MS_NN_NO_STDIO */
 
+/* === collapse === */
+
+struct ms_nn_collapse {
+    ms_nn trunk;             /* the network without its last layer: a view, it owns nothing */
+    const ms_nn *nn;
+    const ms_nn__matrix *m;  /* W, b */
+    size_t h;                /* features */
+    float *weight;           /* [rows] diagonal of M */
+    double *r;               /* [h][h] upper triangle, full rows */
+    double *packed;          /* [h (h + 1) / 2] the same without the zeros */
+    double *h0, *e;          /* [h] of the target */
+    double rest;
+    int has_target, weighted;
+};
+
+#define MS_NN__QR_ROWS 128 /* of a block that is folded into R */
+#define MS_NN__QR_PANEL 16 /* columns that are reflected together */
+#define MS_NN__QR_PARTS 8  /* of the rows; joined in order */
+
+/* Folds the rows of B into R: Householder QR of [R; B] in panels, I - V T V' with V = [I; B] (compact WY: Schreiber and
+   Van Loan 1989).
+   r  [h][h], b  [h][rows], column by column, destroyed */
+static void ms_nn__qr_fold(const ms_nn__kernels *kernels, double *r, size_t h, double *b, size_t rows)
+{
+    double t[MS_NN__QR_PANEL][MS_NN__QR_PANEL], z[MS_NN__QR_PANEL * 2], y[MS_NN__QR_PANEL], tau, dot;
+    size_t j0, j, i, k, n, q;
+    for (j0 = 0; j0 < h; j0 += n) {
+        n = ms_nn__min(MS_NN__QR_PANEL, h - j0);
+        memset(t, 0, sizeof t);
+        for (j = 0; j < n; ++j) {
+            double *bj = b + (j0 + j) * rows, *rj = r + (j0 + j) * h, alpha = rj[j0 + j], norm, beta;
+            kernels->gram(bj, 1, bj, 1, rows, rows, &norm);
+            if (!(norm > 0)) continue; /* nothing to eliminate: tau = 0 */
+            beta = sqrt(alpha * alpha + norm);
+            if (alpha > 0) beta = -beta;
+            tau = (beta - alpha) / beta;
+            for (i = 0; i < rows; ++i) bj[i] /= alpha - beta;
+            rj[j0 + j] = beta;
+            for (k = j + 1; k < n; ++k) {
+                double *bk = b + (j0 + k) * rows;
+                kernels->gram(bj, 1, bk, 1, rows, rows, &dot);
+                dot = -tau * (rj[j0 + k] + dot);
+                rj[j0 + k] += dot;
+                kernels->add(bk, bj, 1, rows, rows, &dot, 1);
+            }
+            /* T(0..j, j) = -tau T V' v_j, the identity parts of V being orthogonal */
+            kernels->gram(b + j0 * rows, j, bj, 1, rows, rows, y);
+            for (i = 0; i < j; ++i)
+                for (k = i; k < j; ++k) t[i][j] -= tau * t[i][k] * y[k];
+            t[j][j] = tau;
+        }
+        for (k = j0 + n; k < h; k += q) {
+            q = ms_nn__min(2, h - k);
+            kernels->gram(b + j0 * rows, n, b + k * rows, q, rows, rows, z);
+            for (i = 0; i < n; ++i)
+                for (j = 0; j < q; ++j) z[i * q + j] += r[(j0 + i) * h + k + j];
+            for (j = 0; j < q; ++j) {
+                for (i = n; i-- > 0;) { /* z = -T' z, in place from below */
+                    size_t l;
+                    double sum = 0;
+                    for (l = 0; l <= i; ++l) sum += t[l][i] * z[l * q + j];
+                    z[i * q + j] = -sum;
+                    r[(j0 + i) * h + k + j] += z[i * q + j];
+                }
+                kernels->add(b + (k + j) * rows, b + j0 * rows, n, rows, rows, z + j, q);
+            }
+        }
+    }
+}
+
+/* Row i of W in double, scale applied; scratch has room for a row of floats. */
+static void ms_nn__double_row(const ms_nn__matrix *m, const ms_nn__kernels *kernels, size_t i, float *scratch, double *out, size_t stride, double factor)
+{
+    size_t k;
+    kernels->row(m, i, scratch);
+    if (m->scale) factor *= (double)ms_nn__float_at(m->scale, i);
+    for (k = 0; k < m->cols; ++k) out[k * stride] = factor * (double)scratch[k];
+}
+
+typedef struct ms_nn__qr_job {
+    const ms_nn_collapse *c;
+    double *r;         /* [parts][h][h] */
+    double *b;         /* [parts][h][MS_NN__QR_ROWS] */
+    float *row;        /* [parts][h] */
+    size_t parts;
+} ms_nn__qr_job;
+
+static void ms_nn__qr_task(void *context, int index)
+{
+    const ms_nn__qr_job *job = (const ms_nn__qr_job *)context;
+    const ms_nn_collapse *c = job->c;
+    size_t part = (size_t)index, h = c->h, i = c->m->rows * part / job->parts, end = c->m->rows * (part + 1) / job->parts, n, k;
+    double *r = job->r + part * h * h, *b = job->b + part * h * MS_NN__QR_ROWS;
+    memset(r, 0, h * h * sizeof(double));
+    while (i < end) {
+        n = ms_nn__min(MS_NN__QR_ROWS, end - i);
+        for (k = 0; k < n; ++k)
+            ms_nn__double_row(c->m, c->nn->kernels, i + k, job->row + part * h, b + k, n, sqrt((double)c->weight[i + k]));
+        ms_nn__qr_fold(c->nn->kernels, r, h, b, n);
+        i += n;
+    }
+}
+
+/* R of sqrt(M) W into c->r. */
+static ms_status ms_nn__collapse_factor(ms_nn_collapse *c, ms_error *error)
+{
+    const ms_nn_options *o = &c->nn->options;
+    size_t h = c->h, parts = ms_nn__min(MS_NN__QR_PARTS, c->m->rows / (4 * h) + 1), r_bytes, b_bytes, p, i, k, n;
+    ms_nn__qr_job job;
+    r_bytes = ms__size_mul(parts * sizeof(double), ms__size_mul(h, h));
+    b_bytes = ms__size_mul(parts, ms__size_mul(h, MS_NN__QR_ROWS * sizeof(double) + sizeof(float)));
+    job.c = c;
+    job.parts = parts;
+    job.r = (double *)ms_nn__alloc(o, r_bytes);
+    job.b = (double *)ms_nn__alloc(o, b_bytes);
+    job.row = (float *)(void *)(job.b + parts * h * MS_NN__QR_ROWS);
+    if (job.r && job.b) {
+        ms__run(&o->parallel, (int)parts, ms_nn__qr_task, &job);
+        for (p = 1; p < parts; ++p) /* the rows of each further R, a block at a time */
+            for (i = 0; i < h; i += n) {
+                n = ms_nn__min(MS_NN__QR_ROWS, h - i);
+                for (k = 0; k < h * n; ++k) job.b[k] = job.r[p * h * h + (i + k % n) * h + k / n];
+                ms_nn__qr_fold(c->nn->kernels, job.r, h, job.b, n);
+            }
+        memcpy(c->r, job.r, h * h * sizeof(double));
+    }
+    ms__release(&o->allocator, job.b, b_bytes);
+    ms__release(&o->allocator, job.r, r_bytes);
+    return job.r && job.b ? MS_OK : ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a QR of %z features", h);
+}
+
+static void ms_nn__collapse_pack(ms_nn_collapse *c)
+{
+    double *to = c->packed;
+    size_t i, k;
+    for (i = 0; i < c->h; ++i)
+        for (k = i; k < c->h; ++k) *to++ = c->r[i * c->h + k];
+    c->has_target = 0;
+}
+
+/* The network up to its last layer's input, as a view. */
+static ms_nn ms_nn__trunk(const ms_nn *nn)
+{
+    ms_nn t = *nn;
+    int v;
+    t.ops--;
+    t.tapes = nn->tape[nn->ops];
+    t.slots = 0;
+    for (v = 0; v <= t.ops; ++v)
+        if (nn->slot[v] + ms_nn__value_size(nn, v) > t.slots) t.slots = nn->slot[v] + ms_nn__value_size(nn, v);
+    return t;
+}
+
+MS_NN_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error)
+{
+    const ms_nn__op *last;
+    const ms_nn_tensor *stored;
+    ms_nn_collapse *made;
+    size_t i, k, h, rows, bytes;
+    ms_status status = MS_OK;
+    if (nn == NULL || c == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn and c must not be NULL");
+    last = &nn->op[nn->ops - 1];
+    if (last->step != MS_NN__DO_DENSE || last->activation != MS_NN__LINEAR || nn->channel_input)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "only a network whose last layer is dense and linear collapses");
+    h = last->matrix.cols;
+    rows = last->matrix.rows;
+    for (i = 0; weight && i < rows; ++i)
+        if (!ms__finite_f(weight[i]) || weight[i] < 0)
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g; it must be finite and not negative", i, (double)weight[i]);
+    bytes = ms__size_add(sizeof *made, ms__size_mul(rows, sizeof(float)) + 8);
+    bytes = ms__size_add(bytes, ms__size_mul(ms__size_add(ms__size_mul(h, h), ms__size_mul(h, h + 1) / 2 + 2 * h), sizeof(double)));
+    made = (ms_nn_collapse *)ms_nn__alloc(&nn->options, bytes);
+    if (made == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", h);
+    memset(made, 0, sizeof *made);
+    made->nn = nn;
+    made->m = &last->matrix;
+    made->h = h;
+    made->trunk = ms_nn__trunk(nn);
+    made->r = (double *)(void *)(made + 1);
+    made->packed = made->r + h * h;
+    made->h0 = made->packed + h * (h + 1) / 2;
+    made->e = made->h0 + h;
+    made->weight = (float *)(void *)(made->e + h);
+    made->weighted = weight != NULL;
+    for (i = 0; i < rows; ++i) made->weight[i] = weight ? weight[i] : 1.0f;
+    stored = weight ? NULL : ms_nn_file_find(nn->file, "ms_nn.collapse");
+    if (stored && stored->dtype == MS_NN_F64 && stored->bytes / 8 == h * (h + 1) / 2) {
+        size_t at = 0;
+        memset(made->r, 0, h * h * sizeof(double));
+        for (i = 0; i < h; ++i)
+            for (k = i; k < h; ++k) made->r[i * h + k] = ms_nn__element(stored->data, MS_NN_F64, at++);
+    } else {
+        status = ms_nn__collapse_factor(made, error);
+    }
+    ms_nn__collapse_pack(made);
+    if (status != MS_OK) ms_nn_collapse_destroy(made);
+    else *c = made;
+    return status;
+}
+
+MS_NN_API void ms_nn_collapse_destroy(ms_nn_collapse *c)
+{
+    if (c == NULL) return;
+    ms__release(&c->nn->options.allocator, c, sizeof *c + c->m->rows * sizeof(float) + 8 + (c->h * c->h + c->h * (c->h + 1) / 2 + 2 * c->h) * sizeof(double));
+}
+
+MS_NN_API size_t ms_nn_collapse_features(const ms_nn_collapse *c) { return c->h; }
+MS_NN_API const double *ms_nn_collapse_r(const ms_nn_collapse *c) { return c->packed; }
+
+/* R'R - v v' by mixed hyperbolic rotations (Chambers 1971): 0 where the difference is not positive definite. */
+static int ms_nn__downdate(double *r, size_t h, double *v)
+{
+    size_t j, k;
+    for (j = 0; j < h; ++j) {
+        double *row = r + j * h, s, c;
+        if (v[j] == 0.0) continue;
+        s = v[j] / row[j];
+        if (!(fabs(s) < 1 - 1e-8)) return 0;
+        c = sqrt((1 - s) * (1 + s));
+        row[j] *= c;
+        for (k = j + 1; k < h; ++k) {
+            row[k] = (row[k] - s * v[k]) / c;
+            v[k] = c * v[k] - s * row[k];
+        }
+    }
+    return 1;
+}
+
+MS_NN_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error)
+{
+    const ms_nn_options *o;
+    double *r, *b;
+    float *row, *old;
+    size_t bytes, h, i, n = 0, k;
+    int good = 1;
+    ms_status status = MS_OK;
+    if (c == NULL || (count && (index == NULL || weight == NULL))) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index and weight must not be NULL");
+    for (i = 0; i < count; ++i)
+        if (index[i] >= c->m->rows || !ms__finite_f(weight[i]) || weight[i] < 0)
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "entry %z: output %z with weight %g", i, index[i], (double)weight[i]);
+    o = &c->nn->options;
+    h = c->h;
+    bytes = ms__size_add(ms__size_mul(h, h * sizeof(double) + MS_NN__QR_ROWS * sizeof(double) + sizeof(float)), ms__size_mul(count, sizeof(float)));
+    r = (double *)ms_nn__alloc(o, bytes);
+    if (r == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to update %z features", h);
+    b = r + h * h;
+    row = (float *)(void *)(b + h * MS_NN__QR_ROWS);
+    old = row + h;
+    memcpy(r, c->r, h * h * sizeof(double));
+    for (i = 0; i < count; ++i) old[i] = c->weight[index[i]];
+    good = count < c->m->rows / 8 + 2 * MS_NN__QR_ROWS;
+    for (i = 0; good && i < count; ++i) /* more weight first: R grows before it shrinks */
+        if (weight[i] > old[i]) {
+            ms_nn__double_row(c->m, c->nn->kernels, index[i], row, b + n, MS_NN__QR_ROWS, sqrt((double)weight[i] - (double)old[i]));
+            if (++n == MS_NN__QR_ROWS) {
+                ms_nn__qr_fold(c->nn->kernels, r, h, b, n);
+                n = 0;
+            }
+        }
+    if (n > 0) { /* the unused rows of the block are zeros */
+        for (i = 0; i < h; ++i)
+            for (k = n; k < MS_NN__QR_ROWS; ++k) b[i * MS_NN__QR_ROWS + k] = 0;
+        ms_nn__qr_fold(c->nn->kernels, r, h, b, MS_NN__QR_ROWS);
+    }
+    for (i = 0; good && i < count; ++i)
+        if (weight[i] < old[i]) {
+            ms_nn__double_row(c->m, c->nn->kernels, index[i], row, b, 1, sqrt((double)old[i] - (double)weight[i]));
+            good = ms_nn__downdate(r, h, b);
+        }
+    for (i = 0; i < count; ++i) c->weight[index[i]] = weight[i];
+    if (good) {
+        memcpy(c->r, r, h * h * sizeof(double));
+    } else if ((status = ms_nn__collapse_factor(c, error)) != MS_OK) {
+        for (i = count; i-- > 0;) c->weight[index[i]] = old[i];
+    }
+    ms__release(&o->allocator, r, bytes);
+    if (status == MS_OK && count) {
+        c->weighted = 1;
+        ms_nn__collapse_pack(c);
+    }
+    return status;
+}
+
+/* One pass over W: residuals of h0 and sum_i w_i m_i res_i, rows cut into parts that are added in order. */
+typedef struct ms_nn__pass_job {
+    const ms_nn_collapse *c;
+    const float *target;
+    const double *h0;  /* NULL: zero */
+    double *sum;       /* [parts][h + 1]: the vector, then sum_i m_i res_i^2 */
+    double *wide;      /* [parts][h] */
+    float *row;        /* [parts][h] */
+    size_t parts;
+} ms_nn__pass_job;
+
+static void ms_nn__pass_task(void *context, int index)
+{
+    const ms_nn__pass_job *job = (const ms_nn__pass_job *)context;
+    const ms_nn_collapse *c = job->c;
+    size_t part = (size_t)index, h = c->h, i = c->m->rows * part / job->parts, end = c->m->rows * (part + 1) / job->parts;
+    double *sum = job->sum + part * (h + 1), *wide = job->wide + part * h;
+    memset(sum, 0, (h + 1) * sizeof(double));
+    for (; i < end; ++i) {
+        double residual = (double)job->target[i] - (c->m->bias ? (double)ms_nn__float_at(c->m->bias, i) : 0.0), dot, weighted;
+        if (!(c->weight[i] > 0)) continue;
+        ms_nn__double_row(c->m, c->nn->kernels, i, job->row + part * h, wide, 1, 1.0);
+        if (job->h0) {
+            c->nn->kernels->gram(wide, 1, job->h0, 1, h, h, &dot);
+            residual -= dot;
+        }
+        weighted = residual * (double)c->weight[i];
+        c->nn->kernels->add(sum, wide, 1, h, h, &weighted, 1);
+        sum[h] += weighted * residual;
+    }
+}
+
+static void ms_nn__pass(const ms_nn__pass_job *job)
+{
+    size_t n = job->c->h + 1, p, i;
+    ms__run(&job->c->nn->options.parallel, (int)job->parts, ms_nn__pass_task, (void *)(uintptr_t)job);
+    for (p = 1; p < job->parts; ++p)
+        for (i = 0; i < n; ++i) job->sum[i] += job->sum[p * n + i];
+}
+
+/* R' y = x, then with also R z = y, in place. A pivot of rounding size stands for a direction that no output sees. */
+static void ms_nn__solve_transposed(const ms_nn_collapse *c, double *x)
+{
+    size_t h = c->h, j, k;
+    double largest = 0;
+    for (j = 0; j < h; ++j)
+        if (fabs(c->r[j * h + j]) > largest) largest = fabs(c->r[j * h + j]);
+    for (j = 0; j < h; ++j) {
+        const double *row = c->r + j * h;
+        x[j] = fabs(row[j]) > 1e-13 * largest ? x[j] / row[j] : 0.0;
+        for (k = j + 1; k < h; ++k) x[k] -= row[k] * x[j];
+    }
+}
+
+static void ms_nn__solve(const ms_nn_collapse *c, double *x)
+{
+    size_t h = c->h, j, k;
+    double largest = 0;
+    for (j = 0; j < h; ++j)
+        if (fabs(c->r[j * h + j]) > largest) largest = fabs(c->r[j * h + j]);
+    for (j = h; j-- > 0;) {
+        const double *row = c->r + j * h;
+        for (k = j + 1; k < h; ++k) x[j] -= row[k] * x[k];
+        x[j] = fabs(row[j]) > 1e-13 * largest ? x[j] / row[j] : 0.0;
+    }
+}
+
+MS_NN_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
+{
+    ms_nn__pass_job job;
+    size_t h, i, bytes;
+    double norm = 0;
+    if (c == NULL || target == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "c and target must not be NULL");
+    h = c->h;
+    for (i = 0; i < c->m->rows; ++i)
+        if (!ms__finite_f(target[i])) return ms__fail(error, MS_INVALID_ARGUMENT, i, "target value %z is not finite", i);
+    memset(&job, 0, sizeof job);
+    job.c = c;
+    job.target = target;
+    job.parts = ms_nn__min(64, c->m->rows / 256 + 1);
+    bytes = ms__size_mul(job.parts, ms__size_mul(2 * h + 1, sizeof(double)) + h * sizeof(float));
+    job.sum = (double *)ms_nn__alloc(&c->nn->options, bytes);
+    if (job.sum == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
+    job.wide = job.sum + job.parts * (h + 1);
+    job.row = (float *)(void *)(job.wide + job.parts * h);
+    ms_nn__pass(&job); /* W'M (t - b) */
+    memcpy(c->h0, job.sum, h * sizeof(double));
+    ms_nn__solve_transposed(c, c->h0);
+    ms_nn__solve(c, c->h0);
+    job.h0 = c->h0;
+    ms_nn__pass(&job); /* W'M res and |res|_M^2 of h0 */
+    memcpy(c->e, job.sum, h * sizeof(double));
+    ms_nn__solve_transposed(c, c->e);
+    for (i = 0; i < h; ++i) norm += c->e[i] * c->e[i];
+    c->rest = job.sum[h] > norm ? job.sum[h] - norm : 0.0;
+    c->has_target = 1;
+    ms__release(&c->nn->options.allocator, job.sum, bytes);
+    return MS_OK;
+}
+
+MS_NN_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian)
+{
+    size_t inputs = with_jacobian ? ms_nn_input_size(c->nn) : 0;
+    size_t trunk = c->trunk.ops == 0 ? 0 : ms_nn__layout_of(&c->trunk, with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1).total;
+    return ms__size_add(ms__size_add(trunk, ms__size_mul(ms__size_mul(c->h, inputs + 1), sizeof(float))), ms__size_mul(c->h, sizeof(double)) + 64);
+}
+
+/* h(x) and its Jacobian [h][inputs]; a network of one layer has h(x) = x. */
+static ms_status ms_nn__collapse_features(const ms_nn_collapse *c, const float *x, float *h, float *jacobian, void *workspace)
+{
+    size_t i;
+    if (c->trunk.ops > 0)
+        return jacobian ? ms_nn_jacobian(&c->trunk, x, h, jacobian, workspace) : ms_nn_forward(&c->trunk, 1, x, h, workspace);
+    memcpy(h, x, c->h * sizeof(float));
+    if (jacobian) memset(jacobian, 0, c->h * c->h * sizeof(float));
+    for (i = 0; jacobian && i < c->h; ++i) jacobian[i * c->h + i] = 1;
+    return MS_OK;
+}
+
+MS_NN_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace)
+{
+    size_t bytes, h, n, i, k, j;
+    void *allocated = NULL;
+    float *features, *slopes;
+    double *d;
+    ms_status status;
+    if (c == NULL || x == NULL || residual == NULL || !c->has_target) return MS_INVALID_ARGUMENT;
+    h = c->h;
+    n = jacobian ? ms_nn_input_size(c->nn) : 0;
+    bytes = ms_nn_collapse_workspace_size(c, jacobian != NULL);
+    if (workspace == NULL) workspace = allocated = ms_nn__alloc(&c->nn->options, bytes);
+    if (workspace == NULL) return MS_OUT_OF_MEMORY;
+    d = (double *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    features = (float *)(void *)(d + h);
+    slopes = features + h;
+    status = ms_nn__collapse_features(c, x, features, jacobian ? slopes : NULL, slopes + h * n);
+    for (i = 0; i < h; ++i) d[i] = (double)features[i] - c->h0[i];
+    for (i = 0; status == MS_OK && i < h; ++i) { /* R (h - h0) - e */
+        c->nn->kernels->gram(c->r + i * h + i, 1, d + i, 1, h, h - i, &residual[i]);
+        residual[i] -= c->e[i];
+        for (j = 0; j < n; ++j) jacobian[i * n + j] = 0;
+        for (k = i; n > 0 && k < h; ++k)
+            for (j = 0; j < n; ++j) jacobian[i * n + j] += c->r[i * h + k] * (double)slopes[k * n + j];
+    }
+    if (status == MS_OK) residual[h] = sqrt(c->rest);
+    for (j = 0; status == MS_OK && j < n; ++j) jacobian[h * n + j] = 0;
+    ms__release(&c->nn->options.allocator, allocated, bytes);
+    return status;
+}
+
+MS_NN_API ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace)
+{
+    size_t bytes, h, i;
+    void *allocated = NULL;
+    float *features;
+    double *d, sum, r;
+    ms_status status;
+    if (c == NULL || x == NULL || value == NULL || !c->has_target) return MS_INVALID_ARGUMENT;
+    h = c->h;
+    bytes = ms_nn_collapse_workspace_size(c, 0);
+    if (workspace == NULL) workspace = allocated = ms_nn__alloc(&c->nn->options, bytes);
+    if (workspace == NULL) return MS_OUT_OF_MEMORY;
+    d = (double *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    features = (float *)(void *)(d + h);
+    status = ms_nn__collapse_features(c, x, features, NULL, features + h);
+    for (i = 0; i < h; ++i) d[i] = (double)features[i] - c->h0[i];
+    sum = c->rest;
+    for (i = 0; i < h; ++i) {
+        c->nn->kernels->gram(c->r + i * h + i, 1, d + i, 1, h, h - i, &r);
+        sum += (r - c->e[i]) * (r - c->e[i]);
+    }
+    if (status == MS_OK) *value = sum;
+    ms__release(&c->nn->options.allocator, allocated, bytes);
+    return status;
+}
+
+/* === low rank === */
+
+struct ms_nn_low_rank {
+    const ms_nn_collapse *c;
+    size_t bytes;
+    double peak, total;  /* variance of all outputs together, over the samples */
+    double *variance;    /* [h] carried by each direction, falling */
+    double *mean;        /* [h] of the features */
+    double *left;        /* [h][h] column k: L V_k, so that U_k = W left_k / sqrt(variance_k) */
+    size_t *order;       /* [h] columns by falling variance */
+};
+
+/* C = L L' in place (lower, column k from row k on); a pivot of rounding size makes a zero column. */
+static void ms_nn__cholesky(double *a, size_t n)
+{
+    size_t i, j, k;
+    double largest = 0;
+    for (j = 0; j < n; ++j)
+        if (a[j * n + j] > largest) largest = a[j * n + j];
+    for (k = 0; k < n; ++k) { /* column-major: column k at a + k n */
+        double pivot = a[k * n + k], root = pivot > 1e-14 * largest ? sqrt(pivot) : 0.0;
+        for (i = 0; i < k; ++i) a[k * n + i] = 0;
+        for (i = k; i < n; ++i) a[k * n + i] = root > 0 ? a[k * n + i] / root : 0.0;
+        for (j = k + 1; j < n; ++j)
+            for (i = j; i < n; ++i) a[j * n + i] -= a[k * n + i] * a[k * n + j];
+    }
+}
+
+/* One-sided Jacobi (Hestenes 1958): rotates the columns of g, and of l along with them, until they are orthogonal. */
+static void ms_nn__jacobi(const ms_nn__kernels *kernels, double *g, double *l, size_t n)
+{
+    int sweep, rotated = 1;
+    size_t p, q;
+    for (sweep = 0; sweep < 40 && rotated; ++sweep) {
+        rotated = 0;
+        for (p = 0; p + 1 < n; ++p)
+            for (q = p + 1; q < n; ++q) {
+                double a, b, d, zeta, t, c;
+                kernels->gram(g + p * n, 1, g + p * n, 1, n, n, &a);
+                kernels->gram(g + q * n, 1, g + q * n, 1, n, n, &b);
+                kernels->gram(g + p * n, 1, g + q * n, 1, n, n, &d);
+                if (!(fabs(d) > 1e-14 * sqrt(a * b)) || !(fabs(d) > 1e-300)) continue;
+                rotated = 1;
+                zeta = (b - a) / (2 * d);
+                t = (zeta < 0 ? -1 : 1) / (fabs(zeta) + sqrt(1 + zeta * zeta));
+                c = 1 / sqrt(1 + t * t);
+                kernels->rotate(g + p * n, g + q * n, n, c, c * t);
+                kernels->rotate(l + p * n, l + q * n, n, c, c * t);
+            }
+    }
+}
+
+static int ms_nn__compare_variance(const void *context, size_t a, size_t b)
+{
+    const double *v = (const double *)context;
+    return v[a] > v[b] ? -1 : v[a] < v[b] ? 1 : a < b ? -1 : a > b;
+}
+
+/* Mean and covariance of the features over the samples, one at a time. */
+static ms_status ms_nn__feature_moments(const ms_nn_collapse *c, int samples, const float *x, double *mean, double *covariance)
+{
+    size_t h = c->h, i, j, bytes = ms__size_add(ms_nn_collapse_workspace_size(c, 0), h * sizeof(float));
+    float *workspace = (float *)ms_nn__alloc(&c->nn->options, bytes);
+    int s, pass;
+    ms_status status = workspace ? MS_OK : MS_OUT_OF_MEMORY;
+    memset(mean, 0, h * sizeof(double));
+    memset(covariance, 0, h * h * sizeof(double));
+    for (pass = 0; pass < 2; ++pass)
+        for (s = 0; status == MS_OK && s < samples; ++s) {
+            status = ms_nn__collapse_features(c, x + (size_t)s * ms_nn_input_size(c->nn), workspace, NULL, workspace + h);
+            for (i = 0; pass == 0 && i < h; ++i) mean[i] += (double)workspace[i] / samples;
+            for (i = 0; pass == 1 && i < h; ++i)
+                for (j = i; j < h; ++j) covariance[i * h + j] += ((double)workspace[i] - mean[i]) * ((double)workspace[j] - mean[j]) / samples;
+        }
+    ms__release(&c->nn->options.allocator, workspace, bytes);
+    return status;
+}
+
+MS_NN_API ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak, ms_nn_low_rank **low_rank,
+                                          ms_error *error)
+{
+    size_t h, i, k, bytes, g_bytes;
+    ms_nn_low_rank *made;
+    double *g;
+    ms_status status;
+    if (c == NULL || x == NULL || low_rank == NULL || samples < 1 || !(peak >= 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "at least one sample and a peak that is not negative");
+    if (c->weighted) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the collapse has weights; make one without");
+    h = c->h;
+    g_bytes = ms__size_mul(ms__size_mul(h, h), sizeof(double));
+    bytes = ms__size_add(ms__size_add(sizeof *made, g_bytes), ms__size_mul(h, 2 * sizeof(double) + sizeof(size_t)));
+    made = (ms_nn_low_rank *)ms_nn__alloc(&c->nn->options, bytes);
+    g = (double *)ms_nn__alloc(&c->nn->options, g_bytes);
+    status = made && g ? MS_OK : MS_OUT_OF_MEMORY;
+    if (status == MS_OK) {
+        made->c = c;
+        made->bytes = bytes;
+        made->peak = peak > 0 ? peak : 1.0;
+        made->variance = (double *)(void *)(made + 1);
+        made->mean = made->variance + h;
+        made->left = made->mean + h;
+        made->order = (size_t *)(void *)(made->left + h * h);
+        status = ms_nn__feature_moments(c, samples, x, made->mean, made->left);
+    }
+    if (status == MS_OK) {
+        ms_nn__cholesky(made->left, h);
+        memset(g, 0, g_bytes);
+        for (k = 0; k < h; ++k) /* G = R L */
+            for (i = 0; i < h; ++i) c->nn->kernels->gram(c->r + i * h, 1, made->left + k * h, 1, h, h, &g[k * h + i]);
+        ms_nn__jacobi(c->nn->kernels, g, made->left, h);
+        made->total = 0;
+        for (k = 0; k < h; ++k) {
+            c->nn->kernels->gram(g + k * h, 1, g + k * h, 1, h, h, &made->variance[k]);
+            made->order[k] = k;
+        }
+        ms_nn__sort(made->order, h, ms_nn__compare_variance, made->variance);
+        for (k = 0; k < h; ++k) made->total += made->variance[made->order[h - 1 - k]];
+        *low_rank = made;
+    } else if (made) {
+        ms__release(&c->nn->options.allocator, made, bytes);
+    }
+    ms__release(&c->nn->options.allocator, g, g_bytes);
+    return status == MS_OK ? MS_OK : ms__fail(error, status, 0, "no memory for the directions of %z features", h);
+}
+
+MS_NN_API void ms_nn_low_rank_destroy(ms_nn_low_rank *low_rank)
+{
+    if (low_rank != NULL) ms__release(&low_rank->c->nn->options.allocator, low_rank, low_rank->bytes);
+}
+
+MS_NN_API double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank)
+{
+    const ms_nn_low_rank *l = low_rank;
+    double lost = 0;
+    size_t k;
+    for (k = l->c->h; k-- > (size_t)(rank > 0 ? rank : 0);) lost += l->variance[l->order[k]];
+    if (!(lost > 1e-15 * l->total)) return (double)ms_nn__float_of(0x7f800000u);
+    return 10 * log10(l->peak * l->peak * (double)l->c->m->rows / lost);
+}
+
+MS_NN_API int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db)
+{
+    int rank = 1;
+    while ((size_t)rank < low_rank->c->h && ms_nn_low_rank_psnr(low_rank, rank) < psnr_db) ++rank;
+    return rank;
+}
+
+/* x rounded to nearest even in one of the three types, little-endian. */
+static void ms_nn__put_element(unsigned char *out, ms_nn_dtype dtype, size_t i, double x)
+{
+    float f = (float)x, scaled = (float)fabs(x) * 1.925929944387236e-34f; /* 2^-112: half's exponent */
+    uint32_t bits, k, n = dtype == MS_NN_F32 ? 4 : 2;
+    memcpy(&bits, &f, sizeof bits);
+    if (dtype == MS_NN_BF16) {
+        bits = (bits + 0x7fffu + (bits >> 16 & 1)) >> 16;
+    } else if (dtype == MS_NN_F16) {
+        uint32_t sign = bits >> 16 & 0x8000u, magnitude;
+        memcpy(&magnitude, &scaled, sizeof magnitude);
+        magnitude = (magnitude + 0x0fffu + (magnitude >> 13 & 1)) >> 13;
+        bits = sign | (magnitude > 0x7c00u ? 0x7c00u : magnitude);
+    }
+    for (k = 0; k < n; ++k) out[i * n + k] = (unsigned char)(bits >> (8 * k) & 0xff);
+}
+
+/* "...,{last layer}]" becomes "...,{<name>.low},{<name>}]"; the text's length. out NULL: only that. */
+static size_t ms_nn__low_rank_layers(const ms_nn *nn, const char *layers, size_t rank, char *out)
+{
+    const char *name = nn->layer[nn->layers - 1].name;
+    size_t last = strlen(layers);
+    ms_nn__writer w;
+    int depth = 0;
+    while (last > 0 && !(layers[--last] == '{' && --depth == 0)) depth += layers[last] == '}';
+    w.out = out;
+    w.length = 0;
+    ms_nn__put(&w, layers, last);
+    ms_nn__put_text(&w, "{\"type\":\"dense\",\"name\":");
+    ms_nn__put_string(&w, name);
+    w.length -= 1; /* the closing quote */
+    ms_nn__put_text(&w, ".low\",\"units\":");
+    ms_nn__put_size(&w, rank);
+    ms_nn__put_text(&w, ",\"bias\":false},{\"type\":\"dense\",\"name\":");
+    ms_nn__put_string(&w, name);
+    ms_nn__put_text(&w, ",\"units\":");
+    ms_nn__put_size(&w, nn->op[nn->ops - 1].matrix.rows);
+    ms_nn__put_text(&w, "}]");
+    return w.length;
+}
+
+MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error)
+{
+    const ms_nn_low_rank *l = low_rank;
+    const ms_nn_collapse *c = l ? l->c : NULL;
+    const ms_nn *nn = c ? c->nn : NULL;
+    size_t h, p, r = (size_t)rank, width = dtype == MS_NN_F32 ? 4 : 2, i, j, k, bytes, tensors, entries, n = 0;
+    size_t low_shape[2], high_shape[2];
+    const char *layers, *name;
+    char *memory, *text, low_name[272], weight_name[272], bias_name[272];
+    double *a, *u, *wide;
+    float *row;
+    unsigned char *low, *high, *bias;
+    ms_nn_tensor *t;
+    ms_nn_entry *e;
+    ms_status status;
+    if (nn == NULL || rank < 1 || r > c->h || (dtype != MS_NN_F32 && dtype != MS_NN_F16 && dtype != MS_NN_BF16))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rank must be 1 to the number of features, dtype F32, F16 or BF16");
+    if (strcmp(nn->layer[nn->layers - 1].type, "dense"))
+        return ms__fail(error, MS_UNSUPPORTED, 0, "the last entry of the layer list must be the dense layer");
+    h = c->h;
+    p = c->m->rows;
+    name = nn->layer[nn->layers - 1].name;
+    layers = ms_nn_file_metadata(nn->file, "ms_nn_layers");
+    tensors = ms_nn_file_tensor_count(nn->file) + 3;
+    entries = ms_nn_file_entry_count(nn->file);
+    /* A = D' R'R [r][h], U = W D [p][r], D = left / sqrt(variance) */
+    bytes = ms__size_add(ms__size_mul(ms__size_mul(h, r), 2 * sizeof(double) + width), ms__size_mul(p, ms__size_add(ms__size_mul(r, width), 4)));
+    bytes = ms__size_add(bytes, ms__size_mul(tensors, sizeof *t) + ms__size_mul(entries, sizeof *e) + ms__size_mul(h, 2 * sizeof(double) + sizeof(float)) + ms_nn__low_rank_layers(nn, layers, r, NULL) + 1);
+    memory = (char *)ms_nn__alloc(&nn->options, bytes);
+    if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the factors");
+    a = (double *)(void *)memory; /* [r][h] */
+    u = a + r * h;                /* [r][h]: D' */
+    wide = u + r * h;
+    t = (ms_nn_tensor *)(void *)(wide + 2 * h);
+    e = (ms_nn_entry *)(void *)(t + tensors);
+    row = (float *)(void *)(e + entries);
+    bias = (unsigned char *)(row + h);
+    low = bias + 4 * p;
+    high = low + r * h * width;
+    text = (char *)high + p * r * width;
+    for (k = 0; k < r; ++k) {
+        const double *left = l->left + l->order[k] * h;
+        double variance = l->variance[l->order[k]], scale = variance > 1e-15 * l->total ? 1 / sqrt(variance) : 0.0;
+        for (i = 0; i < h; ++i) u[k * h + i] = left[i] * scale;
+        memset(wide, 0, h * sizeof(double));
+        for (i = 0; i < h; ++i) /* R'(R d) */
+            nn->kernels->gram(c->r + i * h, 1, u + k * h, 1, h, h, &wide[i]);
+        memset(a + k * h, 0, h * sizeof(double));
+        for (i = 0; i < h; ++i) nn->kernels->add(a + k * h, c->r + i * h, 1, h, h, &wide[i], 1);
+        for (i = 0; i < h; ++i) ms_nn__put_element(low, dtype, k * h + i, a[k * h + i]);
+    }
+    for (i = 0; i < p; ++i) {
+        double b = c->m->bias ? (double)ms_nn__float_at(c->m->bias, i) : 0.0, full, x;
+        ms_nn__double_row(c->m, nn->kernels, i, row, wide, 1, 1.0);
+        nn->kernels->gram(wide, 1, l->mean, 1, h, h, &full);
+        b += full; /* b + W mean - U A mean */
+        for (k = 0; k < r; ++k) {
+            nn->kernels->gram(wide, 1, u + k * h, 1, h, h, &x);
+            ms_nn__put_element(high, dtype, i * r + k, x);
+            nn->kernels->gram(a + k * h, 1, l->mean, 1, h, h, &full);
+            b -= x * full;
+        }
+        ms_nn__put_element(bias, MS_NN_F32, i, b);
+    }
+    text[ms_nn__low_rank_layers(nn, layers, r, text)] = 0;
+    low_shape[0] = r;
+    low_shape[1] = h;
+    high_shape[0] = p;
+    high_shape[1] = r;
+    k = strlen(name);
+    memcpy(low_name, name, k);
+    memcpy(low_name + k, ".low.weight", 12);
+    memcpy(weight_name, name, k);
+    memcpy(weight_name + k, ".weight", 8);
+    memcpy(bias_name, name, k);
+    memcpy(bias_name + k, ".bias", 6);
+    for (i = 0; i + 3 < tensors; ++i) {
+        const ms_nn_tensor *old = ms_nn_file_tensor(nn->file, i);
+        if (strncmp(old->name, name, k) == 0 && old->name[k] == '.') continue;
+        if (strcmp(old->name, "ms_nn.collapse") != 0) t[n++] = *old;
+    }
+    for (j = 0; j < 3; ++j) {
+        ms_nn_tensor *x = &t[n++];
+        x->name = j == 0 ? low_name : j == 1 ? weight_name : bias_name;
+        x->dtype = j == 2 ? MS_NN_F32 : dtype;
+        x->rank = j == 2 ? 1 : 2;
+        x->shape = j == 0 ? low_shape : high_shape;
+        x->data = j == 0 ? low : j == 1 ? high : bias;
+        x->bytes = j == 0 ? r * h * width : j == 1 ? p * r * width : 4 * p;
+    }
+    for (i = 0; i < entries; ++i) {
+        e[i] = *ms_nn_file_entry(nn->file, i);
+        if (strcmp(e[i].key, "ms_nn_layers") == 0) e[i].value = text;
+    }
+    status = ms_nn_file_write(t, n, e, entries, &nn->options.allocator, sink, error);
+    ms__release(&nn->options.allocator, memory, bytes);
+    return status;
+}
+
 /* === levels === */
 
 /* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments. */
@@ -3246,13 +4128,8 @@ MS_NN_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensor
 #define MS_NN__INLINE static __forceinline
 #endif
 
-/* v has 4-byte floats at any alignment. */
-static float ms_nn__float_at(const unsigned char *v, size_t i)
-{
-    float x;
-    memcpy(&x, v + 4 * i, sizeof x);
-    return x;
-}
+/* The larger of two, or the NaN if there is one. */
+static float ms_nn__max_nan(float a, float b) { return a > b || a != a ? a : b; }
 
 #define MS_NN__JOIN2(a, b) a##b
 #define MS_NN__JOIN(a, b) MS_NN__JOIN2(a, b)
@@ -3348,6 +4225,7 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define TILE 2
 #define ROWS 1
 #define CHAINS 4
+#define INT8_ROWS 1
 #define V float
 #define V_LOAD(p) ms_nn__float_at((const unsigned char *)(p), 0)
 #define V_STORE(p, v) (*(p) = (v))
@@ -3361,6 +4239,8 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define V_MIN(a, b) ((a) < (b) ? (a) : (b))
 #define V_IF_GREATER(a, b, x, y) ((a) > (b) ? (x) : (y))
 #define V_SUM(a) (a)
+#define V_MAX_NAN(a, b) ms_nn__max_nan(a, b)
+#define V_PAIR_MAX(a, b) ms_nn__max_nan(a, b)
 #define V_INT int32_t
 #define V_ROUND(a) ((a) < 0 ? (int32_t)((a) - 0.5f) : (a) >= 0 ? (int32_t)((a) + 0.5f) : 0)
 #define V_FROM_INT(i) ((float)(i))
@@ -3374,6 +4254,7 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define TILE 2
 #define ROWS 2
 #define CHAINS 2
+#define INT8_ROWS 1
 #define V __m128
 #define V_LOAD(p) _mm_loadu_ps((const float *)(const void *)(p))
 #define V_STORE(p, v) _mm_storeu_ps(p, v)
@@ -3387,6 +4268,8 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define V_MIN(a, b) _mm_min_ps(a, b)
 #define V_IF_GREATER(a, b, x, y) MS_NN__FN(if_greater)(a, b, x, y)
 #define V_SUM(a) MS_NN__FN(sum)(a)
+#define V_MAX_NAN(a, b) MS_NN__FN(max_nan)(a, b)
+#define V_PAIR_MAX(a, b) MS_NN__FN(max_nan)(_mm_shuffle_ps(a, b, 0x88), _mm_shuffle_ps(a, b, 0xDD))
 #define V_INT __m128i
 #define V_ROUND(a) _mm_cvtps_epi32(a)
 #define V_FROM_INT(i) _mm_cvtepi32_ps(i)
@@ -3403,6 +4286,11 @@ MS_NN__INLINE float MS_NN__FN(sum)(V a)
 {
     a = _mm_add_ps(a, _mm_movehl_ps(a, a));
     return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
+}
+MS_NN__INLINE V MS_NN__FN(max_nan)(V a, V b)
+{
+    V nan = _mm_cmpunord_ps(a, a);
+    return _mm_or_ps(_mm_and_ps(nan, a), _mm_andnot_ps(nan, _mm_max_ps(a, b)));
 }
 /* As ms_nn__half: the magnitude moves to the float's place and is scaled by 2^112; the top exponent stays special. */
 MS_NN__INLINE V MS_NN__FN(half)(const unsigned char *p)
@@ -3429,6 +4317,7 @@ MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
 #define TILE 2
 #define ROWS 4
 #define CHAINS 2
+#define INT8_ROWS 1
 #define V float32x4_t
 #define V_LOAD(p) vreinterpretq_f32_u8(vld1q_u8((const unsigned char *)(p)))
 #define V_STORE(p, v) vst1q_f32(p, v)
@@ -3442,6 +4331,8 @@ MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
 #define V_MIN(a, b) vminq_f32(a, b)
 #define V_IF_GREATER(a, b, x, y) vbslq_f32(vcgtq_f32(a, b), x, y)
 #define V_SUM(a) vaddvq_f32(a)
+#define V_MAX_NAN(a, b) vmaxq_f32(a, b)
+#define V_PAIR_MAX(a, b) vpmaxq_f32(a, b)
 #define V_INT int32x4_t
 #define V_ROUND(a) vcvtnq_s32_f32(a)
 #define V_FROM_INT(i) vcvtq_f32_s32(i)
@@ -3461,6 +4352,7 @@ MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
 #define TILE 3
 #define ROWS 2
 #define CHAINS 2
+#define INT8_ROWS 2
 #define V __m256
 #define V_LOAD(p) _mm256_loadu_ps((const float *)(const void *)(p))
 #define V_STORE(p, v) _mm256_storeu_ps(p, v)
@@ -3474,6 +4366,8 @@ MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
 #define V_MIN(a, b) _mm256_min_ps(a, b)
 #define V_IF_GREATER(a, b, x, y) _mm256_blendv_ps(y, x, _mm256_cmp_ps(a, b, _CMP_GT_OQ))
 #define V_SUM(a) MS_NN__FN(sum)(a)
+#define V_MAX_NAN(a, b) _mm256_blendv_ps(_mm256_max_ps(a, b), a, _mm256_cmp_ps(a, a, _CMP_UNORD_Q))
+#define V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
 #define V_INT __m256i
 #define V_ROUND(a) _mm256_cvtps_epi32(a)
 #define V_FROM_INT(i) _mm256_cvtepi32_ps(i)
@@ -3481,6 +4375,11 @@ MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
 #define W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
 #define W_BRAIN(p) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
 #define W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
+MS_NN__INLINE V MS_NN__FN(pair_max)(V a, V b)
+{
+    V even = _mm256_shuffle_ps(a, b, 0x88), odd = _mm256_shuffle_ps(a, b, 0xDD);
+    return _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(V_MAX_NAN(even, odd)), 0xD8));
+}
 MS_NN__INLINE float MS_NN__FN(sum)(V v)
 {
     __m128 a = _mm_add_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1));
@@ -3493,6 +4392,7 @@ MS_NN__INLINE float MS_NN__FN(sum)(V v)
 #define TILE 3
 #define ROWS 4
 #define CHAINS 2
+#define INT8_ROWS 4
 #define V __m512
 #define V_LOAD(p) _mm512_loadu_ps(p)
 #define V_STORE(p, v) _mm512_storeu_ps(p, v)
@@ -3506,6 +4406,8 @@ MS_NN__INLINE float MS_NN__FN(sum)(V v)
 #define V_MIN(a, b) _mm512_min_ps(a, b)
 #define V_IF_GREATER(a, b, x, y) _mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ), y, x)
 #define V_SUM(a) MS_NN__FN(sum)(a)
+#define V_MAX_NAN(a, b) _mm512_mask_mov_ps(_mm512_max_ps(a, b), _mm512_cmp_ps_mask(a, a, _CMP_UNORD_Q), a)
+#define V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
 #define V_INT __m512i
 #define V_ROUND(a) _mm512_cvtps_epi32(a)
 #define V_FROM_INT(i) _mm512_cvtepi32_ps(i)
@@ -3513,6 +4415,11 @@ MS_NN__INLINE float MS_NN__FN(sum)(V v)
 #define W_HALF(p) _mm512_cvtph_ps(_mm256_loadu_si256((const __m256i *)(const void *)(p)))
 #define W_BRAIN(p) _mm512_castsi512_ps(_mm512_slli_epi32(_mm512_cvtepu16_epi32(_mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
 #define W_INT8(p) _mm512_cvtepi32_ps(_mm512_cvtepi8_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))))
+MS_NN__INLINE V MS_NN__FN(pair_max)(V a, V b)
+{
+    V even = _mm512_shuffle_ps(a, b, 0x88), odd = _mm512_shuffle_ps(a, b, 0xDD);
+    return _mm512_castpd_ps(_mm512_permutexvar_pd(_mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(V_MAX_NAN(even, odd))));
+}
 MS_NN__INLINE float MS_NN__FN(sum)(V v)
 {
     __m256 b = _mm256_add_ps(_mm512_castps512_ps256(v), _mm512_extractf32x8_ps(v, 1));
@@ -3540,7 +4447,7 @@ MS_NN__INLINE V MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype
     {
         unsigned char copy[4 * L];
         memset(copy, 0, sizeof copy);
-        memcpy(copy, p, n * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2));
+        memcpy(copy, p, ms_nn__min(n, L) * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2));
         return MS_NN__FN(weight)(copy, dtype);
     }
 }
@@ -3611,8 +4518,7 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
 MS_NN__INLINE void MS_NN__FN(dense_typed)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
 {
     size_t row = row0, b;
-    int large = job->m->rows * job->m->cols > 2000000;
-    if (job->batch > 1 || !large) {
+    if (job->batch > 1 || !ms_nn__large(job)) {
         for (; row + ROWS <= row1; row += ROWS) {
             if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, ROWS, 1);
             else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, ROWS, 3);
@@ -3624,126 +4530,185 @@ MS_NN__INLINE void MS_NN__FN(dense_typed)(const ms_nn__dense *job, size_t row0, 
     }
 }
 
-/* sum_j w_j d_k,j of one row over columns [0, n), n <= MS_NN__RUN: exact in any order. */
-MS_NN__INLINE void MS_NN__FN(digit_sums)(const unsigned char *w, const signed char *const *d, size_t at, size_t n, const int32_t *const *sum,
-                                         size_t run, int32_t *out)
-{
-    size_t j = 0;
-    int k;
-#if MS_NN__ISA >= 3
-    /* unsigned x signed bytes: w + 128, put right at the end by 128 sum d. |255 * 64 * 2| fits 16 bits. */
+/* Sums of products of 8-bit weights with 8-bit digits. On x86 unsigned times signed bytes: (w + 128) d, put right at the
+   end by 128 sum d; |255 * 64 * 2| fits 16 bits. */
 #if MS_NN__ISA >= 4
-    __m512i s[3], flip = _mm512_set1_epi8((char)-128);
-    MS_NN__UNROLL
-    for (k = 0; k < 3; ++k) s[k] = _mm512_setzero_si512();
-    for (; j < n; j += 64) {
-        __m512i u = n - j >= 64 ? _mm512_loadu_si512(w + j) : _mm512_maskz_loadu_epi8(((__mmask64)1 << (n - j)) - 1, w + j);
-        u = _mm512_xor_si512(u, flip);
-        MS_NN__UNROLL
-        for (k = 0; k < 3; ++k) {
+#define B __m512i
+#define B_BYTES 64
+#define B_ZERO _mm512_setzero_si512()
+#define B_LOAD(p) _mm512_loadu_si512(p)
+#define B_PART(p, n) _mm512_maskz_loadu_epi8(((__mmask64)1 << (n)) - 1, p)
+#define B_FLIP(u) _mm512_xor_si512(u, _mm512_set1_epi8((char)-128))
+#define B_SUM(s) _mm512_reduce_add_epi32(s)
+#define B_SUM4(out, a, b, c, d) MS_NN__FN(int_sum4)(out, a, b, c, d)
+MS_NN__INLINE void MS_NN__FN(int_sum4)(int32_t *out, B a, B b, B c, B d)
+{
+    B ab = _mm512_add_epi32(_mm512_unpacklo_epi32(a, b), _mm512_unpackhi_epi32(a, b));
+    B cd = _mm512_add_epi32(_mm512_unpacklo_epi32(c, d), _mm512_unpackhi_epi32(c, d));
+    B abcd = _mm512_add_epi32(_mm512_unpacklo_epi64(ab, cd), _mm512_unpackhi_epi64(ab, cd));
+    __m256i half = _mm256_add_epi32(_mm512_castsi512_si256(abcd), _mm512_extracti64x4_epi64(abcd, 1));
+    _mm_storeu_si128((__m128i *)(void *)out, _mm_add_epi32(_mm256_castsi256_si128(half), _mm256_extracti128_si256(half, 1)));
+}
 #if MS_NN__ISA == 5
-            s[k] = _mm512_dpbusd_epi32(s[k], u, _mm512_loadu_si512(d[k] + at + j));
+#define B_DOT(s, u, e) _mm512_dpbusd_epi32(s, u, e)
 #else
-            s[k] = _mm512_add_epi32(s[k], _mm512_madd_epi16(_mm512_maddubs_epi16(u, _mm512_loadu_si512(d[k] + at + j)), _mm512_set1_epi16(1)));
+#define B_DOT(s, u, e) _mm512_add_epi32(s, _mm512_madd_epi16(_mm512_maddubs_epi16(u, e), _mm512_set1_epi16(1)))
 #endif
-        }
-    }
-    MS_NN__UNROLL
-    for (k = 0; k < 3; ++k) out[k] = _mm512_reduce_add_epi32(s[k]) - 128 * sum[k][run];
+#elif MS_NN__ISA == 3
+#define B __m256i
+#define B_BYTES 32
+#define B_ZERO _mm256_setzero_si256()
+#define B_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
+#define B_FLIP(u) _mm256_xor_si256(u, _mm256_set1_epi8((char)-128))
+#define B_SUM(s) MS_NN__FN(int_sum)(s)
+#define B_DOT(s, u, e) _mm256_add_epi32(s, _mm256_madd_epi16(_mm256_maddubs_epi16(u, e), _mm256_set1_epi16(1)))
+MS_NN__INLINE int32_t MS_NN__FN(int_sum)(__m256i s)
+{
+    __m128i t = _mm_add_epi32(_mm256_castsi256_si128(s), _mm256_extracti128_si256(s, 1));
+    t = _mm_add_epi32(t, _mm_shuffle_epi32(t, 0x4E));
+    return _mm_cvtsi128_si32(_mm_add_epi32(t, _mm_shuffle_epi32(t, 0xB1)));
+}
+#elif MS_NN__ISA == 2 && defined(MS__X64)
+#define B __m128i
+#define B_BYTES 16
+#define B_ZERO _mm_setzero_si128()
+#define B_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
+#define B_SUM(s) MS_NN__FN(int_sum)(s)
+#define B_DOT(s, u, e) MS_NN__FN(int_dot)(s, u, e)
+MS_NN__INLINE int32_t MS_NN__FN(int_sum)(__m128i s)
+{
+    s = _mm_add_epi32(s, _mm_shuffle_epi32(s, 0x4E));
+    return _mm_cvtsi128_si32(_mm_add_epi32(s, _mm_shuffle_epi32(s, 0xB1)));
+}
+MS_NN__INLINE B MS_NN__FN(int_dot)(B s, B u, B e)
+{
+    B zero = _mm_setzero_si128(); /* bytes to 16 bits with their sign */
+    s = _mm_add_epi32(s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpacklo_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpacklo_epi8(zero, e), 8)));
+    return _mm_add_epi32(s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpackhi_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpackhi_epi8(zero, e), 8)));
+}
+#elif MS_NN__ISA == 2
+#define B int32x4_t
+#define B_BYTES 16
+#define B_ZERO vdupq_n_s32(0)
+#define B_LOAD(p) vreinterpretq_s32_u8(vld1q_u8((const unsigned char *)(p)))
+#define B_SUM(s) vaddvq_s32(s)
+#define B_DOT(s, u, e) MS_NN__FN(int_dot)(s, vreinterpretq_s8_s32(u), vreinterpretq_s8_s32(e))
+MS_NN__INLINE B MS_NN__FN(int_dot)(B s, int8x16_t u, int8x16_t e)
+{
+    return vpadalq_s16(s, vmlal_s8(vmull_s8(vget_low_s8(u), vget_low_s8(e)), vget_high_s8(u), vget_high_s8(e)));
+}
 #else
-    __m256i s[3], flip = _mm256_set1_epi8((char)-128);
+#define B int32_t
+#define B_BYTES 1
+#define B_ZERO 0
+#define B_LOAD(p) ((int32_t)(signed char)*(p))
+#define B_SUM(s) (s)
+#define B_DOT(s, u, e) ((s) + (u) * (e))
+#endif
+#ifndef B_PART
+#define B_PART(p, n) MS_NN__FN(int8_part)(p, n)
+MS_NN__INLINE B MS_NN__FN(int8_part)(const unsigned char *p, size_t n)
+{
+    unsigned char copy[B_BYTES];
+    memset(copy, 0, sizeof copy);
+    memcpy(copy, p, ms_nn__min(n, B_BYTES));
+    return B_LOAD(copy);
+}
+#endif
+#ifndef B_FLIP
+#define B_FLIP(u) (u)
+#define B_OFFSET 0
+#else
+#define B_OFFSET 128
+#endif
+
+/* Adds the products of n <= B_BYTES columns of `rows` neighbouring rows; the digits behind the end are zero. */
+MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, size_t cols, const signed char *const *d, size_t at, size_t n, B s[3][INT8_ROWS],
+                                        int rows)
+{
+    B u[INT8_ROWS];
+    int r, k;
     MS_NN__UNROLL
-    for (k = 0; k < 3; ++k) s[k] = _mm256_setzero_si256();
-    for (; j < n; j += 32) {
-        unsigned char copy[32];
-        const unsigned char *p = w + j;
-        __m256i u;
-        if (n - j < 32) {
-            memset(copy, 0, sizeof copy);
-            memcpy(copy, p, n - j);
-            p = copy;
-        }
-        u = _mm256_xor_si256(_mm256_loadu_si256((const __m256i *)(const void *)p), flip);
-        MS_NN__UNROLL
-        for (k = 0; k < 3; ++k) {
-            __m256i e = _mm256_loadu_si256((const __m256i *)(const void *)(d[k] + at + j));
-            s[k] = _mm256_add_epi32(s[k], _mm256_madd_epi16(_mm256_maddubs_epi16(u, e), _mm256_set1_epi16(1)));
-        }
-    }
+    for (r = 0; r < rows; ++r) u[r] = n == B_BYTES ? B_LOAD(w + (size_t)r * cols + at) : B_PART(w + (size_t)r * cols + at, n);
+    MS_NN__UNROLL
+    for (r = 0; r < rows; ++r) u[r] = B_FLIP(u[r]);
     MS_NN__UNROLL
     for (k = 0; k < 3; ++k) {
-        __m128i t = _mm_add_epi32(_mm256_castsi256_si128(s[k]), _mm256_extracti128_si256(s[k], 1));
-        t = _mm_add_epi32(t, _mm_shuffle_epi32(t, 0x4E));
-        out[k] = _mm_cvtsi128_si32(_mm_add_epi32(t, _mm_shuffle_epi32(t, 0xB1))) - 128 * sum[k][run];
+        B e = B_LOAD(d[k] + at);
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) s[k][r] = B_DOT(s[k][r], u[r], e);
     }
-#endif
+}
+
+/* sums[k][r] = sum_j w_r,j d_k,j over columns [at, end) of a run of MS_NN__RUN: integers, so exact in any order. */
+MS_NN__INLINE void MS_NN__FN(int8_sums)(const unsigned char *w, size_t cols, const ms_nn__digits *x, size_t at, size_t end,
+                                        int32_t sums[3][INT8_ROWS], int rows)
+{
+    const signed char *d[3];
+    size_t run = at / MS_NN__RUN;
+    B s[3][INT8_ROWS];
+    int r, k;
+    MS_NN__UNROLL
+    for (k = 0; k < 3; ++k) {
+        d[k] = x->d[k];
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) s[k][r] = B_ZERO;
+    }
+    for (; at + B_BYTES <= end; at += B_BYTES) MS_NN__FN(int8_step)(w, cols, d, at, B_BYTES, s, rows);
+    if (at < end) MS_NN__FN(int8_step)(w, cols, d, at, end - at, s, rows);
+#if INT8_ROWS == 4
+    if (rows == 1) {
+        int32_t three[4];
+        B_SUM4(three, s[0][0], s[1][0], s[2][0], B_ZERO);
+        for (k = 0; k < 3; ++k) sums[k][0] = three[k];
+    } else {
+        for (k = 0; k < 3; ++k) B_SUM4(sums[k], s[k][0], s[k][1], s[k][2], s[k][3]);
+    }
 #else
-    (void)sum;
-    (void)run;
-    for (k = 0; k < 3; ++k) out[k] = 0;
-#if MS_NN__ISA == 2 && defined(MS__X64)
-    {
-        __m128i s[3], zero = _mm_setzero_si128();
-        for (k = 0; k < 3; ++k) s[k] = zero;
-        for (; j + 16 <= n; j += 16) {
-            __m128i u = _mm_loadu_si128((const __m128i *)(const void *)(w + j));
-            __m128i low = _mm_srai_epi16(_mm_unpacklo_epi8(zero, u), 8), high = _mm_srai_epi16(_mm_unpackhi_epi8(zero, u), 8);
-            MS_NN__UNROLL
-            for (k = 0; k < 3; ++k) {
-                __m128i e = _mm_loadu_si128((const __m128i *)(const void *)(d[k] + at + j));
-                s[k] = _mm_add_epi32(s[k], _mm_madd_epi16(low, _mm_srai_epi16(_mm_unpacklo_epi8(zero, e), 8)));
-                s[k] = _mm_add_epi32(s[k], _mm_madd_epi16(high, _mm_srai_epi16(_mm_unpackhi_epi8(zero, e), 8)));
-            }
-        }
-        for (k = 0; k < 3; ++k) {
-            __m128i t = _mm_add_epi32(s[k], _mm_shuffle_epi32(s[k], 0x4E));
-            out[k] = _mm_cvtsi128_si32(_mm_add_epi32(t, _mm_shuffle_epi32(t, 0xB1)));
-        }
-    }
-#elif MS_NN__ISA == 2
-    {
-        int32x4_t s[3];
-        for (k = 0; k < 3; ++k) s[k] = vdupq_n_s32(0);
-        for (; j + 16 <= n; j += 16) {
-            int8x16_t u = vreinterpretq_s8_u8(vld1q_u8(w + j));
-            MS_NN__UNROLL
-            for (k = 0; k < 3; ++k) {
-                int8x16_t e = vld1q_s8(d[k] + at + j);
-                int16x8_t p = vmull_s8(vget_low_s8(u), vget_low_s8(e));
-                s[k] = vpadalq_s16(s[k], vmlal_s8(p, vget_high_s8(u), vget_high_s8(e)));
-            }
-        }
-        for (k = 0; k < 3; ++k) out[k] = vaddvq_s32(s[k]);
+    MS_NN__UNROLL
+    for (k = 0; k < 3; ++k) {
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) sums[k][r] = B_SUM(s[k][r]);
     }
 #endif
-    for (; j < n; ++j) {
-        int32_t q = w[j] < 128 ? w[j] : w[j] - 256;
-        for (k = 0; k < 3; ++k) out[k] += q * d[k][at + j];
+    MS_NN__UNROLL
+    for (k = 0; k < 3; ++k) {
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) sums[k][r] -= B_OFFSET * x->sum[k][run];
     }
-#endif
 }
 
 /* y = scale unit (16384 s0 + 128 s1 + s2) + bias, in double; rounded once. */
-static void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1)
+MS_NN__INLINE void MS_NN__FN(int8_rows)(const ms_nn__dense *job, size_t row, int rows)
 {
     const ms_nn__matrix *m = job->m;
-    size_t row, at;
-    int b;
-    for (row = row0; row < row1; ++row) {
-        const unsigned char *w = m->w + row * m->cols;
-        double scale = (double)ms_nn__float_at(m->scale, row);
-        double bias = m->bias && !job->linear ? (double)ms_nn__float_at(m->bias, row) : 0.0;
-        for (b = 0; b < job->batch; ++b) {
-            const ms_nn__digits *x = &job->digits[b];
-            int64_t total = 0;
-            for (at = 0; at < m->cols; at += MS_NN__RUN) {
-                int32_t s[3];
-                MS_NN__FN(digit_sums)(w + at, x->d, at, ms_nn__min(m->cols - at, MS_NN__RUN), x->sum, at / MS_NN__RUN, s);
-                total += (int64_t)s[0] * 16384 + (int64_t)s[1] * 128 + s[2];
-            }
-            job->y[(size_t)b * m->rows + row] = (float)((double)total * (scale * x->unit) + bias);
+    size_t at;
+    int b, r;
+    for (b = 0; b < job->batch; ++b) {
+        const ms_nn__digits *x = &job->digits[b];
+        int64_t total[INT8_ROWS];
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) total[r] = 0;
+        for (at = 0; at < m->cols; at += MS_NN__RUN) {
+            int32_t sums[3][INT8_ROWS];
+            MS_NN__FN(int8_sums)(m->w + row * m->cols, m->cols, x, at, ms_nn__min(m->cols, at + MS_NN__RUN), sums, rows);
+            MS_NN__UNROLL
+            for (r = 0; r < rows; ++r) total[r] += (int64_t)sums[0][r] * 16384 + (int64_t)sums[1][r] * 128 + sums[2][r];
+        }
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) {
+            double scale = (double)ms_nn__float_at(m->scale, row + (size_t)r);
+            double bias = m->bias && !job->linear ? (double)ms_nn__float_at(m->bias, row + (size_t)r) : 0.0;
+            job->y[(size_t)b * m->rows + row + (size_t)r] = (float)((double)total[r] * (scale * x->unit) + bias);
         }
     }
+}
+
+static void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1)
+{
+    size_t row = row0;
+    for (; !ms_nn__large(job) && row + INT8_ROWS <= row1; row += INT8_ROWS) MS_NN__FN(int8_rows)(job, row, INT8_ROWS);
+    for (; row < row1; ++row) MS_NN__FN(int8_rows)(job, row, 1);
 }
 
 static void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
@@ -3861,7 +4826,7 @@ static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t item0, size_t ite
         for (i = 0; i < BLOCK; ++i) zero[i] = 0;
         if (job->linear) bias = zero;
         for (x = 0; x < v->out.w;) {
-            size_t left = v->out.w - x, tile = left > L ? TILE : 1, width = ms_nn__min(left, tile * L);
+            size_t left = v->out.w - x, tile = left > (TILE - 1) * L ? TILE : 1, width = ms_nn__min(left, tile * L);
             float buffer[BLOCK * TILE * L];
             int direct = width == tile * L && job->y_step == 1 && !job->accumulate;
             float *to = direct ? out + x : buffer;
@@ -3996,21 +4961,176 @@ static void MS_NN__FN(derive)(const float *y, float *g, size_t n, ms_nn__activat
     }
 }
 
-/* Maxima of 2 x 2 windows of two rows; a NaN wins. */
+/* Maxima of n windows of 2 x 2 in two rows; a NaN wins. */
 static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 {
-    size_t j;
-    for (j = 0; j < n; ++j, x += 2) {
-        float best = x[0];
-        best = x[1] > best || x[1] != x[1] ? x[1] : best;
-        best = x[row] > best || (x[row] != x[row] && best == best) ? x[row] : best;
-        best = x[row + 1] > best || (x[row + 1] != x[row + 1] && best == best) ? x[row + 1] : best;
-        y[j] = best;
+    size_t j = 0;
+    for (; j + L <= n; j += L, x += 2 * L) {
+        V a = V_LOAD(x), b = V_LOAD(x + L), c = V_LOAD(x + row), d = V_LOAD(x + row + L);
+        a = V_MAX_NAN(a, c);
+        b = V_MAX_NAN(b, d);
+        V_STORE(y + j, V_PAIR_MAX(a, b));
+    }
+    for (; j < n; ++j, x += 2) y[j] = ms_nn__max_nan(ms_nn__max_nan(x[0], x[row]), ms_nn__max_nan(x[1], x[row + 1]));
+}
+
+/* --- double precision, for the collapse: vectors of M --- */
+
+#if MS_NN__ISA == 1
+#define M 1
+#define D double
+#define D_LOAD(p) (*(p))
+#define D_STORE(p, v) (*(p) = (v))
+#define D_SET(x) (x)
+#define D_ADD(a, b) ((a) + (b))
+#define D_MADD(a, b, c) ((a) * (b) + (c))
+#elif MS_NN__ISA == 2 && defined(MS__X64)
+#define M 2
+#define D __m128d
+#define D_LOAD(p) _mm_loadu_pd(p)
+#define D_STORE(p, v) _mm_storeu_pd(p, v)
+#define D_SET(x) _mm_set1_pd(x)
+#define D_ADD(a, b) _mm_add_pd(a, b)
+#define D_MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
+#elif MS_NN__ISA == 2
+#define M 2
+#define D float64x2_t
+#define D_LOAD(p) vld1q_f64(p)
+#define D_STORE(p, v) vst1q_f64(p, v)
+#define D_SET(x) vdupq_n_f64(x)
+#define D_ADD(a, b) vaddq_f64(a, b)
+#define D_MADD(a, b, c) vfmaq_f64(c, a, b)
+#elif MS_NN__ISA == 3
+#define M 4
+#define D __m256d
+#define D_LOAD(p) _mm256_loadu_pd(p)
+#define D_STORE(p, v) _mm256_storeu_pd(p, v)
+#define D_SET(x) _mm256_set1_pd(x)
+#define D_ADD(a, b) _mm256_add_pd(a, b)
+#define D_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
+#else
+#define M 8
+#define D __m512d
+#define D_LOAD(p) _mm512_loadu_pd(p)
+#define D_STORE(p, v) _mm512_storeu_pd(p, v)
+#define D_SET(x) _mm512_set1_pd(x)
+#define D_ADD(a, b) _mm512_add_pd(a, b)
+#define D_MADD(a, b, c) _mm512_fmadd_pd(a, b, c)
+#endif
+
+/* out[i][k] = a_i . b_k for na x nb columns (at most 4 x 2) of n elements, `stride` apart. */
+MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t stride, size_t n, double *out, size_t out_stride, int na, int nb)
+{
+    D s[4][2];
+    double lane[M];
+    size_t j = 0;
+    int i, k, l;
+    MS_NN__UNROLL
+    for (i = 0; i < na; ++i) {
+        MS_NN__UNROLL
+        for (k = 0; k < nb; ++k) s[i][k] = D_SET(0.0);
+    }
+    for (; j + M <= n; j += M) {
+        D v[2];
+        MS_NN__UNROLL
+        for (k = 0; k < nb; ++k) v[k] = D_LOAD(b + (size_t)k * stride + j);
+        MS_NN__UNROLL
+        for (i = 0; i < na; ++i) {
+            D u = D_LOAD(a + (size_t)i * stride + j);
+            MS_NN__UNROLL
+            for (k = 0; k < nb; ++k) s[i][k] = D_MADD(u, v[k], s[i][k]);
+        }
+    }
+    MS_NN__UNROLL
+    for (i = 0; i < na; ++i) {
+        MS_NN__UNROLL
+        for (k = 0; k < nb; ++k) {
+            double sum = 0;
+            size_t rest;
+            D_STORE(lane, s[i][k]);
+            for (l = 0; l < M; ++l) sum += lane[l];
+            for (rest = j; rest < n; ++rest) sum += a[(size_t)i * stride + rest] * b[(size_t)k * stride + rest];
+            out[(size_t)i * out_stride + (size_t)k] = sum;
+        }
+    }
+}
+
+static void MS_NN__FN(gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out)
+{
+    size_t i, k;
+    for (k = 0; k < nb; k += 2)
+        for (i = 0; i < na; i += 4) {
+            const double *ai = a + i * stride, *bk = b + k * stride;
+            if (i + 4 <= na && k + 2 <= nb) {
+                MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 2);
+            } else {
+                size_t p, q;
+                for (p = 0; p < ms_nn__min(4, na - i); ++p)
+                    for (q = 0; q < ms_nn__min(2, nb - k); ++q)
+                        MS_NN__FN(gram_tile)(ai + p * stride, bk + q * stride, stride, n, out + (i + p) * nb + k + q, nb, 1, 1);
+            }
+        }
+}
+
+/* y += s_0 a_0 + ... + s_3 a_3 over n elements. */
+MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride, size_t n, const double *s, size_t s_stride, int na)
+{
+    D f[4];
+    size_t j = 0;
+    int i;
+    MS_NN__UNROLL
+    for (i = 0; i < na; ++i) f[i] = D_SET(s[(size_t)i * s_stride]);
+    for (; j + M <= n; j += M) {
+        D sum = D_LOAD(y + j);
+        MS_NN__UNROLL
+        for (i = 0; i < na; ++i) sum = D_MADD(f[i], D_LOAD(a + (size_t)i * stride + j), sum);
+        D_STORE(y + j, sum);
+    }
+    for (; j < n; ++j)
+        for (i = 0; i < na; ++i) y[j] += s[(size_t)i * s_stride] * a[(size_t)i * stride + j];
+}
+
+/* y += sum_i s_i a_i; the factors are s_stride apart, the vectors stride. */
+static void MS_NN__FN(add)(double *y, const double *a, size_t na, size_t stride, size_t n, const double *s, size_t s_stride)
+{
+    size_t i = 0;
+    for (; i + 4 <= na; i += 4) MS_NN__FN(add_tile)(y, a + i * stride, stride, n, s + i * s_stride, s_stride, 4);
+    for (; i < na; ++i) MS_NN__FN(add_tile)(y, a + i * stride, stride, n, s + i * s_stride, s_stride, 1);
+}
+
+/* (a, b) = (c a - s b, s a + c b). */
+static void MS_NN__FN(rotate)(double *a, double *b, size_t n, double c, double s)
+{
+    D vc = D_SET(c), vs = D_SET(s), minus = D_SET(-s);
+    size_t j = 0;
+    for (; j + M <= n; j += M) {
+        D u = D_LOAD(a + j), v = D_LOAD(b + j);
+        D_STORE(a + j, D_MADD(vc, u, D_MADD(minus, v, D_SET(0.0))));
+        D_STORE(b + j, D_MADD(vs, u, D_MADD(vc, v, D_SET(0.0))));
+    }
+    for (; j < n; ++j) {
+        double u = a[j], v = b[j];
+        a[j] = c * u - s * v;
+        b[j] = s * u + c * v;
+    }
+}
+
+/* One row of a matrix as floats; the scale of I8 is not applied. */
+static void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, float *out)
+{
+    size_t size = m->dtype == MS_NN_F32 ? 4 : m->dtype == MS_NN_I8 ? 1 : 2, k = 0;
+    const unsigned char *w = m->w + row * m->cols * size;
+    for (; k + L <= m->cols; k += L) V_STORE(out + k, MS_NN__FN(weight)(w + k * size, m->dtype));
+    if (k < m->cols) {
+        float last[L];
+        V_STORE(last, MS_NN__FN(weight_part)(w + k * size, m->dtype, m->cols - k));
+        memcpy(out + k, last, (m->cols - k) * sizeof(float));
     }
 }
 
 static const ms_nn__kernels MS_NN__FN(table) = {BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(activate),
-                                                MS_NN__FN(derive), MS_NN__FN(pool2)};
+                                                MS_NN__FN(derive), MS_NN__FN(pool2), MS_NN__FN(gram), MS_NN__FN(add), MS_NN__FN(rotate),
+                                                MS_NN__FN(row)};
 
 #undef MS_NN__LEVEL
 #undef MS_NN__ISA
@@ -4019,6 +5139,19 @@ static const ms_nn__kernels MS_NN__FN(table) = {BLOCK, MS_NN__FN(dense), MS_NN__
 #undef TILE
 #undef ROWS
 #undef CHAINS
+#undef B
+#undef B_BYTES
+#undef B_ZERO
+#undef B_LOAD
+#undef B_FLIP
+#undef B_OFFSET
+#undef B_SUM
+#undef B_SUM4
+#undef B_PART
+#undef B_DOT
+#undef INT8_ROWS
+#undef V_MAX_NAN
+#undef V_PAIR_MAX
 #undef V
 #undef V_LOAD
 #undef V_STORE
@@ -4039,6 +5172,13 @@ static const ms_nn__kernels MS_NN__FN(table) = {BLOCK, MS_NN__FN(dense), MS_NN__
 #undef W_HALF
 #undef W_BRAIN
 #undef W_INT8
+#undef M
+#undef D
+#undef D_LOAD
+#undef D_STORE
+#undef D_SET
+#undef D_ADD
+#undef D_MADD
 #endif /* kernels */
 
 /*

@@ -13,24 +13,28 @@ static void print_shape(const ms_nn_shape *s)
     printf(" %-16s", text);
 }
 
-int main(int argc, char **argv)
+/* A safetensors file without a layer list: its tensors. */
+static void print_tensors(const ms_nn_file *file)
 {
-    ms_nn *nn;
-    ms_error error;
-    ms_nn_shape shape;
+    size_t i;
+    int d;
+    for (i = 0; i < ms_nn_file_tensor_count(file); ++i) {
+        const ms_nn_tensor *t = ms_nn_file_tensor(file, i);
+        printf("%-32s %-8s %14lu bytes  [", t->name, ms_nn_dtype_string(t->dtype), (unsigned long)t->bytes);
+        for (d = 0; d < t->rank; ++d) printf("%s%lu", d ? "," : "", (unsigned long)t->shape[d]);
+        printf("]\n");
+    }
+    printf("%lu tensors; no layer list (ms_nn_layers): not a network\n", (unsigned long)ms_nn_file_tensor_count(file));
+}
+
+static void print_network(const ms_nn *nn)
+{
     unsigned long parameters = 0, bytes = 0, multiply_adds = 0;
+    ms_nn_shape shape = ms_nn_input_shape(nn);
+    ms_error error;
     int i;
-    if (argc != 2) {
-        fprintf(stderr, "usage: nn_info FILE\n");
-        return 1;
-    }
-    if (ms_nn_load_file(argv[1], NULL, &nn, &error) != MS_OK) {
-        printf("%s: refused: byte %lu: %s\n", argv[1], (unsigned long)error.position, error.message);
-        return 1;
-    }
     printf("%-16s %-14s %-11s %-5s %-16s %12s %14s %14s\n", "layer", "name", "activation", "type", "output", "parameters", "bytes",
            "multiply-adds");
-    shape = ms_nn_input_shape(nn);
     printf("%-16s %-14s %-11s %-5s", "input", "", "", "");
     print_shape(&shape);
     printf("\n");
@@ -48,6 +52,23 @@ int main(int argc, char **argv)
     printf("workspace of a forward run: %lu bytes; level: %s\n", (unsigned long)ms_nn_workspace_size(nn, MS_NN_FORWARD, 1),
            ms_simd_string(ms_nn_simd(nn)));
     if (ms_nn_check_weights(nn, &error) != MS_OK) printf("warning: %s\n", error.message);
+}
+
+int main(int argc, char **argv)
+{
+    ms_nn_file *file = NULL;
+    ms_nn *nn = NULL;
+    ms_error error;
+    ms_status status;
+    if (argc != 2) {
+        fprintf(stderr, "usage: nn_info FILE\n");
+        return 1;
+    }
+    status = ms_nn_file_read(argv[1], NULL, &file, &error);
+    if (status == MS_OK && ms_nn_file_metadata(file, "ms_nn_layers") == NULL) print_tensors(file);
+    else if (status == MS_OK && (status = ms_nn_load_file(argv[1], NULL, &nn, &error)) == MS_OK) print_network(nn);
+    if (status != MS_OK) printf("%s: refused: byte %lu: %s\n", argv[1], (unsigned long)error.position, error.message);
     ms_nn_destroy(nn);
-    return 0;
+    ms_nn_file_close(file);
+    return status != MS_OK;
 }
