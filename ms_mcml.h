@@ -117,11 +117,188 @@ static inline const char *ms_simd_string(ms_simd level)
 
 /* --- tissue and runs --------------------------------------------------------------------------------------- */
 
+/* One layer. A layer with mu_a = mu_s = 0 is clear (glass, water); g = 1 scatters straight ahead, which is the same as
+   mu_s = 0. The last layer of a semi-infinite tissue is as thick as 1e8 cm. */
+typedef struct ms_mcml_layer {
+    double n;            /* refractive index, 0.01 to 100 */
+    double mu_a_per_cm;  /* absorption, 0 to 1e9 */
+    double mu_s_per_cm;  /* scattering, 0 to 1e9 */
+    double g;            /* mean cosine of Henyey-Greenstein scattering, -1 < g <= 1 */
+    double thickness_cm; /* > 0 */
+} ms_mcml_layer;
+
+/* Layers from the top, where a pencil beam enters at r = z = 0 along +z, down. */
+typedef struct ms_mcml_tissue {
+    double n_above, n_below;     /* of the media outside */
+    int layer_count;             /* 1 to 32767 */
+    const ms_mcml_layer *layers; /* [layer_count] the caller's, copied by ms_mcml_create */
+} ms_mcml_tissue;
+
+/* Where photons are counted: rings i dr <= r < (i + 1) dr, slabs in z, exit angles in [0, pi/2] and, if nt > 0, times of
+   flight. As in MCML, the last ring, slab and time bin collect all that lies beyond. */
+typedef struct ms_mcml_grid {
+    double dr_cm, dz_cm, dt_ps; /* > 0; dt_ps only if nt > 0 */
+    int nr, nz, na;             /* >= 1 */
+    int nt;                     /* 0: no time resolution */
+} ms_mcml_grid;
+
+/* All zero: the defaults. */
+typedef struct ms_mcml_options {
+    uint64_t photons;          /* that ms_mcml_simulate runs; 0: 1000000; at most 2^32 in one tally */
+    uint64_t seed;
+    double target_error;       /* > 0: ms_mcml_simulate stops when one standard error of Rd + Tt is at most this part of it */
+    double roulette_weight;    /* photons of less weight play roulette; 0: 0.01, at most 0.1. MCML has 1e-4 */
+    int no_absorption;         /* not 0: neither A_rz nor A_z: faster, and no memory for them; A_l remains */
+    int absorption_error;      /* not 0: standard errors of A_rz, A_z and phi_rz: 64 times their memory */
+    int fluence;               /* not 0: phi_rz by the collision estimator, which also works where mu_a = 0 */
+    size_t memory_limit;       /* bytes that tallies may take; 0: 4 GiB */
+    ms_simd simd;              /* a cap */
+    ms_parallel parallel;      /* each of at most 16 tasks then has its own tally */
+    ms_progress progress;      /* asked after every 65536 photons */
+    ms_allocator allocator;
+} ms_mcml_options;
+
+/* All zero, for C++ and for fields to come. */
+MS_API ms_mcml_options ms_mcml_defaults(void);
+
 /* --- direct Monte Carlo ------------------------------------------------------------------------------------ */
+
+/* A tally: what is known of one tissue so far. Photon i of a seed draws its numbers from (seed, i) alone, and sums are
+   whole numbers (2^-30 of a photon, rounded at random so that means are right), so that any split of the photons over
+   calls, threads, processes and machines gives the same bits at one level of instruction sets. Levels round paths
+   differently and agree within their standard errors. */
+typedef struct ms_mcml ms_mcml;
+
+/* Checks tissue and grid and makes an empty tally. options may be NULL.
+   MS_INVALID_ARGUMENT (position: layer, from 1), MS_OUT_OF_MEMORY, MS_UNSUPPORTED (above memory_limit): *out is NULL.
+   Memory: 16 bytes for each of 2 nr na + nr nt bins, 8 for each of nr nz bins of absorption and of fluence (512 with
+   absorption_error); times 17 with options->parallel. */
+MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
+                                ms_mcml **out, ms_error *error);
+
+/* NULL is fine. */
+MS_API void ms_mcml_destroy(ms_mcml *tally);
+
+/* Adds the photons first to first + count - 1 of the seed. Never run a photon twice.
+   MS_INVALID_ARGUMENT: more than 2^32 photons in the tally. MS_CANCELLED: the photons up to some multiple of 65536 after
+   first are in it, see ms_mcml_photons. MS_OUT_OF_MEMORY: nothing was added. */
+MS_API ms_status ms_mcml_run(ms_mcml *tally, uint64_t first, uint64_t count, ms_error *error);
+
+/* Adds the photons of other, which has the same tissue, grid, seed and options. MS_INVALID_ARGUMENT if it differs. */
+MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *error);
+
+/* Photons in the tally. */
+MS_API uint64_t ms_mcml_photons(const ms_mcml *tally);
+
+/* A tally as bytes, for other processes and machines: tissue, grid, options and sums, little-endian.
+   ms_mcml_save writes ms_mcml_save_size bytes. ms_mcml_load makes a tally that equals the one saved, with memory and
+   threads of `options` (NULL: the defaults; only allocator, parallel, progress, simd and memory_limit are read).
+   MS_BAD_DATA: not such bytes (position: offset). */
+MS_API size_t ms_mcml_save_size(const ms_mcml *tally);
+MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes);
+MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out, ms_error *error);
+
+/* Means per photon that arrives at the tissue, specular reflection included in the count of photons, not in Rd. Each
+   array x has x_error beside it: one standard error of each element; a NULL array was not asked for. Rd, Tt: what leaves
+   at the top and the bottom; r: radius; a: angle to the normal; t: time; A: absorbed; phi: fluence. Row-major.
+   The arrays belong to the result. */
+typedef struct ms_mcml_result {
+    uint64_t photons;
+    ms_mcml_grid grid;
+    int layer_count;
+    double specular;                         /* reflected at entry by the surface and clear layers on top */
+    double rd, rd_error, tt, tt_error;       /* total diffuse reflectance, transmittance */
+    double a, a_error;                       /* absorbed; specular + rd + a + tt = 1 but for roulette */
+    double rd_unscattered, tt_unscattered;   /* parts of rd, tt that never scattered */
+    double *rd_r, *rd_r_error;               /* [nr] 1/cm^2 */
+    double *rd_a, *rd_a_error;               /* [na] 1/sr */
+    double *rd_ra, *rd_ra_error;             /* [nr][na] 1/(cm^2 sr), per area perpendicular to the direction */
+    double *tt_r, *tt_r_error, *tt_a, *tt_a_error, *tt_ra, *tt_ra_error;
+    double *rd_t, *rd_t_error;               /* [nt] 1/ps */
+    double *rd_rt, *rd_rt_error;             /* [nr][nt] 1/(cm^2 ps) */
+    double *a_l, *a_l_error;                 /* [layer_count] part absorbed in each layer */
+    double *a_z, *a_z_error;                 /* [nz] 1/cm */
+    double *a_rz, *a_rz_error;               /* [nr][nz] 1/cm^3 */
+    double *phi_rz, *phi_rz_error;           /* [nr][nz] 1/cm^2 */
+    void *memory;
+    size_t memory_size;
+    ms_allocator allocator;
+} ms_mcml_result;
+
+/* Results so far. Errors of Rd and Tt come from the squares of single photons, those of A and phi from the spread of 64
+   groups of photons (good to 9%). MS_INVALID_ARGUMENT: an empty tally. MS_OUT_OF_MEMORY. *result is untouched then. */
+MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, ms_error *error);
+
+/* NULL and a zeroed result are fine. */
+MS_API void ms_mcml_result_destroy(ms_mcml_result *result);
+
+/* All of it in one call: options->photons photons from 0 on, or fewer if target_error is reached (asked every 65536
+   photons). *result is untouched unless MS_OK. Statuses as above. */
+MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
+                                  ms_mcml_result *result, ms_error *error);
 
 /* --- finite beams ------------------------------------------------------------------------------------------ */
 
+typedef enum ms_mcml_beam {
+    MS_MCML_BEAM_FLAT = 1,    /* equal over a disc */
+    MS_MCML_BEAM_GAUSSIAN = 2 /* exp(-2 r^2 / radius^2): falls to 1/e^2 at the radius */
+} ms_mcml_beam;
+
+/* Responses to a pencil beam, averages over rings of width dr_cm, turned into responses at given radii to a finite beam
+   of total energy 1 around r = 0 (its disc or Gaussian integrated over each ring, to about 1e-9).
+   radius_cm  > 0, the beam's
+   rows       >= 1 quantities side by side: value[ring * rows + row], as in rd_r (1 row), rd_ra (na) or a_rz (nz)
+   error      NULL, or standard errors like value; rings are taken as independent
+   r_cm       [count] >= 0
+   out        [count][rows]; out_error likewise, or NULL
+   The last ring of a tally holds what lies beyond and is left out: value has nr rings, nr - 1 are used.
+   MS_INVALID_ARGUMENT. MCML's companion CONV does the same: Wang, Jacques, Zheng 1997. */
+MS_API ms_status ms_mcml_convolve(int beam, double radius_cm, double dr_cm, int nr, int rows, const double *value,
+                                  const double *error, const double *r_cm, int count, double *out, double *out_error,
+                                  ms_error *failure);
+
 /* --- mci and mco files ------------------------------------------------------------------------------------- */
+
+/* One run of an MCML 1.2 input file. */
+typedef struct ms_mcml_run_spec {
+    char output[256];      /* name of the .mco file */
+    char format;           /* 'A' or 'B', as the file says; both are written as text, as MCML does */
+    uint64_t photons;
+    ms_mcml_grid grid;
+    ms_mcml_tissue tissue;
+    size_t line;           /* of the name in the file, from 1 */
+} ms_mcml_run_spec;
+
+typedef struct ms_mcml_mci {
+    int run_count;
+    ms_mcml_run_spec *runs; /* [run_count] */
+    void *memory;
+    size_t memory_size;
+    ms_allocator allocator;
+} ms_mcml_mci;
+
+/* Reads every run of an .mci file that is in memory (no NUL needed behind it). '#' starts a comment, blank lines are
+   skipped, text behind the numbers of a line is ignored as MCML does. Numbers have '.' in every locale.
+   MS_BAD_DATA (position: line, from 1): anything missing, not a number or out of range, an output name given twice.
+   MS_OUT_OF_MEMORY. *mci is untouched then. allocator may be NULL. */
+MS_API ms_status ms_mcml_mci_read(const char *text, size_t size, const ms_allocator *allocator, ms_mcml_mci *mci,
+                                  ms_error *error);
+
+/* NULL and a zeroed one are fine. */
+MS_API void ms_mcml_mci_destroy(ms_mcml_mci *mci);
+
+/* Writes an .mco file as MCML 1.2.2 does, in pieces, through write, which returns 0 on success.
+   seconds   user time for the comment line; < 0: 0
+   MS_IO: write failed. MS_UNSUPPORTED: the result has no A_rz (no_absorption). */
+MS_API ms_status ms_mcml_mco_write(const ms_mcml_run_spec *run, const ms_mcml_result *result, double seconds,
+                                   int (*write)(void *user, const char *text, size_t size), void *user, ms_error *error);
+
+#ifndef MS_MCML_NO_STDIO
+/* The same to and from files. MS_IO: cannot open, read or write. A file that could not be written whole is removed. */
+MS_API ms_status ms_mcml_mci_load(const char *path, const ms_allocator *allocator, ms_mcml_mci *mci, ms_error *error);
+MS_API ms_status ms_mcml_mco_save(const char *path, const ms_mcml_run_spec *run, const ms_mcml_result *result, double seconds,
+                                  ms_error *error);
+#endif
 
 /* --- materials --------------------------------------------------------------------------------------------- */
 
@@ -613,11 +790,1591 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 /* --- tissue and runs --------------------------------------------------------------------------------------- */
 
+#include <math.h>
+#ifndef MS_MCML_NO_STDIO
+#include <stdio.h>
+#endif
+
+MS_API ms_mcml_options ms_mcml_defaults(void)
+{
+    ms_mcml_options options;
+    memset(&options, 0, sizeof options);
+    return options;
+}
+
+static int ms_mcml__between(double x, double low, double high) { return ms__finite(x) && x >= low && x <= high; }
+
+static ms_status ms_mcml__check_layer(const ms_mcml_layer *l, size_t position, ms_error *error)
+{
+    if (!ms_mcml__between(l->n, 0.01, 100))
+        return ms__fail(error, MS_INVALID_ARGUMENT, position, "refractive index n is %g, expected 0.01 to 100", l->n);
+    if (!ms_mcml__between(l->mu_a_per_cm, 0, 1e9))
+        return ms__fail(error, MS_INVALID_ARGUMENT, position, "mu_a is %g, expected 0 to 1e9 per cm", l->mu_a_per_cm);
+    if (!ms_mcml__between(l->mu_s_per_cm, 0, 1e9))
+        return ms__fail(error, MS_INVALID_ARGUMENT, position, "mu_s is %g, expected 0 to 1e9 per cm", l->mu_s_per_cm);
+    if (!ms_mcml__between(l->g, -1, 1) || (l->g <= -1 && l->mu_s_per_cm > 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, position, "g is %g, expected above -1 and at most 1", l->g);
+    if (!ms__finite(l->thickness_cm) || !(l->thickness_cm > 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, position, "thickness is %g, expected above 0", l->thickness_cm);
+    return MS_OK;
+}
+
+static ms_status ms_mcml__check_grid(const ms_mcml_grid *grid, ms_error *error)
+{
+    if (!ms_mcml__between(grid->dr_cm, 1e-30, 1e30) || !ms_mcml__between(grid->dz_cm, 1e-30, 1e30))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "dz and dr are %g and %g cm, expected above 0", grid->dz_cm, grid->dr_cm);
+    if (grid->nz < 1 || grid->nr < 1 || grid->na < 1)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz, nr, na are %d, %d, %d, expected 1 or more", grid->nz, grid->nr,
+                        grid->na);
+    if (grid->nt < 0 || (grid->nt > 0 && !ms_mcml__between(grid->dt_ps, 1e-30, 1e30)))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nt and dt are %d and %g ps, expected 0 or more and above 0", grid->nt,
+                        grid->dt_ps);
+    return MS_OK;
+}
+
+/* Position of a failure: the layer, from 1. */
+static ms_status ms_mcml__check_tissue(const ms_mcml_tissue *tissue, ms_error *error)
+{
+    int i;
+    if (tissue->layer_count < 1 || tissue->layer_count > 32767 || tissue->layers == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d layers, expected 1 to 32767", tissue->layer_count);
+    if (!ms_mcml__between(tissue->n_above, 0.01, 100) || !ms_mcml__between(tissue->n_below, 0.01, 100))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "n above and below are %g and %g, expected 0.01 to 100", tissue->n_above,
+                        tissue->n_below);
+    for (i = 0; i < tissue->layer_count; ++i) {
+        ms_status status = ms_mcml__check_layer(&tissue->layers[i], (size_t)i + 1, error);
+        if (status) return status;
+    }
+    return MS_OK;
+}
+
 /* --- direct Monte Carlo ------------------------------------------------------------------------------------ */
+
+#define MS_MCML__UNITS 1073741824.0f /* 2^30: a whole photon in the sums */
+#define MS_MCML__PHI_UNITS 65536.0f  /* fluence adds up over collisions: coarser, to stay below 2^63 */
+#define MS_MCML__PHOTONS_MAX ((uint64_t)1 << 32)
+#define MS_MCML__CHANCE 0.1f         /* of surviving roulette */
+#define MS_MCML__HALVING_EVENTS 4096 /* then every fourfold: half of the photons end and the others count double */
+#define MS_MCML__GROUPS 64           /* photon i is in group i / 64 mod 64, for errors by spread */
+#define MS_MCML__WAVE 65536          /* photons between two looks at the progress callback */
+#define MS_MCML__TASKS 16
+#define MS_MCML__LANES_MAX 16
+#define MS_MCML__C_CM_PER_PS 0.0299792458
+
+/* A layer as the kernel wants it. */
+typedef struct ms_mcml__slab {
+    float depth;    /* thickness */
+    float top;      /* z of its upper side */
+    float mfp;      /* 1 / (mu_a + mu_s); clear: beyond every boundary */
+    float absorbed; /* mu_a / (mu_a + mu_s) */
+    float g, n, ratio_up, ratio_down; /* ratio: n over n of the neighbour */
+    int clear;
+} ms_mcml__slab;
+
+/* Offsets into the sums of a tally; S: the sum of weights, Q: of their squares. */
+typedef struct ms_mcml__layout {
+    size_t leave;      /* [2: top, bottom][nr][na][2: S, Q] */
+    size_t time;       /* [nr][nt][2: S, Q] */
+    size_t unscattered; /* [2] */
+    size_t photons;    /* [GROUPS] */
+    size_t layers;     /* [GROUPS][layer_count] */
+    size_t a, phi;     /* [groups][nr][nz], where asked for */
+    size_t count;
+} ms_mcml__layout;
+
+struct ms_mcml {
+    ms_mcml_options options;
+    ms_mcml_tissue tissue; /* layers: a copy in this block */
+    ms_mcml_grid grid;
+    ms_mcml__layout at;
+    ms_mcml__slab *slab;
+    int64_t *sum;          /* [at.count] */
+    int first_layer;       /* where photons start; layer_count: all is clear */
+    double specular, entry_path_cm, mfp_max_cm;
+    uint64_t photons;
+    ms_simd simd;
+    int groups;            /* of a and phi: 1 or GROUPS */
+    size_t size;
+};
+
+/* Up to 16 photons on their way, in arrays of one lane each. */
+typedef struct ms_mcml__tracer {
+    float x[MS_MCML__LANES_MAX], y[MS_MCML__LANES_MAX], z[MS_MCML__LANES_MAX]; /* cm; z from the top of the layer */
+    float ux[MS_MCML__LANES_MAX], uy[MS_MCML__LANES_MAX], uz[MS_MCML__LANES_MAX];
+    float w[MS_MCML__LANES_MAX];
+    float kept[MS_MCML__LANES_MAX]; /* absorbed in this layer since it was entered */
+    float path[MS_MCML__LANES_MAX]; /* optical path in cm */
+    float depth[MS_MCML__LANES_MAX], top[MS_MCML__LANES_MAX], mfp[MS_MCML__LANES_MAX], absorbed[MS_MCML__LANES_MAX];
+    float g[MS_MCML__LANES_MAX], n[MS_MCML__LANES_MAX], ratio_up[MS_MCML__LANES_MAX], ratio_down[MS_MCML__LANES_MAX];
+    float cos_t[MS_MCML__LANES_MAX], units[MS_MCML__LANES_MAX];
+    uint32_t s[4][MS_MCML__LANES_MAX], word[MS_MCML__LANES_MAX];
+    uint32_t events[MS_MCML__LANES_MAX], limit[MS_MCML__LANES_MAX];
+    uint32_t ring[MS_MCML__LANES_MAX], slab[MS_MCML__LANES_MAX];
+    int layer[MS_MCML__LANES_MAX], group[MS_MCML__LANES_MAX];
+    size_t offset[MS_MCML__LANES_MAX]; /* of the group in a and phi */
+    int alive, crossing, ended, halving; /* a bit a lane */
+    float low_weight, inverse_dr, inverse_dz, last_r, last_z, phi_units;
+    size_t nz;
+    int64_t *sum, *sum_a, *sum_phi; /* sum_a, sum_phi: NULL if not wanted */
+    const ms_mcml *tally;
+    uint64_t next, end;
+} ms_mcml__tracer;
+
+static void ms_mcml__enter(ms_mcml__tracer *t, int i, int layer, int from_above)
+{
+    const ms_mcml__slab *slab = &t->tally->slab[layer];
+    t->layer[i] = layer;
+    t->z[i] = from_above ? 0.0f : slab->depth;
+    t->depth[i] = slab->depth;
+    t->top[i] = slab->top;
+    t->mfp[i] = slab->mfp;
+    t->absorbed[i] = slab->absorbed;
+    t->g[i] = slab->g;
+    t->n[i] = slab->n;
+    t->ratio_up[i] = slab->ratio_up;
+    t->ratio_down[i] = slab->ratio_down;
+    t->kept[i] = 0;
+}
+
+/* The next photon into lane i, or none. */
+static void ms_mcml__launch(ms_mcml__tracer *t, int i)
+{
+    const int bit = 1 << i;
+    const uint64_t photon = t->next;
+    const uint64_t seed = t->tally->options.seed;
+    uint32_t counter[4], key[2], state[4];
+    t->x[i] = t->y[i] = t->ux[i] = t->uy[i] = 0;
+    t->uz[i] = 1;
+    t->events[i] = 0;
+    t->limit[i] = MS_MCML__HALVING_EVENTS;
+    t->path[i] = (float)t->tally->entry_path_cm;
+    ms_mcml__enter(t, i, t->tally->first_layer, 1);
+    t->w[i] = photon < t->end ? 1.0f : 0.0f;
+    t->alive = photon < t->end ? t->alive | bit : t->alive & ~bit;
+    t->group[i] = (int)((photon / 64) % MS_MCML__GROUPS);
+    t->offset[i] = t->tally->groups > 1 ? (size_t)t->group[i] * (size_t)t->tally->grid.nr * t->nz : 0;
+    t->next += photon < t->end;
+
+    counter[0] = (uint32_t)photon;
+    counter[1] = (uint32_t)(photon >> 32);
+    counter[2] = 0x4D434D4Cu; /* apart from streams of other uses of the same seed */
+    counter[3] = 0;
+    key[0] = (uint32_t)seed;
+    key[1] = (uint32_t)(seed >> 32);
+    ms__philox(counter, key, state);
+    t->s[0][i] = state[0];
+    t->s[1][i] = state[1];
+    t->s[2][i] = state[2];
+    t->s[3][i] = state[3] | (uint32_t)((state[0] | state[1] | state[2] | state[3]) == 0); /* all 0 is a fixed point */
+}
+
+/* What lane i left in its layer goes to the sums, rounded at random by bits that its other choices do not use. */
+static void ms_mcml__keep(ms_mcml__tracer *t, int i)
+{
+    size_t at = t->tally->at.layers + (size_t)t->group[i] * (size_t)t->tally->tissue.layer_count + (size_t)t->layer[i];
+    t->sum[at] += (int64_t)(t->kept[i] * MS_MCML__UNITS + (float)(t->word[i] & 127) * (1.0f / 128));
+}
+
+/* Lane i leaves the tissue with its whole weight. */
+static void ms_mcml__leave(ms_mcml__tracer *t, int i, int down)
+{
+    const ms_mcml *m = t->tally;
+    const double w = (double)t->w[i], r = sqrt((double)t->x[i] * (double)t->x[i] + (double)t->y[i] * (double)t->y[i]);
+    const double cosine = (double)t->cos_t[i] < 1 ? (double)t->cos_t[i] : 1, ring = r / m->grid.dr_cm;
+    const double angle = acos(cosine) * m->grid.na / 1.5707963267948966;
+    const int64_t s = (int64_t)(w * (double)MS_MCML__UNITS + 0.5), q = (int64_t)(w * w * (double)MS_MCML__UNITS + 0.5);
+    const size_t ir = (size_t)(ring < m->grid.nr - 1 ? (int)ring : m->grid.nr - 1);
+    const size_t ia = (size_t)(angle < m->grid.na - 1 ? (int)angle : m->grid.na - 1);
+    const size_t nr = (size_t)m->grid.nr, na = (size_t)m->grid.na, nt = (size_t)m->grid.nt;
+    int64_t *bin = t->sum + m->at.leave + 2 * (((size_t)down * nr + ir) * na + ia);
+    bin[0] += s;
+    bin[1] += q;
+    if (nt && !down) {
+        const double time = (double)t->path[i] / (MS_MCML__C_CM_PER_PS * m->grid.dt_ps);
+        bin = t->sum + m->at.time + 2 * (ir * nt + (time < m->grid.nt - 1 ? (size_t)time : nt - 1));
+        bin[0] += s;
+        bin[1] += q;
+    }
+    if (!(t->ux[i] < 0 || t->ux[i] > 0 || t->uy[i] < 0 || t->uy[i] > 0)) t->sum[m->at.unscattered + (size_t)down] += s;
+}
+
+/* What happens seldom to lane i: it changes layers or leaves, has no weight left, or has had very many events. */
+static void ms_mcml__rare(ms_mcml__tracer *t, int i)
+{
+    if ((t->crossing >> i) & 1) {
+        const int down = t->uz[i] > 0, layer = t->layer[i] + (down ? 1 : -1);
+        const float ratio = down ? t->ratio_down[i] : t->ratio_up[i];
+        ms_mcml__keep(t, i);
+        if (layer < 0 || layer == t->tally->tissue.layer_count) {
+            ms_mcml__leave(t, i, down);
+            ms_mcml__launch(t, i);
+            return;
+        }
+        t->ux[i] *= ratio; /* Snell */
+        t->uy[i] *= ratio;
+        t->uz[i] = down ? t->cos_t[i] : -t->cos_t[i];
+        ms_mcml__enter(t, i, layer, down);
+    }
+    if ((t->halving >> i) & 1) {
+        t->limit[i] *= 4;
+        t->w[i] *= (t->word[i] & 128) ? 2.0f : 0.0f;
+    }
+    if (!(t->w[i] > 0)) {
+        ms_mcml__keep(t, i);
+        ms_mcml__launch(t, i);
+    }
+}
+
+static MS__UNUSED float ms_mcml__as_float(uint32_t bits)
+{
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static MS__UNUSED uint32_t ms_mcml__as_int(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static MS__UNUSED float ms_mcml__min(float a, float b) { return a < b ? a : b; }
+static MS__UNUSED float ms_mcml__max(float a, float b) { return a > b ? a : b; }
+
+#if defined(MS__NEON)
+static MS__UNUSED int ms_mcml__neon_bits(uint32x4_t mask)
+{
+    static const uint32_t lane[4] = {1, 2, 4, 8};
+    return (int)vaddvq_u32(vandq_u32(mask, vld1q_u32(lane)));
+}
+#endif
+
+#ifndef MS_MCML_FILENAME
+#define MS_MCML_FILENAME "ms_mcml.h"
+#endif
+#define MS_MCML__PASS 1
+#include MS_MCML_FILENAME
+#undef MS_MCML__PASS
+#if defined(MS__X64) || defined(MS__NEON)
+#define MS_MCML__PASS 2
+#include MS_MCML_FILENAME
+#undef MS_MCML__PASS
+#endif
+#if defined(MS__X64)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC push_options
+#pragma GCC target("avx2,fma,f16c")
+#endif
+#define MS_MCML__PASS 3
+#include MS_MCML_FILENAME
+#undef MS_MCML__PASS
+#if defined(__clang__)
+#pragma clang attribute pop
+#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c")
+#endif
+#define MS_MCML__PASS 4
+#include MS_MCML_FILENAME
+#undef MS_MCML__PASS
+#if defined(__clang__)
+#pragma clang attribute pop
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#endif
+#endif
+
+/* The photons first to end - 1 into sum. */
+static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint64_t end)
+{
+    ms_mcml__tracer t;
+    uint64_t i;
+    for (i = first; i < end;) { /* photons of each group */
+        const uint64_t next = (i / 64 + 1) * 64 < end ? (i / 64 + 1) * 64 : end;
+        sum[m->at.photons + (size_t)((i / 64) % MS_MCML__GROUPS)] += (int64_t)(next - i);
+        i = next;
+    }
+    if (m->first_layer == m->tissue.layer_count) { /* clear throughout: all that enters leaves below, at r = 0 */
+        const int64_t all = (int64_t)((end - first) << 30);
+        int64_t *bin = sum + m->at.leave + 2 * (size_t)m->grid.nr * (size_t)m->grid.na;
+        bin[0] += all;
+        bin[1] += all;
+        sum[m->at.unscattered + 1] += all;
+        return;
+    }
+    memset(&t, 0, sizeof t);
+    t.tally = m;
+    t.low_weight = (float)m->options.roulette_weight;
+    t.inverse_dr = (float)(1 / m->grid.dr_cm);
+    t.inverse_dz = (float)(1 / m->grid.dz_cm);
+    t.last_r = (float)(m->grid.nr - 1);
+    t.last_z = (float)(m->grid.nz - 1);
+    t.phi_units = (float)((double)MS_MCML__PHI_UNITS / m->mfp_max_cm);
+    t.nz = (size_t)m->grid.nz;
+    t.sum = sum;
+    t.sum_a = m->options.no_absorption ? NULL : sum + m->at.a;
+    t.sum_phi = m->options.fluence ? sum + m->at.phi : NULL;
+    t.next = first;
+    t.end = end;
+    switch (m->simd) {
+#if defined(MS__X64)
+    case MS_SIMD_AVX512: ms_mcml__trace_avx512(&t); break;
+    case MS_SIMD_AVX2: ms_mcml__trace_avx2(&t); break;
+#endif
+#if defined(MS__X64) || defined(MS__NEON)
+    case MS_SIMD_BASE: ms_mcml__trace_base(&t); break;
+#endif
+    default: ms_mcml__trace_scalar(&t); break;
+    }
+}
+
+/* Reflectance at normal incidence of the boundaries from above the tissue to the first layer that is not clear, light that
+   runs to and fro between them added up: R = (r + s - 2 r s) / (1 - r s), boundary by boundary. */
+static double ms_mcml__specular(const ms_mcml_tissue *tissue, int first_layer)
+{
+    double reflectance = 0, n = tissue->n_above;
+    int i;
+    for (i = 0; i <= first_layer; ++i) {
+        const double below = i < tissue->layer_count ? tissue->layers[i].n : tissue->n_below;
+        const double amplitude = (n - below) / (n + below), s = amplitude * amplitude;
+        reflectance = (reflectance + s - 2 * reflectance * s) / (1 - reflectance * s);
+        n = below;
+    }
+    return reflectance;
+}
+
+/* Memory of the sums, or SIZE_MAX. */
+static size_t ms_mcml__layout_make(ms_mcml__layout *at, const ms_mcml_grid *grid, int layer_count, int groups, int a, int phi)
+{
+    const size_t nr = (size_t)grid->nr, cells = ms__size_mul(ms__size_mul(nr, (size_t)grid->nz), (size_t)groups);
+    at->leave = 0;
+    at->time = ms__size_mul(4, ms__size_mul(nr, (size_t)grid->na));
+    at->unscattered = ms__size_add(at->time, ms__size_mul(2, ms__size_mul(nr, (size_t)grid->nt)));
+    at->photons = ms__size_add(at->unscattered, 2);
+    at->layers = ms__size_add(at->photons, MS_MCML__GROUPS);
+    at->a = ms__size_add(at->layers, (size_t)layer_count * MS_MCML__GROUPS);
+    at->phi = ms__size_add(at->a, a ? cells : 0);
+    at->count = ms__size_add(at->phi, phi ? cells : 0);
+    return ms__size_mul(at->count, sizeof(int64_t));
+}
+
+/* Everything that follows from the tissue. */
+static void ms_mcml__prepare(ms_mcml *m)
+{
+    const ms_mcml_layer *layer = m->tissue.layers;
+    double top = 0;
+    int i;
+    m->first_layer = m->tissue.layer_count;
+    m->mfp_max_cm = 0;
+    for (i = m->tissue.layer_count - 1; i >= 0; --i) {
+        const double mu_s = layer[i].g < 1 ? layer[i].mu_s_per_cm : 0, mu_t = layer[i].mu_a_per_cm + mu_s;
+        const double above = i > 0 ? layer[i - 1].n : m->tissue.n_above;
+        const double below = i + 1 < m->tissue.layer_count ? layer[i + 1].n : m->tissue.n_below;
+        ms_mcml__slab *slab = &m->slab[i];
+        slab->clear = !(mu_t > 0);
+        slab->depth = (float)(layer[i].thickness_cm < 1e12 ? layer[i].thickness_cm : 1e12);
+        slab->mfp = slab->clear ? 1e30f : (float)(mu_t > 1e-12 ? 1 / mu_t : 1e12);
+        slab->absorbed = slab->clear ? 0.0f : (float)(layer[i].mu_a_per_cm / mu_t);
+        slab->g = mu_s > 0 ? (float)layer[i].g : 0.0f;
+        slab->n = (float)layer[i].n;
+        slab->ratio_up = (float)(layer[i].n / above);
+        slab->ratio_down = (float)(layer[i].n / below);
+        if (!slab->clear) m->first_layer = i;
+        if (!slab->clear && (double)slab->mfp > m->mfp_max_cm) m->mfp_max_cm = (double)slab->mfp;
+    }
+    for (i = 0; i < m->tissue.layer_count; ++i) {
+        m->slab[i].top = (float)top;
+        top += layer[i].thickness_cm;
+        if (i < m->first_layer) m->entry_path_cm += layer[i].n * layer[i].thickness_cm;
+    }
+    m->specular = ms_mcml__specular(&m->tissue, m->first_layer);
+}
+
+MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
+                                ms_mcml **out, ms_error *error)
+{
+    const ms_mcml_options o = options ? *options : ms_mcml_defaults();
+    const size_t limit = o.memory_limit ? o.memory_limit : sizeof(size_t) > 4 ? (size_t)1 << 16 << 16 : (size_t)1 << 31;
+    size_t layer_size, slab_size, sums, size, all;
+    ms_mcml__layout at;
+    ms_mcml *m;
+    ms_status status;
+    int groups;
+    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    *out = NULL;
+    if (tissue == NULL || grid == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tissue or grid is NULL");
+    if ((status = ms_mcml__check_tissue(tissue, error)) != MS_OK) return status;
+    if ((status = ms_mcml__check_grid(grid, error)) != MS_OK) return status;
+    if (!ms_mcml__between(o.roulette_weight, 0, 0.1))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "roulette_weight is %g, expected 0 to 0.1", o.roulette_weight);
+    if (!ms_mcml__between(o.target_error, 0, 1e300))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "target_error is %g, expected 0 or more", o.target_error);
+    if (o.photons > MS_MCML__PHOTONS_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons");
+
+    groups = o.absorption_error ? MS_MCML__GROUPS : 1;
+    sums = ms_mcml__layout_make(&at, grid, tissue->layer_count, groups, !o.no_absorption, o.fluence);
+    layer_size = (size_t)tissue->layer_count * sizeof(ms_mcml_layer);
+    slab_size = (size_t)tissue->layer_count * sizeof(ms_mcml__slab);
+    size = ms__size_add(sizeof *m + 8 + layer_size + slab_size, sums);
+    all = o.parallel.run ? ms__size_mul(size, MS_MCML__TASKS + 1) : size;
+    if (all > limit)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "the tallies take %z bytes, more than memory_limit, %z", all, limit);
+    m = (ms_mcml *)ms__alloc(&o.allocator, size);
+    if (m == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tally", size);
+    memset(m, 0, size);
+    m->options = o;
+    if (!(o.roulette_weight > 0)) m->options.roulette_weight = 0.01;
+    m->grid = *grid;
+    m->at = at;
+    m->size = size;
+    m->groups = groups;
+    m->simd = ms__simd_pick(o.simd);
+    m->sum = (int64_t *)(void *)((char *)m + (sizeof *m + 7) / 8 * 8);
+    m->tissue = *tissue;
+    m->tissue.layers = (const ms_mcml_layer *)memcpy(m->sum + at.count, tissue->layers, layer_size);
+    m->slab = (ms_mcml__slab *)(void *)((char *)(m->sum + at.count) + layer_size);
+    ms_mcml__prepare(m);
+    *out = m;
+    return MS_OK;
+}
+
+MS_API void ms_mcml_destroy(ms_mcml *tally)
+{
+    if (tally) {
+        const ms_allocator allocator = tally->options.allocator;
+        ms__release(&allocator, tally, tally->size);
+    }
+}
+
+MS_API uint64_t ms_mcml_photons(const ms_mcml *tally) { return tally ? tally->photons : 0; }
+
+/* Sums are added as unsigned numbers: exact, in any order, and defined for any bytes that ms_mcml_load was given. */
+static void ms_mcml__add(int64_t *sum, const int64_t *other, size_t count)
+{
+    size_t i;
+    for (i = 0; i < count; ++i) sum[i] = (int64_t)((uint64_t)sum[i] + (uint64_t)other[i]);
+}
+
+typedef struct ms_mcml__wave {
+    const ms_mcml *tally;
+    int64_t *sums; /* [TASKS][count] */
+    uint64_t first, count;
+} ms_mcml__wave;
+
+static void ms_mcml__wave_task(void *context, int index)
+{
+    const ms_mcml__wave *wave = (const ms_mcml__wave *)context;
+    const uint64_t i = (uint64_t)index;
+    ms_mcml__trace(wave->tally, wave->sums + (size_t)index * wave->tally->at.count,
+                   wave->first + wave->count * i / MS_MCML__TASKS, wave->first + wave->count * (i + 1) / MS_MCML__TASKS);
+}
+
+/* ms_mcml_run as the part of a longer call: done photons of `of` went before. */
+static ms_status ms_mcml__run(ms_mcml *m, uint64_t first, uint64_t count, uint64_t done, uint64_t of, ms_error *error)
+{
+    const int parallel = m->options.parallel.run != NULL;
+    const size_t size = parallel ? ms__size_mul(m->at.count, MS_MCML__TASKS * sizeof(int64_t)) : 0;
+    const uint64_t end = first + count;
+    const ms_progress *progress = &m->options.progress;
+    ms_status status = MS_OK;
+    ms_mcml__wave wave;
+    int i;
+    if (count > MS_MCML__PHOTONS_MAX || m->photons > MS_MCML__PHOTONS_MAX - count)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons in one tally");
+    if (end < first) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the last photon's index is above 2^64");
+    wave.tally = m;
+    wave.sums = NULL;
+    if (parallel) {
+        wave.sums = (int64_t *)ms__alloc(&m->options.allocator, size);
+        if (wave.sums == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tallies of the tasks", size);
+        memset(wave.sums, 0, size);
+    }
+    for (wave.first = first; wave.first < end; wave.first += wave.count) {
+        wave.count = MS_MCML__WAVE - wave.first % MS_MCML__WAVE;
+        if (wave.count > end - wave.first) wave.count = end - wave.first;
+        if (progress->report && progress->report(progress->user, (double)(done + wave.first - first) / (double)of)) {
+            status = ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
+            break;
+        }
+        if (parallel) ms__run(&m->options.parallel, MS_MCML__TASKS, ms_mcml__wave_task, &wave);
+        else ms_mcml__trace(m, m->sum, wave.first, wave.first + wave.count);
+        m->photons += wave.count;
+    }
+    for (i = 0; parallel && i < MS_MCML__TASKS; ++i) ms_mcml__add(m->sum, wave.sums + (size_t)i * m->at.count, m->at.count);
+    ms__release(&m->options.allocator, wave.sums, size);
+    return status;
+}
+
+MS_API ms_status ms_mcml_run(ms_mcml *tally, uint64_t first, uint64_t count, ms_error *error)
+{
+    if (tally == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally is NULL");
+    return ms_mcml__run(tally, first, count, 0, count ? count : 1, error);
+}
+
+/* The head of a saved tally: what must be equal for a merge, then the layers. */
+#define MS_MCML__HEAD (16 + 8 * 12)
+#define MS_MCML__LAYER_BYTES (5 * 8)
+
+static uint8_t *ms_mcml__put(uint8_t *p, uint64_t value)
+{
+    int i;
+    for (i = 0; i < 8; ++i) *p++ = (uint8_t)(value >> (8 * i));
+    return p;
+}
+
+static uint8_t *ms_mcml__put_real(uint8_t *p, double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return ms_mcml__put(p, bits);
+}
+
+static uint64_t ms_mcml__get(const uint8_t *p)
+{
+    uint64_t value = 0;
+    int i;
+    for (i = 7; i >= 0; --i) value = value << 8 | p[i];
+    return value;
+}
+
+static double ms_mcml__get_real(const uint8_t *p)
+{
+    const uint64_t bits = ms_mcml__get(p);
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* Head and layers; the photon count stands first and is no part of a comparison. */
+static uint8_t *ms_mcml__put_head(const ms_mcml *m, uint8_t *p)
+{
+    const ms_mcml_options *o = &m->options;
+    int i;
+    memcpy(p, "ms_mcml tally 1\n", 16);
+    p = ms_mcml__put(p + 16, m->photons);
+    p = ms_mcml__put(p, o->seed);
+    p = ms_mcml__put_real(p, o->roulette_weight);
+    p = ms_mcml__put(p, (uint64_t)(o->no_absorption != 0) | (uint64_t)(o->absorption_error != 0) << 1 |
+                            (uint64_t)(o->fluence != 0) << 2);
+    p = ms_mcml__put_real(p, m->grid.dr_cm);
+    p = ms_mcml__put_real(p, m->grid.dz_cm);
+    p = ms_mcml__put_real(p, m->grid.dt_ps);
+    p = ms_mcml__put(p, (uint64_t)m->grid.nr | (uint64_t)m->grid.nz << 32);
+    p = ms_mcml__put(p, (uint64_t)m->grid.na | (uint64_t)m->grid.nt << 32);
+    p = ms_mcml__put_real(p, m->tissue.n_above);
+    p = ms_mcml__put_real(p, m->tissue.n_below);
+    p = ms_mcml__put(p, (uint64_t)m->tissue.layer_count);
+    for (i = 0; i < m->tissue.layer_count; ++i) {
+        const ms_mcml_layer *l = &m->tissue.layers[i];
+        p = ms_mcml__put_real(p, l->n);
+        p = ms_mcml__put_real(p, l->mu_a_per_cm);
+        p = ms_mcml__put_real(p, l->mu_s_per_cm);
+        p = ms_mcml__put_real(p, l->g);
+        p = ms_mcml__put_real(p, l->thickness_cm);
+    }
+    return p;
+}
+
+MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *error)
+{
+    if (tally == NULL || other == NULL || tally == other)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "two different tallies are expected");
+    if (other->photons > MS_MCML__PHOTONS_MAX - tally->photons)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons in one tally");
+    if (tally->options.seed != other->options.seed)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different seeds");
+    if (tally->tissue.layer_count != other->tissue.layer_count ||
+        memcmp(tally->tissue.layers, other->tissue.layers, (size_t)tally->tissue.layer_count * sizeof(ms_mcml_layer)) != 0 ||
+        memcmp(&tally->tissue.n_above, &other->tissue.n_above, sizeof(double)) != 0 ||
+        memcmp(&tally->tissue.n_below, &other->tissue.n_below, sizeof(double)) != 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different tissues");
+    if (memcmp(&tally->at, &other->at, sizeof tally->at) != 0 ||
+        memcmp(&tally->grid.dr_cm, &other->grid.dr_cm, 3 * sizeof(double)) != 0 || tally->grid.nr != other->grid.nr ||
+        tally->grid.nz != other->grid.nz ||
+        memcmp(&tally->options.roulette_weight, &other->options.roulette_weight, sizeof(double)) != 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different grids or options");
+    ms_mcml__add(tally->sum, other->sum, tally->at.count);
+    tally->photons += other->photons;
+    return MS_OK;
+}
+
+MS_API size_t ms_mcml_save_size(const ms_mcml *tally)
+{
+    return MS_MCML__HEAD + (size_t)tally->tissue.layer_count * MS_MCML__LAYER_BYTES + tally->at.count * 8;
+}
+
+MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes)
+{
+    uint8_t *p = ms_mcml__put_head(tally, (uint8_t *)bytes);
+    size_t i;
+    for (i = 0; i < tally->at.count; ++i) p = ms_mcml__put(p, (uint64_t)tally->sum[i]);
+}
+
+MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out, ms_error *error)
+{
+    const uint8_t *p = (const uint8_t *)bytes, *head;
+    ms_mcml_options o = options ? *options : ms_mcml_defaults();
+    ms_mcml_tissue tissue;
+    ms_mcml_grid grid;
+    ms_mcml_layer *layers;
+    ms_mcml__layout at;
+    ms_mcml *m = NULL;
+    ms_status status;
+    uint64_t word[12], sums;
+    size_t layer_size, i;
+    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    *out = NULL;
+    if (p == NULL || size < MS_MCML__HEAD || memcmp(p, "ms_mcml tally 1\n", 16) != 0)
+        return ms__fail(error, MS_BAD_DATA, 0, "these bytes are not a saved tally");
+    for (i = 0; i < 12; ++i) word[i] = ms_mcml__get(p + 16 + 8 * i);
+    for (i = 7; i <= 8; ++i)
+        if ((word[i] >> 31 & 1) || word[i] >> 63) return ms__fail(error, MS_BAD_DATA, 16 + 8 * i, "a negative bin count");
+    if (word[0] > MS_MCML__PHOTONS_MAX || word[3] > 7 || word[11] < 1 || word[11] > 32767)
+        return ms__fail(error, MS_BAD_DATA, 16, "the head of the saved tally is damaged");
+    o.photons = 0;
+    o.target_error = 0;
+    o.seed = word[1];
+    o.roulette_weight = ms_mcml__get_real(p + 32);
+    o.no_absorption = (int)(word[3] & 1);
+    o.absorption_error = (int)(word[3] >> 1 & 1);
+    o.fluence = (int)(word[3] >> 2 & 1);
+    grid.dr_cm = ms_mcml__get_real(p + 48);
+    grid.dz_cm = ms_mcml__get_real(p + 56);
+    grid.dt_ps = ms_mcml__get_real(p + 64);
+    grid.nr = (int)(uint32_t)word[7];
+    grid.nz = (int)(word[7] >> 32);
+    grid.na = (int)(uint32_t)word[8];
+    grid.nt = (int)(word[8] >> 32);
+    tissue.n_above = ms_mcml__get_real(p + 88);
+    tissue.n_below = ms_mcml__get_real(p + 96);
+    tissue.layer_count = (int)word[11];
+
+    /* the size is known before anything of it is allocated */
+    sums = ms_mcml__layout_make(&at, &grid, tissue.layer_count, o.absorption_error ? MS_MCML__GROUPS : 1, !o.no_absorption,
+                                o.fluence);
+    layer_size = (size_t)tissue.layer_count * MS_MCML__LAYER_BYTES;
+    if (sums == SIZE_MAX || size - MS_MCML__HEAD < layer_size || size - MS_MCML__HEAD - layer_size != sums)
+        return ms__fail(error, MS_BAD_DATA, size, "the saved tally is cut short or longer than its head says");
+    layers = (ms_mcml_layer *)ms__alloc(&o.allocator, (size_t)tissue.layer_count * sizeof(ms_mcml_layer));
+    if (layers == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d layers", tissue.layer_count);
+    head = p + MS_MCML__HEAD;
+    for (i = 0; i < (size_t)tissue.layer_count; ++i, head += MS_MCML__LAYER_BYTES) {
+        layers[i].n = ms_mcml__get_real(head);
+        layers[i].mu_a_per_cm = ms_mcml__get_real(head + 8);
+        layers[i].mu_s_per_cm = ms_mcml__get_real(head + 16);
+        layers[i].g = ms_mcml__get_real(head + 24);
+        layers[i].thickness_cm = ms_mcml__get_real(head + 32);
+    }
+    tissue.layers = layers;
+    status = ms_mcml_create(&tissue, &grid, &o, &m, error);
+    ms__release(&o.allocator, layers, (size_t)tissue.layer_count * sizeof(ms_mcml_layer));
+    if (status == MS_INVALID_ARGUMENT) {
+        if (error) error->status = MS_BAD_DATA;
+        return MS_BAD_DATA;
+    }
+    if (status) return status;
+    for (i = 0; i < m->at.count && status == MS_OK; ++i) {
+        const uint64_t value = ms_mcml__get(head + 8 * i);
+        if (value > (uint64_t)1 << 62)
+            status = ms__fail(error, MS_BAD_DATA, (size_t)(head - p) + 8 * i, "a sum of the saved tally is out of range");
+        m->sum[i] = (int64_t)value;
+    }
+    m->photons = word[0];
+    if (status) {
+        ms_mcml_destroy(m);
+        return status;
+    }
+    *out = m;
+    return MS_OK;
+}
+
+/* Mean and standard error from a sum and a sum of squares over n photons, both in units of 2^-30, times scale. */
+static void ms_mcml__moments(double s, double q, double n, double scale, double *mean, double *error)
+{
+    const double unit = (double)MS_MCML__UNITS, m = s / unit / n, v = q / unit / n - m * m;
+    *mean = m * scale;
+    *error = n > 1 && v > 0 ? sqrt(v / (n - 1)) * scale : 0;
+}
+
+/* The same from the sums of the groups, whose sizes differ: the spread of sum_g - mean n_g. */
+static void ms_mcml__spread(const ms_mcml *m, const double *sum, double unit, double scale, double *mean, double *error)
+{
+    const int64_t *size = m->sum + m->at.photons;
+    const double n = (double)m->photons;
+    double total = 0, square = 0, used = 0;
+    size_t g;
+    for (g = 0; g < MS_MCML__GROUPS; ++g) total += sum[g];
+    for (g = 0; g < MS_MCML__GROUPS; ++g) {
+        const double d = sum[g] - total / n * (double)size[g];
+        used += size[g] > 0;
+        square += d * d;
+    }
+    *mean = total / unit / n * scale;
+    *error = used > 1 ? sqrt(square * used / (used - 1)) / unit / n * scale : 0;
+}
+
+/* Solid angle of bin ia of na, 2 pi (cos a_ia - cos a_ia+1), and its mean cosine. */
+static double ms_mcml__solid_angle(int ia, int na, double *cosine)
+{
+    const double da = 1.5707963267948966 / na, a = (ia + 0.5) * da;
+    *cosine = cos(a);
+    return 12.566370614359172 * sin(a) * sin(da / 2);
+}
+
+static double ms_mcml__ring_area(int ir, double dr) { return 6.283185307179586 * (ir + 0.5) * dr * dr; }
+
+/* Rd or Tt: the total, and over r, a, and both. */
+static void ms_mcml__leave_results(const ms_mcml *m, int down, double *total, double *total_error, double *r, double *r_error,
+                                   double *a, double *a_error, double *ra, double *ra_error)
+{
+    const int nr = m->grid.nr, na = m->grid.na;
+    const int64_t *bin = m->sum + m->at.leave + 2 * (size_t)down * (size_t)nr * (size_t)na;
+    const double n = (double)m->photons, entered = 1 - m->specular;
+    double s = 0, q = 0;
+    int ir, ia;
+    for (ir = 0; ir < nr; ++ir) {
+        const double area = ms_mcml__ring_area(ir, m->grid.dr_cm);
+        double ring_s = 0, ring_q = 0;
+        for (ia = 0; ia < na; ++ia) {
+            const size_t i = (size_t)ir * (size_t)na + (size_t)ia;
+            double cosine, solid = ms_mcml__solid_angle(ia, na, &cosine);
+            ms_mcml__moments((double)bin[2 * i], (double)bin[2 * i + 1], n, entered / (area * solid * cosine), &ra[i], &ra_error[i]);
+            ring_s += (double)bin[2 * i];
+            ring_q += (double)bin[2 * i + 1];
+        }
+        ms_mcml__moments(ring_s, ring_q, n, entered / area, &r[ir], &r_error[ir]);
+        s += ring_s;
+        q += ring_q;
+    }
+    ms_mcml__moments(s, q, n, entered, total, total_error);
+    for (ia = 0; ia < na; ++ia) {
+        double cosine, solid = ms_mcml__solid_angle(ia, na, &cosine);
+        s = q = 0;
+        for (ir = 0; ir < nr; ++ir) {
+            s += (double)bin[2 * ((size_t)ir * (size_t)na + (size_t)ia)];
+            q += (double)bin[2 * ((size_t)ir * (size_t)na + (size_t)ia) + 1];
+        }
+        ms_mcml__moments(s, q, n, entered / solid, &a[ia], &a_error[ia]);
+    }
+}
+
+static void ms_mcml__time_results(const ms_mcml *m, ms_mcml_result *out)
+{
+    const int nr = m->grid.nr, nt = m->grid.nt;
+    const int64_t *bin = m->sum + m->at.time;
+    const double n = (double)m->photons, scale = (1 - m->specular) / m->grid.dt_ps;
+    int ir, it;
+    for (it = 0; it < nt; ++it) {
+        double s = 0, q = 0;
+        for (ir = 0; ir < nr; ++ir) {
+            const size_t i = (size_t)ir * (size_t)nt + (size_t)it;
+            ms_mcml__moments((double)bin[2 * i], (double)bin[2 * i + 1], n, scale / ms_mcml__ring_area(ir, m->grid.dr_cm), &out->rd_rt[i],
+                             &out->rd_rt_error[i]);
+            s += (double)bin[2 * i];
+            q += (double)bin[2 * i + 1];
+        }
+        ms_mcml__moments(s, q, n, scale, &out->rd_t[it], &out->rd_t_error[it]);
+    }
+}
+
+/* Densities over r and z of one of the volume tallies; error may be NULL. */
+static void ms_mcml__volume_results(const ms_mcml *m, const int64_t *sum, double unit, double *value, double *error)
+{
+    const size_t nr = (size_t)m->grid.nr, nz = (size_t)m->grid.nz, cells = nr * nz;
+    double group[MS_MCML__GROUPS];
+    size_t i, g;
+    for (i = 0; i < cells; ++i) {
+        const double volume = ms_mcml__ring_area((int)(i / nz), m->grid.dr_cm) * m->grid.dz_cm;
+        const double scale = (1 - m->specular) / volume;
+        for (g = 0; error && g < MS_MCML__GROUPS; ++g) group[g] = (double)sum[g * cells + i];
+        if (error) ms_mcml__spread(m, group, unit, scale, &value[i], &error[i]);
+        else value[i] = (double)sum[i] / unit / (double)m->photons * scale;
+    }
+}
+
+static void ms_mcml__depth_results(const ms_mcml *m, ms_mcml_result *out)
+{
+    const size_t nr = (size_t)m->grid.nr, nz = (size_t)m->grid.nz;
+    const double scale = (1 - m->specular) / m->grid.dz_cm;
+    double group[MS_MCML__GROUPS];
+    size_t z, r;
+    int g;
+    for (z = 0; z < nz; ++z) {
+        for (g = 0; g < m->groups; ++g) {
+            const int64_t *sum = m->sum + m->at.a + (size_t)g * nr * nz + z;
+            group[g] = 0;
+            for (r = 0; r < nr; ++r) group[g] += (double)sum[r * nz];
+        }
+        if (out->a_z_error) ms_mcml__spread(m, group, (double)MS_MCML__UNITS, scale, &out->a_z[z], &out->a_z_error[z]);
+        else out->a_z[z] = group[0] / (double)MS_MCML__UNITS / (double)m->photons * scale;
+    }
+}
+
+static void ms_mcml__layer_results(const ms_mcml *m, ms_mcml_result *out)
+{
+    const size_t count = (size_t)m->tissue.layer_count;
+    const int64_t *sum = m->sum + m->at.layers;
+    double group[MS_MCML__GROUPS], all[MS_MCML__GROUPS] = {0};
+    size_t g, i;
+    for (i = 0; i < count; ++i) {
+        for (g = 0; g < MS_MCML__GROUPS; ++g) {
+            group[g] = (double)sum[g * count + i];
+            all[g] += group[g];
+        }
+        ms_mcml__spread(m, group, (double)MS_MCML__UNITS, 1 - m->specular, &out->a_l[i], &out->a_l_error[i]);
+    }
+    ms_mcml__spread(m, all, (double)MS_MCML__UNITS, 1 - m->specular, &out->a, &out->a_error);
+}
+
+/* The next n doubles of a block, or NULL if they are not wanted. */
+static double *ms_mcml__take(double **block, size_t n, int wanted)
+{
+    double *at = *block;
+    if (!wanted) return NULL;
+    *block += n;
+    return at;
+}
+
+MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, ms_error *error)
+{
+    size_t nr, na, nz, nt, layers, cells, count;
+    ms_mcml_result out;
+    double *block;
+    int a, phi, e;
+    if (tally == NULL || result == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally or result is NULL");
+    if (tally->photons == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tally is empty: no photons were run");
+    nr = (size_t)tally->grid.nr;
+    na = (size_t)tally->grid.na;
+    nz = (size_t)tally->grid.nz;
+    nt = (size_t)tally->grid.nt;
+    cells = nr * nz;
+    layers = (size_t)tally->tissue.layer_count;
+    a = !tally->options.no_absorption;
+    phi = tally->options.fluence != 0;
+    e = tally->options.absorption_error != 0;
+    count = ms__size_mul(4, ms__size_mul(nr + 1, na + 1)); /* fits: the sums were larger */
+    count = ms__size_add(count, 2 * nt * (nr + 1) + 2 * layers + (a ? (cells + nz) << e : 0) + (phi ? cells << e : 0));
+
+    memset(&out, 0, sizeof out);
+    out.photons = tally->photons;
+    out.grid = tally->grid;
+    out.layer_count = tally->tissue.layer_count;
+    out.allocator = tally->options.allocator;
+    out.memory_size = ms__size_mul(count, sizeof(double));
+    out.memory = ms__alloc(&out.allocator, out.memory_size);
+    if (out.memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the results", out.memory_size);
+    block = (double *)out.memory;
+    out.rd_r = ms_mcml__take(&block, nr, 1);
+    out.rd_r_error = ms_mcml__take(&block, nr, 1);
+    out.rd_a = ms_mcml__take(&block, na, 1);
+    out.rd_a_error = ms_mcml__take(&block, na, 1);
+    out.rd_ra = ms_mcml__take(&block, nr * na, 1);
+    out.rd_ra_error = ms_mcml__take(&block, nr * na, 1);
+    out.tt_r = ms_mcml__take(&block, nr, 1);
+    out.tt_r_error = ms_mcml__take(&block, nr, 1);
+    out.tt_a = ms_mcml__take(&block, na, 1);
+    out.tt_a_error = ms_mcml__take(&block, na, 1);
+    out.tt_ra = ms_mcml__take(&block, nr * na, 1);
+    out.tt_ra_error = ms_mcml__take(&block, nr * na, 1);
+    out.rd_t = ms_mcml__take(&block, nt, nt > 0);
+    out.rd_t_error = ms_mcml__take(&block, nt, nt > 0);
+    out.rd_rt = ms_mcml__take(&block, nr * nt, nt > 0);
+    out.rd_rt_error = ms_mcml__take(&block, nr * nt, nt > 0);
+    out.a_l = ms_mcml__take(&block, layers, 1);
+    out.a_l_error = ms_mcml__take(&block, layers, 1);
+    out.a_z = ms_mcml__take(&block, nz, a);
+    out.a_z_error = ms_mcml__take(&block, nz, a && e);
+    out.a_rz = ms_mcml__take(&block, cells, a);
+    out.a_rz_error = ms_mcml__take(&block, cells, a && e);
+    out.phi_rz = ms_mcml__take(&block, cells, phi);
+    out.phi_rz_error = ms_mcml__take(&block, cells, phi && e);
+
+    out.specular = tally->specular;
+    out.rd_unscattered = (double)tally->sum[tally->at.unscattered] / (double)MS_MCML__UNITS;
+    out.tt_unscattered = (double)tally->sum[tally->at.unscattered + 1] / (double)MS_MCML__UNITS;
+    out.rd_unscattered *= (1 - tally->specular) / (double)tally->photons;
+    out.tt_unscattered *= (1 - tally->specular) / (double)tally->photons;
+    ms_mcml__leave_results(tally, 0, &out.rd, &out.rd_error, out.rd_r, out.rd_r_error, out.rd_a, out.rd_a_error, out.rd_ra,
+                           out.rd_ra_error);
+    ms_mcml__leave_results(tally, 1, &out.tt, &out.tt_error, out.tt_r, out.tt_r_error, out.tt_a, out.tt_a_error, out.tt_ra,
+                           out.tt_ra_error);
+    ms_mcml__time_results(tally, &out);
+    ms_mcml__layer_results(tally, &out);
+    if (a) {
+        ms_mcml__volume_results(tally, tally->sum + tally->at.a, (double)MS_MCML__UNITS, out.a_rz, out.a_rz_error);
+        ms_mcml__depth_results(tally, &out);
+    }
+    if (phi)
+        ms_mcml__volume_results(tally, tally->sum + tally->at.phi, (double)MS_MCML__PHI_UNITS / tally->mfp_max_cm, out.phi_rz,
+                                out.phi_rz_error);
+    *result = out;
+    return MS_OK;
+}
+
+MS_API void ms_mcml_result_destroy(ms_mcml_result *result)
+{
+    if (result == NULL) return;
+    ms__release(&result->allocator, result->memory, result->memory_size);
+    memset(result, 0, sizeof *result);
+}
+
+/* One standard error of Rd + Tt over their sum. */
+static double ms_mcml__relative_error(const ms_mcml *m)
+{
+    const int64_t *bin = m->sum + m->at.leave;
+    double mean, error;
+    double s = 0, q = 0;
+    size_t i;
+    for (i = 0; i < (m->at.time - m->at.leave) / 2; ++i) {
+        s += (double)bin[2 * i];
+        q += (double)bin[2 * i + 1];
+    }
+    ms_mcml__moments(s, q, (double)m->photons, 1, &mean, &error);
+    return mean > 0 ? error / mean : 1e300;
+}
+
+MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
+                                  ms_mcml_result *result, ms_error *error)
+{
+    ms_mcml *m;
+    ms_status status;
+    uint64_t photons, done;
+    if (result == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "result is NULL");
+    status = ms_mcml_create(tissue, grid, options, &m, error);
+    if (status) return status;
+    photons = m->options.photons ? m->options.photons : 1000000;
+    for (done = 0; status == MS_OK && done < photons; done = m->photons) {
+        /* with a target, stop for a look after every eighth more; the numbers of photons depend on nothing else */
+        uint64_t count = photons - done, look = (done / 8 / MS_MCML__WAVE + 1) * MS_MCML__WAVE;
+        if (m->options.target_error > 0 && done > 0 && ms_mcml__relative_error(m) <= m->options.target_error) break;
+        if (m->options.target_error > 0 && count > look) count = look;
+        status = ms_mcml__run(m, done, count, done, photons, error);
+    }
+    if (status == MS_OK) status = ms_mcml_results(m, result, error);
+    ms_mcml_destroy(m);
+    return status;
+}
 
 /* --- finite beams ------------------------------------------------------------------------------------------ */
 
+/* exp(-x) I0(x), x >= 0: the power series, or from 20 on the asymptotic one. */
+static double ms_mcml__bessel_i0_scaled(double x)
+{
+    double term = 1, sum = 1;
+    int k;
+    for (k = 1; k < 80 && term > 1e-17 * sum; ++k) {
+        term *= x < 20 ? x * x / (4.0 * k * k) : (2 * k - 1) * (2 * k - 1) / (8 * x * k);
+        sum += term;
+    }
+    return x < 20 ? sum * exp(-x) : sum / sqrt(6.283185307179586 * x);
+}
+
+/* Area that discs of radii a and b have in common, their centres d apart. */
+static double ms_mcml__lens(double a, double b, double d)
+{
+    const double small = a < b ? a : b, pi = 3.141592653589793;
+    double ca, cb, square;
+    if (d >= a + b) return 0;
+    if (d <= fabs(a - b)) return pi * small * small;
+    ca = (d * d + a * a - b * b) / (2 * d * a);
+    cb = (d * d + b * b - a * a) / (2 * d * b);
+    ca = ca < -1 ? -1 : ca > 1 ? 1 : ca;
+    cb = cb < -1 ? -1 : cb > 1 ? 1 : cb;
+    square = (a + b - d) * (d + a - b) * (d - a + b) * (d + a + b);
+    return a * a * acos(ca) + b * b * acos(cb) - 0.5 * sqrt(square > 0 ? square : 0);
+}
+
+/* Energy of a Gaussian beam of total 1 in the ring from a to b around a point at distance r from its axis:
+   integral of 4 rho / R^2 exp(-2 (r - rho)^2 / R^2) exp(-x) I0(x) over rho, x = 4 r rho / R^2; Gauss-Legendre. */
+static double ms_mcml__gaussian_ring(double radius, double r, double a, double b)
+{
+    static const double node[4] = {0.18343464249564980, 0.52553240991632899, 0.79666647741362674, 0.96028985649753623};
+    static const double weight[4] = {0.36268378337836198, 0.31370664587788729, 0.22238103445337447, 0.10122853629037626};
+    const double square = radius * radius, reach = 5 * radius; /* exp(-2 5^2) = 2e-22 */
+    double sum = 0, width;
+    int panels, p, k;
+    if (a < r - reach) a = r - reach;
+    if (b > r + reach) b = r + reach;
+    if (a >= b) return 0;
+    panels = (int)ceil((b - a) / (0.5 * radius));
+    width = (b - a) / panels;
+    for (p = 0; p < panels; ++p) {
+        for (k = 0; k < 8; ++k) {
+            const double rho = a + (p + 0.5 + (k & 1 ? 0.5 : -0.5) * node[k / 2]) * width, d = r - rho;
+            sum += weight[k / 2] * 0.5 * width * (4 * rho / square) * exp(-2 * d * d / square) *
+                   ms_mcml__bessel_i0_scaled(4 * r * rho / square);
+        }
+    }
+    return sum;
+}
+
+MS_API ms_status ms_mcml_convolve(int beam, double radius_cm, double dr_cm, int nr, int rows, const double *value,
+                                  const double *error, const double *r_cm, int count, double *out, double *out_error,
+                                  ms_error *failure)
+{
+    const double disc = 3.141592653589793 * radius_cm * radius_cm;
+    int i, k;
+    size_t j, n;
+    if (beam != MS_MCML_BEAM_FLAT && beam != MS_MCML_BEAM_GAUSSIAN)
+        return ms__fail(failure, MS_INVALID_ARGUMENT, 0, "beam is %d, expected one of ms_mcml_beam", beam);
+    if (!ms_mcml__between(radius_cm, 1e-30, 1e30) || !ms_mcml__between(dr_cm, 1e-30, 1e30))
+        return ms__fail(failure, MS_INVALID_ARGUMENT, 0, "radius and dr are %g and %g cm, expected above 0", radius_cm, dr_cm);
+    if (nr < 1 || rows < 1 || count < 0 || value == NULL || (count > 0 && (r_cm == NULL || out == NULL)) ||
+        (out_error != NULL && error == NULL))
+        return ms__fail(failure, MS_INVALID_ARGUMENT, 0, "nr %d, rows %d, count %d, or an array that is NULL", nr, rows, count);
+    for (k = 0; k < count; ++k)
+        if (!ms_mcml__between(r_cm[k], 0, 1e30))
+            return ms__fail(failure, MS_INVALID_ARGUMENT, (size_t)k, "radius %d is %g cm, expected 0 or more", k, r_cm[k]);
+
+    n = (size_t)rows;
+    for (k = 0; k < count; ++k, out += n) {
+        double inside = 0;
+        for (j = 0; j < n; ++j) out[j] = 0;
+        for (j = 0; out_error && j < n; ++j) out_error[j] = 0;
+        for (i = 0; i + 1 < nr; ++i) {
+            const size_t ring = (size_t)i * n;
+            double energy;
+            if (beam == MS_MCML_BEAM_FLAT) {
+                const double next = ms_mcml__lens(radius_cm, (i + 1) * dr_cm, r_cm[k]) / disc;
+                energy = next - inside;
+                inside = next;
+            } else {
+                energy = ms_mcml__gaussian_ring(radius_cm, r_cm[k], i * dr_cm, (i + 1) * dr_cm);
+            }
+            if (!(energy > 0)) continue;
+            for (j = 0; j < n; ++j) out[j] += energy * value[ring + j];
+            for (j = 0; out_error && j < n; ++j) out_error[j] += energy * energy * error[ring + j] * error[ring + j];
+        }
+        for (j = 0; out_error && j < n; ++j) out_error[j] = sqrt(out_error[j]);
+        if (out_error) out_error += n;
+    }
+    return MS_OK;
+}
+
 /* --- mci and mco files ------------------------------------------------------------------------------------- */
+
+/* The data line at hand: from p to stop, a comment cut off. */
+typedef struct ms_mcml__text {
+    const char *p, *stop; /* of the line */
+    const char *next, *end; /* of the text */
+    size_t line;
+} ms_mcml__text;
+
+static int ms_mcml__is_space(char c) { return (unsigned char)c <= 32; }
+
+/* Goes to the next line that holds data; 0 at the end. Lines end in LF, CR LF, or CR. */
+static int ms_mcml__next_line(ms_mcml__text *t)
+{
+    while (t->next < t->end) {
+        t->p = t->stop = t->next;
+        while (t->next < t->end && *t->next != '\n' && *t->next != '\r') ++t->next;
+        while (t->stop < t->next && *t->stop != '#') ++t->stop;
+        if (t->next < t->end && *t->next == '\r' && t->next + 1 < t->end && t->next[1] == '\n') ++t->next;
+        if (t->next < t->end) ++t->next;
+        ++t->line;
+        while (t->p < t->stop && ms_mcml__is_space(*t->p)) ++t->p;
+        if (t->p < t->stop) return 1;
+    }
+    return 0;
+}
+
+/* A decimal number that a blank or the end of the line follows; 0 if there is none. Too large gives infinity. */
+static int ms_mcml__number(ms_mcml__text *t, double *out)
+{
+    const char *p = t->p, *stop = t->stop;
+    uint64_t digits = 0;
+    int negative = 0, any = 0, point = 0, exponent = 0, shift = 0;
+    double value;
+    while (p < stop && ms_mcml__is_space(*p)) ++p;
+    if (p < stop && (*p == '+' || *p == '-')) negative = *p++ == '-';
+    for (; p < stop && ((*p >= '0' && *p <= '9') || (*p == '.' && !point)); ++p) {
+        if (*p == '.') {
+            point = 1;
+            continue;
+        }
+        any = 1;
+        if (digits < 100000000000000000u) {
+            digits = 10 * digits + (uint64_t)(*p - '0');
+            shift -= point;
+        } else if (shift < 100000) {
+            shift += !point;
+        }
+    }
+    if (!any) return 0;
+    if (p < stop && (*p == 'e' || *p == 'E')) {
+        int sign = 1, seen = 0;
+        ++p;
+        if (p < stop && (*p == '+' || *p == '-')) sign = *p++ == '-' ? -1 : 1;
+        for (; p < stop && *p >= '0' && *p <= '9'; ++p, seen = 1)
+            if (exponent < 100000) exponent = 10 * exponent + (*p - '0');
+        if (!seen) return 0;
+        exponent *= sign;
+    }
+    if (p < stop && !ms_mcml__is_space(*p)) return 0;
+    exponent += shift;
+    value = (double)digits;
+    if (digits) {
+        for (; exponent >= 22 && value < 1e300; exponent -= 22) value *= 1e22;
+        for (; exponent <= -22 && value > 1e-320; exponent += 22) value /= 1e22;
+        for (; exponent > 0 && value < 1e308; --exponent) value *= 10; /* exact powers up to 10^22 below */
+        if (exponent > 0) value *= 1e22;
+        if (exponent < 0 && exponent > -23) {
+            double power = 1;
+            for (; exponent < 0; ++exponent) power *= 10;
+            value /= power;
+        }
+    }
+    *out = negative ? -value : value;
+    t->p = p;
+    return 1;
+}
+
+/* A data line that starts with `count` numbers in a range; what names them for messages. */
+static ms_status ms_mcml__read_line(ms_mcml__text *t, double *out, int count, double low, double high, const char *what,
+                                    ms_error *error)
+{
+    int i;
+    if (!ms_mcml__next_line(t)) return ms__fail(error, MS_BAD_DATA, t->line, "line %z: the file ends before %s", t->line, what);
+    for (i = 0; i < count; ++i) {
+        if (!ms_mcml__number(t, &out[i]))
+            return ms__fail(error, MS_BAD_DATA, t->line, "line %z: %s: number %d of %d is missing or malformed", t->line, what,
+                            i + 1, count);
+        if (!ms_mcml__between(out[i], low, high))
+            return ms__fail(error, MS_BAD_DATA, t->line, "line %z: %s is %g, expected %g to %g", t->line, what, out[i], low, high);
+    }
+    return MS_OK;
+}
+
+/* The same for one whole number. */
+static ms_status ms_mcml__read_count(ms_mcml__text *t, double *out, double high, const char *what, ms_error *error)
+{
+    ms_status status = ms_mcml__read_line(t, out, 1, 1, high, what, error);
+    if (status == MS_OK && floor(*out) < *out)
+        return ms__fail(error, MS_BAD_DATA, t->line, "line %z: %s is %g, expected a whole number", t->line, what, *out);
+    return status;
+}
+
+static ms_status ms_mcml__read_layer(ms_mcml__text *t, ms_mcml_layer *layer, int index, ms_error *error)
+{
+    double v[5];
+    ms_error why;
+    ms_status status = ms_mcml__read_line(t, v, 5, -1e300, 1e300, "n mu_a mu_s g d of a layer", error);
+    if (status) return status;
+    layer->n = v[0];
+    layer->mu_a_per_cm = v[1];
+    layer->mu_s_per_cm = v[2];
+    layer->g = v[3];
+    layer->thickness_cm = v[4];
+    if (ms_mcml__check_layer(layer, t->line, &why) != MS_OK)
+        return ms__fail(error, MS_BAD_DATA, t->line, "line %z: layer %d: %s", t->line, index + 1, why.message);
+    return MS_OK;
+}
+
+/* One run; its layers go to layers unless that is NULL. */
+static ms_status ms_mcml__read_run(ms_mcml__text *t, ms_mcml_run_spec *run, ms_mcml_layer *layers, ms_error *error)
+{
+    ms_mcml_layer layer;
+    ms_status status;
+    double v[3];
+    size_t n = 0;
+    int i;
+    memset(run, 0, sizeof *run);
+    if (!ms_mcml__next_line(t))
+        return ms__fail(error, MS_BAD_DATA, t->line, "line %z: the file ends before the output name of a run", t->line);
+    run->line = t->line;
+    for (; t->p < t->stop && !ms_mcml__is_space(*t->p); ++t->p, ++n) {
+        if (n + 1 == sizeof run->output)
+            return ms__fail(error, MS_BAD_DATA, t->line, "line %z: the output name is longer than 255 bytes", t->line);
+        run->output[n] = *t->p;
+    }
+    while (t->p < t->stop && ms_mcml__is_space(*t->p)) ++t->p;
+    run->format = t->p < t->stop && (*t->p == 'B' || *t->p == 'b') ? 'B' : 'A';
+
+    status = ms_mcml__read_count(t, v, (double)MS_MCML__PHOTONS_MAX, "the number of photons", error);
+    if (status) return status;
+    run->photons = (uint64_t)v[0];
+    status = ms_mcml__read_line(t, v, 2, 1e-30, 1e30, "dz, dr", error);
+    if (status) return status;
+    run->grid.dz_cm = v[0];
+    run->grid.dr_cm = v[1];
+    status = ms_mcml__read_line(t, v, 3, 1, 2147483646, "the number of dz, dr, da", error);
+    if (status) return status;
+    for (i = 0; i < 3; ++i)
+        if (floor(v[i]) < v[i])
+            return ms__fail(error, MS_BAD_DATA, t->line, "line %z: a number of bins is %g, expected a whole number", t->line, v[i]);
+    run->grid.nz = (int)v[0];
+    run->grid.nr = (int)v[1];
+    run->grid.na = (int)v[2];
+    status = ms_mcml__read_count(t, v, 32767, "the number of layers", error);
+    if (status) return status;
+    run->tissue.layer_count = (int)v[0];
+    run->tissue.layers = layers;
+    status = ms_mcml__read_line(t, &run->tissue.n_above, 1, 0.01, 100, "n of the medium above", error);
+    for (i = 0; i < run->tissue.layer_count && status == MS_OK; ++i)
+        status = ms_mcml__read_layer(t, layers ? &layers[i] : &layer, i, error);
+    if (status) return status;
+    return ms_mcml__read_line(t, &run->tissue.n_below, 1, 0.01, 100, "n of the medium below", error);
+}
+
+MS_API ms_status ms_mcml_mci_read(const char *text, size_t size, const ms_allocator *allocator, ms_mcml_mci *mci,
+                                  ms_error *error)
+{
+    ms_mcml__text start, t;
+    ms_mcml_run_spec run;
+    ms_mcml_mci out;
+    ms_mcml_layer *layers;
+    ms_status status;
+    double count;
+    size_t layer_count = 0;
+    int i, k;
+    if (text == NULL || mci == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "text or mci is NULL");
+    memset(&t, 0, sizeof t);
+    t.next = size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? text + 3 : text; /* byte order mark */
+    t.end = text + size;
+    if (!ms_mcml__next_line(&t)) return ms__fail(error, MS_BAD_DATA, t.line, "line %z: the file is empty", t.line);
+    if (t.stop - t.p >= 4 && memcmp(t.p, "mcml", 4) == 0)
+        return ms__fail(error, MS_UNSUPPORTED, t.line, "line %z: an input file of MCML 2, expected MCML 1", t.line);
+    status = ms_mcml__read_count(&t, &count, 32767, "the number of runs", error);
+    if (status) return status;
+
+    start = t; /* once to check and to count, once to fill */
+    for (i = 0; i < (int)count; ++i) {
+        status = ms_mcml__read_run(&t, &run, NULL, error);
+        if (status) return status;
+        layer_count += (size_t)run.tissue.layer_count;
+    }
+    memset(&out, 0, sizeof out);
+    if (allocator) out.allocator = *allocator;
+    out.run_count = (int)count;
+    out.memory_size = ms__size_add(ms__size_mul(layer_count, sizeof(ms_mcml_layer)), (size_t)count * sizeof(ms_mcml_run_spec));
+    out.memory = ms__alloc(&out.allocator, out.memory_size);
+    if (out.memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the runs", out.memory_size);
+    out.runs = (ms_mcml_run_spec *)out.memory;
+    layers = (ms_mcml_layer *)(void *)(out.runs + out.run_count);
+    t = start;
+    for (i = 0; i < out.run_count && status == MS_OK; ++i) {
+        status = ms_mcml__read_run(&t, &out.runs[i], layers, error);
+        layers += out.runs[i].tissue.layer_count;
+        for (k = 0; k < i && status == MS_OK; ++k)
+            if (strcmp(out.runs[k].output, out.runs[i].output) == 0)
+                status = ms__fail(error, MS_BAD_DATA, out.runs[i].line, "line %z: the output name %s was given in line %z before",
+                                  out.runs[i].line, out.runs[i].output, out.runs[k].line);
+    }
+    if (status) {
+        ms_mcml_mci_destroy(&out);
+        return status;
+    }
+    *mci = out;
+    return MS_OK;
+}
+
+MS_API void ms_mcml_mci_destroy(ms_mcml_mci *mci)
+{
+    if (mci == NULL) return;
+    ms__release(&mci->allocator, mci->memory, mci->memory_size);
+    memset(mci, 0, sizeof *mci);
+}
+
+/* Text on its way out, in pieces. */
+typedef struct ms_mcml__writer {
+    int (*write)(void *user, const char *text, size_t size);
+    void *user;
+    size_t used;
+    int failed;
+    char text[4096];
+} ms_mcml__writer;
+
+static void ms_mcml__flush(ms_mcml__writer *w)
+{
+    if (w->used && !w->failed) w->failed = w->write(w->user, w->text, w->used) != 0;
+    w->used = 0;
+}
+
+static void ms_mcml__text_out(ms_mcml__writer *w, const char *text)
+{
+    for (; *text; ++text) {
+        if (w->used == sizeof w->text) ms_mcml__flush(w);
+        w->text[w->used++] = *text;
+    }
+}
+
+static void ms_mcml__pad(ms_mcml__writer *w, int count)
+{
+    for (; count > 0; --count) ms_mcml__text_out(w, " ");
+}
+
+/* A whole number < 2^63 from 0 on; its length, and text at *at of 24 bytes. */
+static int ms_mcml__whole(char *out, uint64_t value)
+{
+    char reversed[24];
+    int n = 0, i;
+    do reversed[n++] = (char)('0' + (int)(value % 10));
+    while (value /= 10);
+    for (i = 0; i < n; ++i) out[i] = reversed[n - 1 - i];
+    out[n] = 0;
+    return n;
+}
+
+/* C's %.{digits - 1}E (general 0) or %.{digits}G (general 1), digits <= 9, with '.' in every locale; 32 bytes. */
+static int ms_mcml__format(char *out, double x, int digits, int general)
+{
+    char digit[12];
+    uint64_t mantissa, top = 1;
+    int n = 0, exponent = 0, i, last = digits - 1, point;
+    if (!ms__finite(x)) return ms__format_number(out, x);
+    if (x < 0) {
+        out[n++] = '-';
+        x = -x;
+    }
+    for (i = 1; i < digits; ++i) top *= 10;
+    mantissa = 0;
+    if (x > 0) {
+        exponent = (int)floor(log10(x));
+        for (i = 0; i < 2; ++i) { /* again where log10 or rounding was one off */
+            const int shift = digits - 1 - exponent;
+            const double scaled = shift > 300 ? x * 1e300 * pow(10, shift - 300) : shift >= 0 ? x * pow(10, shift) : x / pow(10, -shift);
+            mantissa = (uint64_t)(scaled + 0.5);
+            if (mantissa >= 10 * top) ++exponent;
+            else if (mantissa < top) --exponent;
+            else break;
+        }
+    }
+    for (i = digits - 1; i >= 0; --i, mantissa /= 10) digit[i] = (char)('0' + (int)(mantissa % 10));
+    while (general && last > 0 && digit[last] == '0') --last;
+    if (general && exponent >= -4 && exponent < digits) { /* %f */
+        if (exponent < 0) {
+            out[n++] = '0';
+            out[n++] = '.';
+            for (i = -1; i > exponent; --i) out[n++] = '0';
+            for (i = 0; i <= last; ++i) out[n++] = digit[i];
+        } else {
+            for (i = 0; i <= last || i <= exponent; ++i) {
+                if (i == exponent + 1) out[n++] = '.';
+                out[n++] = digit[i];
+            }
+        }
+        out[n] = 0;
+        return n;
+    }
+    for (i = 0, point = 0; i <= last; ++i) {
+        if (i == 1 && !point++) out[n++] = '.';
+        out[n++] = digit[i];
+    }
+    out[n++] = 'E';
+    out[n++] = exponent < 0 ? '-' : '+';
+    if (exponent < 0) exponent = -exponent;
+    if (exponent < 10) out[n++] = '0';
+    return n + ms_mcml__whole(out + n, (uint64_t)exponent);
+}
+
+static void ms_mcml__g_out(ms_mcml__writer *w, double x, const char *behind)
+{
+    char text[32];
+    ms_mcml__format(text, x, 6, 1);
+    ms_mcml__text_out(w, text);
+    ms_mcml__text_out(w, behind);
+}
+
+static void ms_mcml__whole_out(ms_mcml__writer *w, uint64_t x, const char *behind)
+{
+    char text[24];
+    ms_mcml__whole(text, x);
+    ms_mcml__text_out(w, text);
+    ms_mcml__text_out(w, behind);
+}
+
+/* %12.4E, or %12.4G. */
+static void ms_mcml__wide_out(ms_mcml__writer *w, double x, int general, const char *behind)
+{
+    char text[32];
+    ms_mcml__pad(w, 12 - ms_mcml__format(text, x, general ? 4 : 5, general));
+    ms_mcml__text_out(w, text);
+    ms_mcml__text_out(w, behind);
+}
+
+/* %-14.6G */
+static void ms_mcml__left_out(ms_mcml__writer *w, double x, const char *behind)
+{
+    char text[32];
+    const int n = ms_mcml__format(text, x, 6, 1);
+    ms_mcml__text_out(w, text);
+    ms_mcml__pad(w, 14 - n);
+    ms_mcml__text_out(w, behind);
+}
+
+static void ms_mcml__column_out(ms_mcml__writer *w, const char *head, const double *x, int n, double scale)
+{
+    int i;
+    ms_mcml__text_out(w, head);
+    for (i = 0; i < n; ++i) ms_mcml__wide_out(w, x[i] * scale, 0, "\n");
+    ms_mcml__text_out(w, "\n");
+}
+
+/* Five numbers a line. */
+static void ms_mcml__table_out(ms_mcml__writer *w, const char *head, const double *x, size_t n)
+{
+    size_t i;
+    ms_mcml__text_out(w, head);
+    for (i = 0; i < n; ++i) ms_mcml__wide_out(w, x[i], 0, i % 5 == 4 ? " \n" : " ");
+    ms_mcml__text_out(w, "\n");
+}
+
+/* seconds with width 8 and 0 or 2 decimals */
+static void ms_mcml__time_out(ms_mcml__writer *w, double x, int hundredths)
+{
+    char text[32];
+    const uint64_t whole = (uint64_t)(x < 1e15 ? (hundredths ? x * 100 : x) + 0.5 : 0);
+    int n = ms_mcml__whole(text, hundredths ? whole / 100 : whole);
+    if (hundredths) {
+        text[n++] = '.';
+        text[n++] = (char)('0' + (int)(whole / 10 % 10));
+        text[n++] = (char)('0' + (int)(whole % 10));
+        text[n] = 0;
+    }
+    ms_mcml__pad(w, 8 - n);
+    ms_mcml__text_out(w, text);
+}
+
+static void ms_mcml__head_out(ms_mcml__writer *w, const ms_mcml_run_spec *run, const ms_mcml_result *result, double seconds)
+{
+    int i;
+    ms_mcml__text_out(w, run->format == 'B' ? "B1" : "A1");
+    ms_mcml__text_out(w, " \t# Version number of the file format.\n\n####\n# Data categories include: \n# InParm, RAT, \n"
+                         "# A_l, A_z, Rd_r, Rd_a, Tt_r, Tt_a, \n# A_rz, Rd_ra, Tt_ra \n####\n\n# User time: ");
+    ms_mcml__time_out(w, seconds, 0);
+    ms_mcml__text_out(w, " sec = ");
+    ms_mcml__time_out(w, seconds / 3600, 1);
+    ms_mcml__text_out(w, " hr.   Simulation time of this run.\n\nInParm \t\t\t# Input parameters. cm is used.\n");
+    ms_mcml__text_out(w, run->output);
+    ms_mcml__text_out(w, " \tA\t\t# output file name, ASCII.\n");
+    ms_mcml__whole_out(w, result->photons, " \t\t\t# No. of photons\n");
+    ms_mcml__g_out(w, run->grid.dz_cm, "\t");
+    ms_mcml__g_out(w, run->grid.dr_cm, "\t\t# dz, dr [cm]\n");
+    ms_mcml__whole_out(w, (uint64_t)run->grid.nz, "\t");
+    ms_mcml__whole_out(w, (uint64_t)run->grid.nr, "\t");
+    ms_mcml__whole_out(w, (uint64_t)run->grid.na, "\t# No. of dz, dr, da.\n\n");
+    ms_mcml__whole_out(w, (uint64_t)run->tissue.layer_count, "\t\t\t\t\t# Number of layers\n");
+    ms_mcml__text_out(w, "#n\tmua\tmus\tg\td\t# One line for each layer\n");
+    ms_mcml__g_out(w, run->tissue.n_above, "\t\t\t\t\t# n for medium above\n");
+    for (i = 0; i < run->tissue.layer_count; ++i) {
+        const ms_mcml_layer *l = &run->tissue.layers[i];
+        ms_mcml__g_out(w, l->n, "\t");
+        ms_mcml__g_out(w, l->mu_a_per_cm, "\t");
+        ms_mcml__g_out(w, l->mu_s_per_cm, "\t");
+        ms_mcml__g_out(w, l->g, "\t");
+        ms_mcml__g_out(w, l->thickness_cm, "\t# layer ");
+        ms_mcml__whole_out(w, (uint64_t)i + 1, "\n");
+    }
+    ms_mcml__g_out(w, run->tissue.n_below, "\t\t\t\t\t# n for medium below\n\n");
+    ms_mcml__text_out(w, "RAT #Reflectance, absorption, transmission. \n");
+    ms_mcml__left_out(w, result->specular, " \t#Specular reflectance [-]\n");
+    ms_mcml__left_out(w, result->rd, " \t#Diffuse reflectance [-]\n");
+    ms_mcml__left_out(w, result->a, " \t#Absorbed fraction [-]\n");
+    ms_mcml__left_out(w, result->tt, " \t#Transmittance [-]\n\n");
+}
+
+MS_API ms_status ms_mcml_mco_write(const ms_mcml_run_spec *run, const ms_mcml_result *result, double seconds,
+                                   int (*write)(void *user, const char *text, size_t size), void *user, ms_error *error)
+{
+    ms_mcml__writer w;
+    double da, angle;
+    int i, nr, nz, na;
+    if (run == NULL || result == NULL || write == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "run, result or write is NULL");
+    if (result->a_rz == NULL) return ms__fail(error, MS_UNSUPPORTED, 0, "the result has no A_rz, which an .mco file must have");
+    nr = result->grid.nr;
+    nz = result->grid.nz;
+    na = result->grid.na;
+    if (run->grid.nr != nr || run->grid.nz != nz || run->grid.na != na || run->tissue.layer_count != result->layer_count)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the result belongs to another run");
+    w.write = write;
+    w.user = user;
+    w.used = 0;
+    w.failed = 0;
+    da = 1.5707963267948966 / na;
+    angle = 2 * sin(da / 2) / da; /* MCML takes the solid angle of Rd_a, Tt_a as 2 pi sin(a) da */
+
+    ms_mcml__head_out(&w, run, result, seconds > 0 ? seconds : 0);
+    ms_mcml__text_out(&w, "A_l #Absorption as a function of layer. [-]\n");
+    for (i = 0; i < result->layer_count; ++i) ms_mcml__wide_out(&w, result->a_l[i], 1, "\n");
+    ms_mcml__text_out(&w, "\n");
+    ms_mcml__column_out(&w, "A_z #A[0], [1],..A[nz-1]. [1/cm]\n", result->a_z, nz, 1);
+    ms_mcml__column_out(&w, "Rd_r #Rd[0], [1],..Rd[nr-1]. [1/cm2]\n", result->rd_r, nr, 1);
+    ms_mcml__column_out(&w, "Rd_a #Rd[0], [1],..Rd[na-1]. [sr-1]\n", result->rd_a, na, angle);
+    ms_mcml__column_out(&w, "Tt_r #Tt[0], [1],..Tt[nr-1]. [1/cm2]\n", result->tt_r, nr, 1);
+    ms_mcml__column_out(&w, "Tt_a #Tt[0], [1],..Tt[na-1]. [sr-1]\n", result->tt_a, na, angle);
+    ms_mcml__table_out(&w,
+                       "# A[r][z]. [1/cm3]\n# A[0][0], [0][1],..[0][nz-1]\n# A[1][0], [1][1],..[1][nz-1]\n# ...\n"
+                       "# A[nr-1][0], [nr-1][1],..[nr-1][nz-1]\nA_rz\n",
+                       result->a_rz, (size_t)nr * (size_t)nz);
+    ms_mcml__table_out(&w,
+                       "# Rd[r][angle]. [1/(cm2sr)].\n# Rd[0][0], [0][1],..[0][na-1]\n# Rd[1][0], [1][1],..[1][na-1]\n# ...\n"
+                       "# Rd[nr-1][0], [nr-1][1],..[nr-1][na-1]\nRd_ra\n",
+                       result->rd_ra, (size_t)nr * (size_t)na);
+    ms_mcml__table_out(&w,
+                       "# Tt[r][angle]. [1/(cm2sr)].\n# Tt[0][0], [0][1],..[0][na-1]\n# Tt[1][0], [1][1],..[1][na-1]\n# ...\n"
+                       "# Tt[nr-1][0], [nr-1][1],..[nr-1][na-1]\nTt_ra\n",
+                       result->tt_ra, (size_t)nr * (size_t)na);
+    ms_mcml__flush(&w);
+    return w.failed ? ms__fail(error, MS_IO, 0, "%s could not be written", run->output) : MS_OK;
+}
+
+#ifndef MS_MCML_NO_STDIO
+#define MS_MCML__FILE_MAX ((size_t)1 << 28)
+
+MS_API ms_status ms_mcml_mci_load(const char *path, const ms_allocator *allocator, ms_mcml_mci *mci, ms_error *error)
+{
+    size_t size = 0, room = 0;
+    char *text = NULL;
+    ms_status status = MS_OK;
+    FILE *file;
+    if (path == NULL || mci == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path or mci is NULL");
+    file = fopen(path, "rb");
+    if (file == NULL) return ms__fail(error, MS_IO, 0, "%s: cannot be opened", path);
+    while (status == MS_OK && !feof(file)) {
+        if (size == room) { /* grows, since not everything that can be read has a length */
+            const size_t more = room ? 4 * room : 16384;
+            char *grown = more > MS_MCML__FILE_MAX ? NULL : (char *)ms__alloc(allocator, more);
+            if (grown == NULL) {
+                status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "%s: no %z bytes for the text", path, more);
+                break;
+            }
+            if (size) memcpy(grown, text, size);
+            ms__release(allocator, text, room);
+            text = grown;
+            room = more;
+        }
+        size += fread(text + size, 1, room - size, file);
+        if (ferror(file)) status = ms__fail(error, MS_IO, 0, "%s: cannot be read", path);
+    }
+    fclose(file);
+    if (status == MS_OK) status = ms_mcml_mci_read(text, size, allocator, mci, error);
+    ms__release(allocator, text, room);
+    return status;
+}
+
+static int ms_mcml__file_write(void *user, const char *text, size_t size) { return fwrite(text, 1, size, (FILE *)user) != size; }
+
+MS_API ms_status ms_mcml_mco_save(const char *path, const ms_mcml_run_spec *run, const ms_mcml_result *result, double seconds,
+                                  ms_error *error)
+{
+    ms_status status;
+    FILE *file;
+    if (path == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is NULL");
+    file = fopen(path, "w");
+    if (file == NULL) return ms__fail(error, MS_IO, 0, "%s: cannot be opened for writing", path);
+    status = ms_mcml_mco_write(run, result, seconds, ms_mcml__file_write, file, error);
+    if (fclose(file) != 0 && status == MS_OK) status = ms__fail(error, MS_IO, 0, "%s: could not be written", path);
+    if (status) remove(path);
+    return status;
+}
+#endif
 
 /* --- materials --------------------------------------------------------------------------------------------- */
 
@@ -824,26 +2581,42 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
     return albedo * albedo * sum;
 }
 
-/* Non-negative least squares (Lawson & Hanson 1974, chapter 23): minimises sum_i (sum_j a[j][i] x[j] - 1)^2 with
-   x >= 0. Columns have unit length. QR by Householder reflections that are appended as columns enter and rebuilt from
-   the place where one leaves. work: columns * rows + 3 * rows + columns doubles. */
+#define MS_MCML__COLUMNS_MAX 200 /* candidates for the sum; as many as there are rows are taken at most */
+
+/* Non-negative least squares (Lawson & Hanson 1974, chapter 23): minimises |A x - target| with x >= 0. Columns have
+   unit length. QR by Householder reflections that are appended as columns enter and rebuilt from the place where one
+   leaves. */
 typedef struct ms_mcml__nnls {
     int rows, columns, active;
-    const double *a;                  /* [columns][rows] */
+    double tolerance;                 /* of the gradients where it ends */
+    const double *a, *target;         /* [columns][rows], [rows] */
     double *x;                        /* [columns] */
     double *qr;                       /* [rows] a column: reflection below, R above the diagonal */
     double *diagonal, *rhs, *residual;   /* [rows] */
     double *solution;                 /* [columns] */
-    int list[MS_MCML_RATES_MAX];      /* the active columns */
-    signed char state[MS_MCML_RATES_MAX]; /* 1 active, -1 refused until the next success */
+    int list[MS_MCML__COLUMNS_MAX];   /* the active columns */
+    signed char state[MS_MCML__COLUMNS_MAX]; /* 1 active, -1 refused until the next success */
 } ms_mcml__nnls;
 
-static void ms_mcml__reflect(const double *v, int from, int rows, double *target)
+static double ms_mcml__dot(const double *a, const double *b, int n)
 {
-    double dot = 0;
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
     int i;
-    for (i = from; i < rows; ++i) dot += v[i] * target[i];
-    for (i = from; i < rows; ++i) target[i] -= dot * v[i]; /* |v|^2 = 2 */
+    for (i = 0; i + 4 <= n; i += 4) {
+        s0 += a[i] * b[i];
+        s1 += a[i + 1] * b[i + 1];
+        s2 += a[i + 2] * b[i + 2];
+        s3 += a[i + 3] * b[i + 3];
+    }
+    for (; i < n; ++i) s0 += a[i] * b[i];
+    return (s0 + s1) + (s2 + s3);
+}
+
+static void ms_mcml__reflect(const double *v, int from, int rows, double *target) /* |v|^2 = 2 */
+{
+    double dot = ms_mcml__dot(v + from, target + from, rows - from);
+    int i;
+    for (i = from; i < rows; ++i) target[i] -= dot * v[i];
 }
 
 static void ms_mcml__nnls_factor(ms_mcml__nnls *p, int from)
@@ -862,7 +2635,7 @@ static void ms_mcml__nnls_factor(ms_mcml__nnls *p, int from)
             for (i = c; i < rows; ++i) v[i] *= factor;
         }
     }
-    for (i = 0; i < rows; ++i) p->rhs[i] = 1;
+    memcpy(p->rhs, p->target, (size_t)rows * sizeof *p->rhs);
     for (c = 0; c < p->active; ++c) ms_mcml__reflect(p->qr + c * rows, c, rows, p->rhs);
     for (c = p->active - 1; c >= 0; --c) {
         double sum = p->rhs[c];
@@ -879,14 +2652,14 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
         p->x[c] = 0;
         p->state[c] = 0;
     }
-    for (i = 0; i < rows; ++i) p->residual[i] = 1;
+    memcpy(p->residual, p->target, (size_t)rows * sizeof *p->residual);
     for (round = 0; round < 4 * p->columns && p->active < rows; ++round) {
-        double best = 1e-11;
+        double best = p->tolerance;
         int enters = -1;
         for (c = 0; c < p->columns; ++c) {
-            double dot = 0;
+            double dot;
             if (p->state[c]) continue;
-            for (i = 0; i < rows; ++i) dot += p->a[c * rows + i] * p->residual[i];
+            dot = ms_mcml__dot(p->a + c * rows, p->residual, rows);
             if (dot > best) {
                 best = dot;
                 enters = c;
@@ -926,7 +2699,7 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
             p->active = kept;
             ms_mcml__nnls_factor(p, first);
         }
-        for (i = 0; i < rows; ++i) p->residual[i] = 1;
+        memcpy(p->residual, p->target, (size_t)rows * sizeof *p->residual);
         for (c = 0; c < p->active; ++c)
             for (i = 0; i < rows; ++i) p->residual[i] -= p->x[p->list[c]] * p->a[p->list[c] * rows + i];
         for (c = 0; c < p->columns; ++c)
@@ -936,33 +2709,35 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
 
 /* rate[j], energy[j] > 0 with  sum energy / (1 + k^2 / rate^2) = spectrum[i]  at k^2 = t[i]^2 - edge^2, rates on a
    lattice sqrt(edge^2 + tau^2) of log spacing `step` in tau. Returns how many; *misfit is relative. total is the
-   spectrum at k = 0, which the energies are scaled to. work: ms_mcml__fit_doubles. */
-#define MS_MCML__FIT_DOUBLES (2 * MS_MCML_RATES_MAX * MS_MCML_RATES_MAX + 8 * MS_MCML_RATES_MAX)
+   spectrum at k = 0, which the energies are scaled to. Row i counts as 1 / (1 + noise t[i]): noise = 1 says that the
+   relative error of the spectrum grows with t. tolerance: 0 fits to rounding. */
+#define MS_MCML__FIT_DOUBLES (MS_MCML_RATES_MAX * (MS_MCML__COLUMNS_MAX + MS_MCML_RATES_MAX + 4) + 2 * MS_MCML__COLUMNS_MAX)
 
-static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double edge, double step, double total,
-                              double *rate, double *energy, double *misfit, double *work)
+static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double noise, double tolerance, double edge, double step,
+                              double total, double *rate, double *energy, double *misfit, double *work)
 {
-    double tau[MS_MCML_RATES_MAX], *norm;
+    double tau[MS_MCML__COLUMNS_MAX], norm[MS_MCML__COLUMNS_MAX], sum = 0, *target;
     ms_mcml__nnls p;
     int i, c, count = 0;
-    double sum = 0;
     double *a = work;
     p.rows = rows;
+    p.tolerance = tolerance;
     p.columns = 0;
     if (edge > 0) tau[p.columns++] = 0;
-    for (i = 0; p.columns < MS_MCML_RATES_MAX && t[0] * exp(step * (i - 1)) < 20 * t[rows - 1]; ++i)
+    for (i = (int)floor(-1.2 / step); p.columns < MS_MCML__COLUMNS_MAX && t[0] * exp(step * (i - 1)) < 20 * t[rows - 1]; ++i)
         tau[p.columns++] = t[0] * exp(step * i);
     p.a = a;
-    p.qr = a + MS_MCML_RATES_MAX * MS_MCML_RATES_MAX;
-    p.x = p.qr + MS_MCML_RATES_MAX * MS_MCML_RATES_MAX;
-    p.diagonal = p.x + MS_MCML_RATES_MAX;
+    p.qr = a + MS_MCML__COLUMNS_MAX * MS_MCML_RATES_MAX;
+    p.diagonal = p.qr + MS_MCML_RATES_MAX * MS_MCML_RATES_MAX;
     p.rhs = p.diagonal + MS_MCML_RATES_MAX;
     p.residual = p.rhs + MS_MCML_RATES_MAX;
-    p.solution = p.residual + MS_MCML_RATES_MAX;
-    norm = p.solution + MS_MCML_RATES_MAX;
+    p.target = target = p.residual + MS_MCML_RATES_MAX;
+    p.x = target + MS_MCML_RATES_MAX;
+    p.solution = p.x + MS_MCML__COLUMNS_MAX;
+    for (i = 0; i < rows; ++i) target[i] = 1 / (1 + noise * t[i]); /* misfits are relative to the spectrum */
     for (c = 0; c < p.columns; ++c) {
-        for (norm[c] = 0, i = 0; i < rows; ++i) { /* misfit relative to the spectrum */
-            double v = 1 / ((t[i] * t[i] + tau[c] * tau[c]) * spectrum[i]);
+        for (norm[c] = 0, i = 0; i < rows; ++i) {
+            double v = target[i] / ((t[i] * t[i] + tau[c] * tau[c]) * spectrum[i]);
             a[c * rows + i] = v;
             norm[c] += v * v;
         }
@@ -971,7 +2746,7 @@ static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows,
     }
     ms_mcml__nnls_solve(&p);
     for (*misfit = 0, i = 0; i < rows; ++i)
-        if (fabs(p.residual[i]) > *misfit) *misfit = fabs(p.residual[i]);
+        if (fabs(p.residual[i]) > *misfit * target[i]) *misfit = fabs(p.residual[i]) / target[i];
     for (c = 0; c < p.columns; ++c) {
         double square = edge * edge + tau[c] * tau[c];
         if (!(p.x[c] > 0)) continue;
@@ -1046,12 +2821,13 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
         }
         spectrum[rows++] = sum;
     }
-    s.lines = ms_mcml__stieltjes(t, spectrum, rows, low, 1.2 * step, s.total_single, s.line_rate_per_mm, s.line_energy,
+    s.lines = ms_mcml__stieltjes(t, spectrum, rows, 0, 1e-12, low, 1.2 * step, s.total_single, s.line_rate_per_mm, s.line_energy,
                                  &misfit, work);
 
     nu = ms_mcml__case_eigenvalue(s.albedo, absorption);
     multiple = entering * ms_mcml__multiple(&cone, s.albedo, 0, nu > slowest ? nu : slowest, h, work);
-    if (!(absorption > 0)) multiple = entering - s.total_single; /* all that enters leaves */
+    if (nu < slowest) /* what is absorbed falls with nu, to nothing */
+        multiple = entering - s.total_single - (entering - s.total_single - multiple) * (nu / slowest);
     s.total = s.total_single + multiple;
     low = 0.01 * nu > slowest ? 0.01 * nu : slowest;
     rows = 0;
@@ -1060,7 +2836,8 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
         spectrum[rows] = entering * ms_mcml__multiple(&cone, s.albedo, t[rows] * t[rows] - nu * nu, t[rows], h, work);
         ++rows;
     }
-    s.rates = ms_mcml__stieltjes(t, spectrum, rows, nu, 1.2 * step, multiple, s.rate_per_mm, s.energy, &s.fit_error, work);
+    s.rates = ms_mcml__stieltjes(t, spectrum, rows, 1, 0, nu, 0.8 * step, multiple, s.rate_per_mm, s.energy, &s.fit_error,
+                                 work);
 
     for (i = 0; i < s.singles; ++i) s.single_rate_per_mm[i] *= s.mu_t_per_mm;
     for (i = 0; i < s.lines; ++i) s.line_rate_per_mm[i] *= s.mu_t_per_mm;
@@ -1771,328 +3548,436 @@ static ms_mcml__white_function ms_mcml__white_kernel(ms_simd level)
 }
 #endif /* MS_MCML_IMPLEMENTATION */
 
-#if defined(MS_MCML_IMPLEMENTATION) && defined(MS_MCML__PASS)
-/* --- kernels --------------------------------------------------------------------------------------------------
+#ifdef MS_MCML__PASS
+/* --- vectors ----------------------------------------------------------------------------------------------- */
 
-   Read once a level. V is a vector of L floats, U of L 32-bit words, M a comparison's result. */
-
-#if MS_MCML__ISA == 1
-#define L 1
-#define V float
-#define U uint32_t
-#define M int
-#define V_LOAD(p) (*(p))
-#define V_STORE(p, a) (*(p) = (a))
-#define V_SET(a) (a)
-#define V_ADD(a, b) ((a) + (b))
-#define V_SUB(a, b) ((a) - (b))
-#define V_MUL(a, b) ((a) * (b))
-#define V_DIV(a, b) ((a) / (b))
-#define V_MADD(a, b, c) ((a) * (b) + (c))
-#define V_SQRT(a) sqrtf(a)
-#define V_MAX(a, b) ((a) > (b) ? (a) : (b))
-#define V_LESS(a, b) ((a) < (b))
-#define V_SELECT(m, a, b) ((m) ? (a) : (b))
-#define V_FROM_INT(a) ((float)(int32_t)(a))
-#define V_BITS(a) ms_mcml__bits_float(a)
-#define U_BITS(a) ms_mcml__float_bits(a)
-#define U_LOAD(p) (*(p))
-#define U_STORE(p, a) (*(p) = (a))
-#define U_SET(a) (a)
-#define U_ADD(a, b) ((a) + (b))
-#define U_SUB(a, b) ((a) - (b))
-#define U_AND(a, b) ((a) & (b))
-#define U_XOR(a, b) ((a) ^ (b))
-#define U_RIGHT(a, n) ((a) >> (n))
-#define U_LEFT(a, n) ((a) << (n))
-#define U_IS_ZERO(a) ((a) == 0)
-#define U_WIDE(a, m, high, low) ((high) = (uint32_t)(((uint64_t)(a) * (m)) >> 32), (low) = (a) * (m))
-#define M_BITS(m) ((unsigned)(m))
-
-#elif MS_MCML__ISA == 2 && defined(MS__X64)
-#define L 4
-#define V __m128
-#define U __m128i
-#define M __m128
-#define V_LOAD(p) _mm_loadu_ps(p)
-#define V_STORE(p, a) _mm_storeu_ps(p, a)
-#define V_SET(a) _mm_set1_ps(a)
-#define V_ADD(a, b) _mm_add_ps(a, b)
-#define V_SUB(a, b) _mm_sub_ps(a, b)
-#define V_MUL(a, b) _mm_mul_ps(a, b)
-#define V_DIV(a, b) _mm_div_ps(a, b)
-#define V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
-#define V_SQRT(a) _mm_sqrt_ps(a)
-#define V_MAX(a, b) _mm_max_ps(a, b)
-#define V_LESS(a, b) _mm_cmplt_ps(a, b)
-#define V_SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
-#define V_FROM_INT(a) _mm_cvtepi32_ps(a)
-#define V_BITS(a) _mm_castsi128_ps(a)
-#define U_BITS(a) _mm_castps_si128(a)
-#define U_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
-#define U_STORE(p, a) _mm_storeu_si128((__m128i *)(void *)(p), a)
-#define U_SET(a) _mm_set1_epi32((int)(a))
-#define U_ADD(a, b) _mm_add_epi32(a, b)
-#define U_SUB(a, b) _mm_sub_epi32(a, b)
-#define U_AND(a, b) _mm_and_si128(a, b)
-#define U_XOR(a, b) _mm_xor_si128(a, b)
-#define U_RIGHT(a, n) _mm_srli_epi32(a, n)
-#define U_LEFT(a, n) _mm_slli_epi32(a, n)
-#define U_IS_ZERO(a) _mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))
-#define U_WIDE(a, m, high, low) /* even lanes, odd lanes, and sorted together again */                         \
-    do {                                                                                                       \
-        __m128i even_ = _mm_mul_epu32(a, m), odd_ = _mm_mul_epu32(_mm_srli_epi64(a, 32), m);                   \
-        __m128i upper_ = _mm_set_epi32(-1, 0, -1, 0);                                                          \
-        (high) = _mm_or_si128(_mm_srli_epi64(even_, 32), _mm_and_si128(odd_, upper_));                         \
-        (low) = _mm_or_si128(_mm_andnot_si128(upper_, even_), _mm_slli_epi64(odd_, 32));                       \
-    } while (0)
-#define M_BITS(m) ((unsigned)_mm_movemask_ps(m))
-
-#elif MS_MCML__ISA == 2
-#define L 4
-#define V float32x4_t
-#define U uint32x4_t
-#define M uint32x4_t
-#define V_LOAD(p) vld1q_f32(p)
-#define V_STORE(p, a) vst1q_f32(p, a)
-#define V_SET(a) vdupq_n_f32(a)
-#define V_ADD(a, b) vaddq_f32(a, b)
-#define V_SUB(a, b) vsubq_f32(a, b)
-#define V_MUL(a, b) vmulq_f32(a, b)
-#define V_DIV(a, b) vdivq_f32(a, b)
-#define V_MADD(a, b, c) vfmaq_f32(c, a, b)
-#define V_SQRT(a) vsqrtq_f32(a)
-#define V_MAX(a, b) vmaxq_f32(a, b)
-#define V_LESS(a, b) vcltq_f32(a, b)
-#define V_SELECT(m, a, b) vbslq_f32(m, a, b)
-#define V_FROM_INT(a) vcvtq_f32_s32(vreinterpretq_s32_u32(a))
-#define V_BITS(a) vreinterpretq_f32_u32(a)
-#define U_BITS(a) vreinterpretq_u32_f32(a)
-#define U_LOAD(p) vld1q_u32(p)
-#define U_STORE(p, a) vst1q_u32(p, a)
-#define U_SET(a) vdupq_n_u32(a)
-#define U_ADD(a, b) vaddq_u32(a, b)
-#define U_SUB(a, b) vsubq_u32(a, b)
-#define U_AND(a, b) vandq_u32(a, b)
-#define U_XOR(a, b) veorq_u32(a, b)
-#define U_RIGHT(a, n) vshrq_n_u32(a, n)
-#define U_LEFT(a, n) vshlq_n_u32(a, n)
-#define U_IS_ZERO(a) vceqq_u32(a, vdupq_n_u32(0))
-#define U_WIDE(a, m, high, low)                                                                                \
-    do {                                                                                                       \
-        uint32x4_t first_ = vreinterpretq_u32_u64(vmull_u32(vget_low_u32(a), vget_low_u32(m)));                \
-        uint32x4_t second_ = vreinterpretq_u32_u64(vmull_u32(vget_high_u32(a), vget_high_u32(m)));             \
-        (low) = vuzp1q_u32(first_, second_);                                                                   \
-        (high) = vuzp2q_u32(first_, second_);                                                                  \
-    } while (0)
-#define M_BITS(m) ms_mcml__neon_bits(m)
-
+/* One level of instruction sets an inclusion: MS_MCML__PASS is its ms_simd. F: floats, I: 32-bit integers, M: a mask,
+   LANES of each. MADD a b + c, NMADD c - a b; MIN and MAX return their second argument where the first is NaN; SIGN is
+   +1 or -1; LT and EQ make masks, BITS an int of one bit a lane; SELECT(m, a, b) is m ? a : b. */
+#if MS_MCML__PASS == 4
+#define MS_MCML__KERNEL(name) ms_mcml__##name##_avx512
+#define MS_MCML__LANES 16
+#define MS_MCML__F __m512
+#define MS_MCML__I __m512i
+#define MS_MCML__M __mmask16
+#define MS_MCML__LOAD(p) _mm512_loadu_ps(p)
+#define MS_MCML__STORE(p, a) _mm512_storeu_ps(p, a)
+#define MS_MCML__SET(x) _mm512_set1_ps(x)
+#define MS_MCML__ADD(a, b) _mm512_add_ps(a, b)
+#define MS_MCML__SUB(a, b) _mm512_sub_ps(a, b)
+#define MS_MCML__MUL(a, b) _mm512_mul_ps(a, b)
+#define MS_MCML__DIV(a, b) _mm512_div_ps(a, b)
+#define MS_MCML__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define MS_MCML__NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
+#define MS_MCML__MIN(a, b) _mm512_min_ps(a, b)
+#define MS_MCML__MAX(a, b) _mm512_max_ps(a, b)
+#define MS_MCML__SQRT(a) _mm512_sqrt_ps(a)
+#define MS_MCML__ABS(a) _mm512_and_ps(a, _mm512_castsi512_ps(_mm512_set1_epi32(0x7fffffff)))
+#define MS_MCML__SIGN(a) _mm512_or_ps(_mm512_and_ps(a, _mm512_set1_ps(-0.0f)), _mm512_set1_ps(1.0f))
+#define MS_MCML__LT(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
+#define MS_MCML__SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
+#define MS_MCML__BITS(m) (int)(m)
+#define MS_MCML__ILOAD(p) _mm512_loadu_si512((const void *)(p))
+#define MS_MCML__ISTORE(p, a) _mm512_storeu_si512((void *)(p), a)
+#define MS_MCML__ISET(x) _mm512_set1_epi32(x)
+#define MS_MCML__IADD(a, b) _mm512_add_epi32(a, b)
+#define MS_MCML__ISUB(a, b) _mm512_sub_epi32(a, b)
+#define MS_MCML__XOR(a, b) _mm512_xor_si512(a, b)
+#define MS_MCML__SHL(a, n) _mm512_slli_epi32(a, n)
+#define MS_MCML__SHR(a, n) _mm512_srli_epi32(a, n)
+#define MS_MCML__SAR(a, n) _mm512_srai_epi32(a, n)
+#define MS_MCML__ROTL(a, n) _mm512_rol_epi32(a, n)
+#define MS_MCML__EQ(a, b) _mm512_cmpeq_epi32_mask(a, b)
+#define MS_MCML__FLOAT(a) _mm512_cvtepi32_ps(a)
+#define MS_MCML__TRUNCATE(a) _mm512_cvttps_epi32(a)
+#define MS_MCML__AS_F(a) _mm512_castsi512_ps(a)
+#define MS_MCML__AS_I(a) _mm512_castps_si512(a)
+#elif MS_MCML__PASS == 3
+#define MS_MCML__KERNEL(name) ms_mcml__##name##_avx2
+#define MS_MCML__LANES 8
+#define MS_MCML__F __m256
+#define MS_MCML__I __m256i
+#define MS_MCML__M __m256
+#define MS_MCML__LOAD(p) _mm256_loadu_ps(p)
+#define MS_MCML__STORE(p, a) _mm256_storeu_ps(p, a)
+#define MS_MCML__SET(x) _mm256_set1_ps(x)
+#define MS_MCML__ADD(a, b) _mm256_add_ps(a, b)
+#define MS_MCML__SUB(a, b) _mm256_sub_ps(a, b)
+#define MS_MCML__MUL(a, b) _mm256_mul_ps(a, b)
+#define MS_MCML__DIV(a, b) _mm256_div_ps(a, b)
+#define MS_MCML__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define MS_MCML__NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
+#define MS_MCML__MIN(a, b) _mm256_min_ps(a, b)
+#define MS_MCML__MAX(a, b) _mm256_max_ps(a, b)
+#define MS_MCML__SQRT(a) _mm256_sqrt_ps(a)
+#define MS_MCML__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
+#define MS_MCML__SIGN(a) _mm256_or_ps(_mm256_and_ps(a, _mm256_set1_ps(-0.0f)), _mm256_set1_ps(1.0f))
+#define MS_MCML__LT(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
+#define MS_MCML__SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
+#define MS_MCML__BITS(m) _mm256_movemask_ps(m)
+#define MS_MCML__ILOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
+#define MS_MCML__ISTORE(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), a)
+#define MS_MCML__ISET(x) _mm256_set1_epi32(x)
+#define MS_MCML__IADD(a, b) _mm256_add_epi32(a, b)
+#define MS_MCML__ISUB(a, b) _mm256_sub_epi32(a, b)
+#define MS_MCML__XOR(a, b) _mm256_xor_si256(a, b)
+#define MS_MCML__SHL(a, n) _mm256_slli_epi32(a, n)
+#define MS_MCML__SHR(a, n) _mm256_srli_epi32(a, n)
+#define MS_MCML__SAR(a, n) _mm256_srai_epi32(a, n)
+#define MS_MCML__ROTL(a, n) _mm256_or_si256(_mm256_slli_epi32(a, n), _mm256_srli_epi32(a, 32 - (n)))
+#define MS_MCML__EQ(a, b) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, b))
+#define MS_MCML__FLOAT(a) _mm256_cvtepi32_ps(a)
+#define MS_MCML__TRUNCATE(a) _mm256_cvttps_epi32(a)
+#define MS_MCML__AS_F(a) _mm256_castsi256_ps(a)
+#define MS_MCML__AS_I(a) _mm256_castps_si256(a)
+#elif MS_MCML__PASS == 2 && defined(MS__X64)
+#define MS_MCML__KERNEL(name) ms_mcml__##name##_base
+#define MS_MCML__LANES 4
+#define MS_MCML__F __m128
+#define MS_MCML__I __m128i
+#define MS_MCML__M __m128
+#define MS_MCML__LOAD(p) _mm_loadu_ps(p)
+#define MS_MCML__STORE(p, a) _mm_storeu_ps(p, a)
+#define MS_MCML__SET(x) _mm_set1_ps(x)
+#define MS_MCML__ADD(a, b) _mm_add_ps(a, b)
+#define MS_MCML__SUB(a, b) _mm_sub_ps(a, b)
+#define MS_MCML__MUL(a, b) _mm_mul_ps(a, b)
+#define MS_MCML__DIV(a, b) _mm_div_ps(a, b)
+#define MS_MCML__MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define MS_MCML__NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
+#define MS_MCML__MIN(a, b) _mm_min_ps(a, b)
+#define MS_MCML__MAX(a, b) _mm_max_ps(a, b)
+#define MS_MCML__SQRT(a) _mm_sqrt_ps(a)
+#define MS_MCML__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
+#define MS_MCML__SIGN(a) _mm_or_ps(_mm_and_ps(a, _mm_set1_ps(-0.0f)), _mm_set1_ps(1.0f))
+#define MS_MCML__LT(a, b) _mm_cmplt_ps(a, b)
+#define MS_MCML__SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
+#define MS_MCML__BITS(m) _mm_movemask_ps(m)
+#define MS_MCML__ILOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
+#define MS_MCML__ISTORE(p, a) _mm_storeu_si128((__m128i *)(void *)(p), a)
+#define MS_MCML__ISET(x) _mm_set1_epi32(x)
+#define MS_MCML__IADD(a, b) _mm_add_epi32(a, b)
+#define MS_MCML__ISUB(a, b) _mm_sub_epi32(a, b)
+#define MS_MCML__XOR(a, b) _mm_xor_si128(a, b)
+#define MS_MCML__SHL(a, n) _mm_slli_epi32(a, n)
+#define MS_MCML__SHR(a, n) _mm_srli_epi32(a, n)
+#define MS_MCML__SAR(a, n) _mm_srai_epi32(a, n)
+#define MS_MCML__ROTL(a, n) _mm_or_si128(_mm_slli_epi32(a, n), _mm_srli_epi32(a, 32 - (n)))
+#define MS_MCML__EQ(a, b) _mm_castsi128_ps(_mm_cmpeq_epi32(a, b))
+#define MS_MCML__FLOAT(a) _mm_cvtepi32_ps(a)
+#define MS_MCML__TRUNCATE(a) _mm_cvttps_epi32(a)
+#define MS_MCML__AS_F(a) _mm_castsi128_ps(a)
+#define MS_MCML__AS_I(a) _mm_castps_si128(a)
+#elif MS_MCML__PASS == 2
+#define MS_MCML__KERNEL(name) ms_mcml__##name##_base
+#define MS_MCML__LANES 4
+#define MS_MCML__F float32x4_t
+#define MS_MCML__I int32x4_t
+#define MS_MCML__M uint32x4_t
+#define MS_MCML__LOAD(p) vld1q_f32(p)
+#define MS_MCML__STORE(p, a) vst1q_f32(p, a)
+#define MS_MCML__SET(x) vdupq_n_f32(x)
+#define MS_MCML__ADD(a, b) vaddq_f32(a, b)
+#define MS_MCML__SUB(a, b) vsubq_f32(a, b)
+#define MS_MCML__MUL(a, b) vmulq_f32(a, b)
+#define MS_MCML__DIV(a, b) vdivq_f32(a, b)
+#define MS_MCML__MADD(a, b, c) vfmaq_f32(c, a, b)
+#define MS_MCML__NMADD(a, b, c) vfmsq_f32(c, a, b)
+#define MS_MCML__MIN(a, b) vbslq_f32(vcltq_f32(a, b), a, b)
+#define MS_MCML__MAX(a, b) vbslq_f32(vcgtq_f32(a, b), a, b)
+#define MS_MCML__SQRT(a) vsqrtq_f32(a)
+#define MS_MCML__ABS(a) vabsq_f32(a)
+#define MS_MCML__SIGN(a) vbslq_f32(vdupq_n_u32(0x80000000u), a, vdupq_n_f32(1.0f))
+#define MS_MCML__LT(a, b) vcltq_f32(a, b)
+#define MS_MCML__SELECT(m, a, b) vbslq_f32(m, a, b)
+#define MS_MCML__BITS(m) ms_mcml__neon_bits(m)
+#define MS_MCML__ILOAD(p) vld1q_s32((const int32_t *)(const void *)(p))
+#define MS_MCML__ISTORE(p, a) vst1q_s32((int32_t *)(void *)(p), a)
+#define MS_MCML__ISET(x) vdupq_n_s32(x)
+#define MS_MCML__IADD(a, b) vaddq_s32(a, b)
+#define MS_MCML__ISUB(a, b) vsubq_s32(a, b)
+#define MS_MCML__XOR(a, b) veorq_s32(a, b)
+#define MS_MCML__SHL(a, n) vshlq_n_s32(a, n)
+#define MS_MCML__SHR(a, n) vreinterpretq_s32_u32(vshrq_n_u32(vreinterpretq_u32_s32(a), n))
+#define MS_MCML__SAR(a, n) vshrq_n_s32(a, n)
+#define MS_MCML__ROTL(a, n) vorrq_s32(MS_MCML__SHL(a, n), MS_MCML__SHR(a, 32 - (n)))
+#define MS_MCML__EQ(a, b) vceqq_s32(a, b)
+#define MS_MCML__FLOAT(a) vcvtq_f32_s32(a)
+#define MS_MCML__TRUNCATE(a) vcvtq_s32_f32(a)
+#define MS_MCML__AS_F(a) vreinterpretq_f32_s32(a)
+#define MS_MCML__AS_I(a) vreinterpretq_s32_f32(a)
 #else
-#define L 8
-#define V __m256
-#define U __m256i
-#define M __m256
-#define V_LOAD(p) _mm256_loadu_ps(p)
-#define V_STORE(p, a) _mm256_storeu_ps(p, a)
-#define V_SET(a) _mm256_set1_ps(a)
-#define V_ADD(a, b) _mm256_add_ps(a, b)
-#define V_SUB(a, b) _mm256_sub_ps(a, b)
-#define V_MUL(a, b) _mm256_mul_ps(a, b)
-#define V_DIV(a, b) _mm256_div_ps(a, b)
-#define V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define V_SQRT(a) _mm256_sqrt_ps(a)
-#define V_MAX(a, b) _mm256_max_ps(a, b)
-#define V_LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
-#define V_SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
-#define V_FROM_INT(a) _mm256_cvtepi32_ps(a)
-#define V_BITS(a) _mm256_castsi256_ps(a)
-#define U_BITS(a) _mm256_castps_si256(a)
-#define U_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
-#define U_STORE(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), a)
-#define U_SET(a) _mm256_set1_epi32((int)(a))
-#define U_ADD(a, b) _mm256_add_epi32(a, b)
-#define U_SUB(a, b) _mm256_sub_epi32(a, b)
-#define U_AND(a, b) _mm256_and_si256(a, b)
-#define U_XOR(a, b) _mm256_xor_si256(a, b)
-#define U_RIGHT(a, n) _mm256_srli_epi32(a, n)
-#define U_LEFT(a, n) _mm256_slli_epi32(a, n)
-#define U_IS_ZERO(a) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))
-#define U_WIDE(a, m, high, low)                                                                                \
-    do {                                                                                                       \
-        __m256i even_ = _mm256_mul_epu32(a, m), odd_ = _mm256_mul_epu32(_mm256_srli_epi64(a, 32), m);          \
-        (high) = _mm256_blend_epi32(_mm256_srli_epi64(even_, 32), odd_, 0xAA);                                 \
-        (low) = _mm256_blend_epi32(even_, _mm256_slli_epi64(odd_, 32), 0xAA);                                  \
-    } while (0)
-#define M_BITS(m) ((unsigned)_mm256_movemask_ps(m))
-
+#define MS_MCML__KERNEL(name) ms_mcml__##name##_scalar
+#define MS_MCML__LANES 1
+#define MS_MCML__F float
+#define MS_MCML__I uint32_t
+#define MS_MCML__M int
+#define MS_MCML__LOAD(p) (*(p))
+#define MS_MCML__STORE(p, a) (*(p) = (a))
+#define MS_MCML__SET(x) (x)
+#define MS_MCML__ADD(a, b) ((a) + (b))
+#define MS_MCML__SUB(a, b) ((a) - (b))
+#define MS_MCML__MUL(a, b) ((a) * (b))
+#define MS_MCML__DIV(a, b) ((a) / (b))
+#define MS_MCML__MADD(a, b, c) ((a) * (b) + (c))
+#define MS_MCML__NMADD(a, b, c) ((c) - (a) * (b))
+#define MS_MCML__MIN(a, b) ms_mcml__min(a, b)
+#define MS_MCML__MAX(a, b) ms_mcml__max(a, b)
+#define MS_MCML__SQRT(a) sqrtf(a)
+#define MS_MCML__ABS(a) fabsf(a)
+#define MS_MCML__SIGN(a) (ms_mcml__as_int(a) >> 31 ? -1.0f : 1.0f)
+#define MS_MCML__LT(a, b) ((a) < (b))
+#define MS_MCML__SELECT(m, a, b) ((m) ? (a) : (b))
+#define MS_MCML__BITS(m) (m)
+#define MS_MCML__ILOAD(p) (*(p))
+#define MS_MCML__ISTORE(p, a) (*(p) = (a))
+#define MS_MCML__ISET(x) ((uint32_t)(x))
+#define MS_MCML__IADD(a, b) ((a) + (b))
+#define MS_MCML__ISUB(a, b) ((a) - (b))
+#define MS_MCML__XOR(a, b) ((a) ^ (b))
+#define MS_MCML__SHL(a, n) ((a) << (n))
+#define MS_MCML__SHR(a, n) ((a) >> (n))
+#define MS_MCML__SAR(a, n) (((a) >> (n)) | (0u - ((a) >> 31)) << (32 - (n)))
+#define MS_MCML__ROTL(a, n) (((a) << (n)) | ((a) >> (32 - (n))))
+#define MS_MCML__EQ(a, b) ((a) == (b))
+#define MS_MCML__FLOAT(a) ((float)(int32_t)(a))
+#define MS_MCML__TRUNCATE(a) ((uint32_t)(int32_t)(a))
+#define MS_MCML__AS_F(a) ms_mcml__as_float(a)
+#define MS_MCML__AS_I(a) ms_mcml__as_int(a)
 #endif
 
-/* A photon a lane; a lane whose photon ended takes the next one of the batch. An iteration is collision j (0: the entry)
-   and the flight from there. */
-static void MS_MCML__FN(white)(const ms_mcml__white_batch *batch)
+/* -log(u) for random words: u = (word / 2 + 1/2) 2^-31, never 0. Relative error 5e-7; log(1 + f) = f - f^2/2 + f^3 P(f)
+   with a minimax P for 1 + f in [sqrt(1/2), sqrt(2)]. */
+static inline MS_MCML__F MS_MCML__KERNEL(exponential)(MS_MCML__I word)
 {
-    float lane_x[L], lane_y[L], lane_z[L], lane_r2[L];
-    uint32_t lane_j[L], lane_low[L], lane_high[L], lane_word[L], key0[10], key1[10];
-    int slot[L], lane, next = 0, active = 0, round;
-    const V zero = V_SET(0.0f), one = V_SET(1.0f), eta = V_SET(batch->eta);
-    const U m0 = U_SET(0xD2511F53u), m1 = U_SET(0xCD9E8D57u);
-    V x = zero, y = zero, z = zero;
-    U j = U_SET(0u), low, high;
-    for (round = 0; round < 10; ++round) {
-        key0[round] = (uint32_t)batch->seed + 0x9E3779B9u * (uint32_t)round;
-        key1[round] = (uint32_t)(batch->seed >> 32) + 0xBB67AE85u * (uint32_t)round;
-    }
-    for (lane = 0; lane < L; ++lane) {
-        uint64_t photon = batch->first + (uint64_t)next;
-        slot[lane] = next < batch->count ? next++ : -1;
-        active += slot[lane] >= 0;
-        lane_low[lane] = (uint32_t)photon;
-        lane_high[lane] = (uint32_t)(photon >> 32);
-    }
-    low = U_LOAD(lane_low);
-    high = U_LOAD(lane_high);
-    while (active > 0) {
-        U c0 = j, c1 = U_SET(MS_MCML__WHITE_STREAM), c2 = low, c3 = high, high0, low0, high1, low1, bits;
-        V u, t, s, mu, dx, dy, z_next;
-        M mask;
-        unsigned leaves, ends;
-        for (round = 0; round < 10; ++round) { /* ms__philox */
-            U_WIDE(c0, m0, high0, low0);
-            U_WIDE(c2, m1, high1, low1);
-            c0 = U_XOR(U_XOR(high1, c1), U_SET(key0[round]));
-            c2 = U_XOR(U_XOR(high0, c3), U_SET(key1[round]));
-            c1 = low1;
-            c3 = low0;
-        }
-        /* s = -log(u), u = (1 + t) 2^e with 1 + t in [sqrt(1/2), sqrt(2)): log(1 + t) = t - t^2 / 2 + t^3 P(t), error 1e-8 */
-        u = V_MADD(V_FROM_INT(U_RIGHT(c0, 1)), V_SET(1.0f / 2147483648.0f), V_SET(1.0f / 4294967296.0f));
-        bits = U_ADD(U_SUB(U_BITS(u), U_SET(0x3f3504f3u)), U_SET(64u << 23));
-        t = V_SUB(V_BITS(U_ADD(U_AND(bits, U_SET(0x7fffffu)), U_SET(0x3f3504f3u))), one);
-        s = V_MADD(t, V_SET(-0.0810155815f), V_SET(0.127123076f));
-        s = V_MADD(s, t, V_SET(-0.12972239f));
-        s = V_MADD(s, t, V_SET(0.142021738f));
-        s = V_MADD(s, t, V_SET(-0.166422476f));
-        s = V_MADD(s, t, V_SET(0.200014686f));
-        s = V_MADD(s, t, V_SET(-0.250002965f));
-        s = V_MADD(s, t, V_SET(0.333333286f));
-        s = V_MADD(V_MADD(s, t, V_SET(-0.5f)), V_MUL(t, t), t);
-        s = V_MADD(V_SUB(V_SET(64.0f), V_FROM_INT(U_RIGHT(bits, 23))), V_SET(0.693147181f), V_SUB(zero, s));
-        /* Direction: the cosine even in (-1, 1], the azimuth in a quarter turn, mirrored and turned by two bits. */
-        mu = V_MADD(V_FROM_INT(U_RIGHT(c1, 8)), V_SET(-1.0f / 8388608.0f), one);
-        mu = V_SELECT(U_IS_ZERO(j), one, mu);
-        u = V_MADD(V_FROM_INT(U_RIGHT(c2, 8)), V_SET(1.57079633f / 16777216.0f), V_SET(-0.785398163f));
-        t = V_MUL(u, u);
-        dx = V_MADD(V_MADD(t, V_SET(-0.000195879498f), V_SET(0.00833274863f)), t, V_SET(-0.166666647f));
-        dx = V_MADD(V_MUL(dx, t), u, u);
-        dy = V_MADD(V_MADD(t, V_SET(2.45497663e-05f), V_SET(-0.0013888317f)), t, V_SET(0.0416666649f));
-        dy = V_MADD(V_MADD(dy, t, V_SET(-0.5f)), t, one);
-        dy = V_BITS(U_XOR(U_BITS(dy), U_LEFT(c2, 31)));
-        mask = U_IS_ZERO(U_AND(c2, U_SET(2u)));
-        u = V_SELECT(mask, dx, dy);
-        dy = V_SELECT(mask, dy, dx);
-        t = V_MUL(V_SQRT(V_MAX(zero, V_SUB(one, V_MUL(mu, mu)))), s);
-        dx = V_MUL(u, t);
-        dy = V_MUL(dy, t);
-        z_next = V_MADD(s, mu, z);
-
-        leaves = M_BITS(V_LESS(z_next, zero));
-        if (leaves) { /* Fresnel, unpolarised: T = 2 eta mu mu_out (1 / a^2 + 1 / b^2), 0 beyond the critical angle */
-            V in = V_SUB(zero, mu), square = V_SUB(one, V_MUL(V_MUL(eta, eta), V_SUB(one, V_MUL(mu, mu))));
-            V out = V_SQRT(V_MAX(zero, square)), a = V_MADD(eta, in, out), b = V_MADD(eta, out, in), ab = V_MUL(a, b);
-            u = V_MUL(V_ADD(V_FROM_INT(U_RIGHT(c3, 8)), V_SET(0.5f)), V_SET(1.0f / 16777216.0f));
-            t = V_MUL(V_MUL(V_MUL(V_ADD(eta, eta), in), out), V_MADD(a, a, V_MUL(b, b)));
-            leaves &= M_BITS(V_LESS(V_MUL(u, V_MUL(ab, ab)), t));
-        }
-        ends = M_BITS(U_IS_ZERO(U_AND(j, U_SET(MS_MCML__HALVING - 1))));
-        if (ends) { /* half of the photons end at collisions 1024, 2048, 4096, ... */
-            unsigned candidates = ends;
-            U_STORE(lane_j, j);
-            U_STORE(lane_word, c3);
-            for (ends = 0, lane = 0; lane < L; ++lane)
-                if (candidates >> lane & 1 && lane_j[lane] && (lane_j[lane] & (lane_j[lane] - 1)) == 0 && lane_word[lane] & 1)
-                    ends |= 1u << lane;
-        }
-        if (leaves | ends) {
-            t = V_DIV(z, V_SUB(z, z_next)); /* the part of the flight before the surface */
-            u = V_MADD(dx, t, x);
-            t = V_MADD(dy, t, y);
-            V_STORE(lane_r2, V_MADD(u, u, V_MUL(t, t)));
-            U_STORE(lane_j, j);
-            x = V_ADD(x, dx);
-            y = V_ADD(y, dy);
-            V_STORE(lane_x, x);
-            V_STORE(lane_y, y);
-            V_STORE(lane_z, z_next);
-            U_STORE(lane_low, low);
-            U_STORE(lane_high, high);
-            for (lane = 0; lane < L; ++lane) {
-                uint64_t photon = batch->first + (uint64_t)next;
-                if (!((leaves | ends) >> lane & 1)) {
-                    lane_j[lane]++;
-                    continue;
-                }
-                if (slot[lane] >= 0) {
-                    int left = !(ends >> lane & 1);
-                    batch->j[slot[lane]] = left ? lane_j[lane] : 0;
-                    batch->r2[slot[lane]] = left ? lane_r2[lane] : 0;
-                    --active;
-                }
-                slot[lane] = next < batch->count ? next++ : -1;
-                active += slot[lane] >= 0;
-                lane_x[lane] = lane_y[lane] = lane_z[lane] = 0;
-                lane_j[lane] = 0;
-                lane_low[lane] = (uint32_t)photon;
-                lane_high[lane] = (uint32_t)(photon >> 32);
-            }
-            x = V_LOAD(lane_x);
-            y = V_LOAD(lane_y);
-            z_next = V_LOAD(lane_z);
-            j = U_LOAD(lane_j);
-            low = U_LOAD(lane_low);
-            high = U_LOAD(lane_high);
-        } else {
-            x = V_ADD(x, dx);
-            y = V_ADD(y, dy);
-            j = U_ADD(j, U_SET(1u));
-        }
-        z = V_BITS(U_AND(U_BITS(z_next), U_SET(0x7fffffffu))); /* reflected: the mirror image */
-    }
+    const MS_MCML__F u = MS_MCML__MADD(MS_MCML__FLOAT(MS_MCML__SHR(word, 1)), MS_MCML__SET(4.656612873e-10f), MS_MCML__SET(2.328306437e-10f));
+    const MS_MCML__I exponent = MS_MCML__SAR(MS_MCML__ISUB(MS_MCML__AS_I(u), MS_MCML__ISET(0x3f3504f3)), 23);
+    const MS_MCML__F f = MS_MCML__SUB(MS_MCML__AS_F(MS_MCML__ISUB(MS_MCML__AS_I(u), MS_MCML__SHL(exponent, 23))), MS_MCML__SET(1.0f));
+    const MS_MCML__F square = MS_MCML__MUL(f, f);
+    MS_MCML__F p = MS_MCML__SET(-0.101916462f);
+    p = MS_MCML__MADD(p, f, MS_MCML__SET(0.160243571f));
+    p = MS_MCML__MADD(p, f, MS_MCML__SET(-0.1713714f));
+    p = MS_MCML__MADD(p, f, MS_MCML__SET(0.199245065f));
+    p = MS_MCML__MADD(p, f, MS_MCML__SET(-0.24983266f));
+    p = MS_MCML__MADD(p, f, MS_MCML__SET(0.333342463f));
+    p = MS_MCML__MADD(MS_MCML__MUL(p, f), square, MS_MCML__NMADD(MS_MCML__SET(0.5f), square, f));
+    return MS_MCML__NMADD(MS_MCML__FLOAT(exponent), MS_MCML__SET(0.693147181f), MS_MCML__SUB(MS_MCML__SET(0.0f), p));
 }
 
-#undef MS_MCML__LEVEL
-#undef MS_MCML__ISA
-#undef L
-#undef M
-#undef M_BITS
-#undef U
-#undef U_ADD
-#undef U_AND
-#undef U_BITS
-#undef U_IS_ZERO
-#undef U_LEFT
-#undef U_LOAD
-#undef U_RIGHT
-#undef U_SET
-#undef U_STORE
-#undef U_SUB
-#undef U_WIDE
-#undef U_XOR
-#undef V
-#undef V_ADD
-#undef V_BITS
-#undef V_DIV
-#undef V_FROM_INT
-#undef V_LESS
-#undef V_LOAD
-#undef V_MADD
-#undef V_MAX
-#undef V_MUL
-#undef V_SELECT
-#undef V_SET
-#undef V_SQRT
-#undef V_STORE
-#undef V_SUB
-#endif /* kernels */
+/* A word as a number in [0, 1) of 24 bits. */
+static inline MS_MCML__F MS_MCML__KERNEL(uniform)(MS_MCML__I word)
+{
+    return MS_MCML__MUL(MS_MCML__FLOAT(MS_MCML__SHR(word, 8)), MS_MCML__SET(5.960464478e-8f));
+}
+
+/* --- direct Monte Carlo: the kernel ------------------------------------------------------------------------ */
+
+/* xoshiro128+ (Blackman, Vigna 2018), a lane a photon. */
+#define MS_MCML__DRAW(word)                         \
+    do {                                            \
+        const MS_MCML__I shifted = MS_MCML__SHL(s1, 9); \
+        word = MS_MCML__IADD(s0, s3);               \
+        s2 = MS_MCML__XOR(s2, s0);                  \
+        s3 = MS_MCML__XOR(s3, s1);                  \
+        s1 = MS_MCML__XOR(s1, s2);                  \
+        s0 = MS_MCML__XOR(s0, s3);                  \
+        s2 = MS_MCML__XOR(s2, shifted);             \
+        s3 = MS_MCML__ROTL(s3, 11);                 \
+    } while (0)
+
+/* Traces the photons of t. One event of every lane a turn: a flight that ends in a collision or at a boundary. Four words
+   are drawn for each event, so that a photon's path does not depend on its neighbours. What is rare goes lane by lane
+   through ms_mcml__rare. */
+static void MS_MCML__KERNEL(trace)(ms_mcml__tracer *t)
+{
+    const MS_MCML__F zero = MS_MCML__SET(0.0f), one = MS_MCML__SET(1.0f), two = MS_MCML__SET(2.0f), half = MS_MCML__SET(0.5f);
+    const MS_MCML__F low_weight = MS_MCML__SET(t->low_weight), chance = MS_MCML__SET(MS_MCML__CHANCE);
+    const MS_MCML__F inverse_chance = MS_MCML__SET(1 / MS_MCML__CHANCE);
+    const MS_MCML__F inverse_dr = MS_MCML__SET(t->inverse_dr), inverse_dz = MS_MCML__SET(t->inverse_dz);
+    const MS_MCML__F last_r = MS_MCML__SET(t->last_r), last_z = MS_MCML__SET(t->last_z);
+    MS_MCML__I s0, s1, s2, s3;
+    int i;
+    t->alive = 0;
+    for (i = 0; i < MS_MCML__LANES; ++i) ms_mcml__launch(t, i);
+    s0 = MS_MCML__ILOAD(t->s[0]);
+    s1 = MS_MCML__ILOAD(t->s[1]);
+    s2 = MS_MCML__ILOAD(t->s[2]);
+    s3 = MS_MCML__ILOAD(t->s[3]);
+    while (t->alive) {
+        MS_MCML__I word_flight, word_cosine, word_azimuth, word_chance, events;
+        MS_MCML__F x = MS_MCML__LOAD(t->x), y = MS_MCML__LOAD(t->y), z = MS_MCML__LOAD(t->z);
+        MS_MCML__F ux = MS_MCML__LOAD(t->ux), uy = MS_MCML__LOAD(t->uy), uz = MS_MCML__LOAD(t->uz);
+        MS_MCML__F w = MS_MCML__LOAD(t->w), u, flight, steep, gap, step, lost;
+        const MS_MCML__F depth = MS_MCML__LOAD(t->depth), mfp = MS_MCML__LOAD(t->mfp), g = MS_MCML__LOAD(t->g);
+        MS_MCML__M hit, up;
+        int boundary, rare;
+
+        MS_MCML__DRAW(word_flight);
+        MS_MCML__DRAW(word_cosine);
+        MS_MCML__DRAW(word_azimuth);
+        MS_MCML__DRAW(word_chance);
+        u = MS_MCML__KERNEL(uniform)(word_chance);
+
+        /* to the collision, or to the boundary if that is nearer; at least half the smallest -log u that is not 0 */
+        flight = MS_MCML__MUL(MS_MCML__MAX(MS_MCML__KERNEL(exponential)(word_flight), MS_MCML__SET(3e-8f)), mfp);
+        up = MS_MCML__LT(uz, zero);
+        gap = MS_MCML__MAX(MS_MCML__SELECT(up, z, MS_MCML__SUB(depth, z)), zero);
+        steep = MS_MCML__MAX(MS_MCML__ABS(uz), MS_MCML__SET(1e-9f));
+        hit = MS_MCML__LT(gap, MS_MCML__MUL(flight, steep));
+        boundary = MS_MCML__BITS(hit) & t->alive;
+        step = MS_MCML__SELECT(hit, MS_MCML__DIV(gap, steep), flight);
+        x = MS_MCML__MADD(step, ux, x);
+        y = MS_MCML__MADD(step, uy, y);
+        z = MS_MCML__SELECT(hit, MS_MCML__SELECT(up, zero, depth), MS_MCML__MADD(step, uz, z));
+        MS_MCML__STORE(t->path, MS_MCML__MADD(step, MS_MCML__LOAD(t->n), MS_MCML__LOAD(t->path)));
+
+        /* absorption at a collision, in units of 2^-30, rounded up with a chance equal to the remainder */
+        lost = MS_MCML__SELECT(hit, zero, MS_MCML__MUL(w, MS_MCML__LOAD(t->absorbed)));
+        if (t->sum_a || t->sum_phi) {
+            const MS_MCML__F r = MS_MCML__SQRT(MS_MCML__MADD(x, x, MS_MCML__MUL(y, y)));
+            const MS_MCML__F ring = MS_MCML__MAX(MS_MCML__MIN(MS_MCML__MUL(r, inverse_dr), last_r), zero);
+            const MS_MCML__F slab = MS_MCML__MUL(MS_MCML__ADD(z, MS_MCML__LOAD(t->top)), inverse_dz);
+            MS_MCML__ISTORE(t->ring, MS_MCML__TRUNCATE(ring));
+            MS_MCML__ISTORE(t->slab, MS_MCML__TRUNCATE(MS_MCML__MAX(MS_MCML__MIN(slab, last_z), zero)));
+            if (t->sum_a) {
+                MS_MCML__STORE(t->units, MS_MCML__MADD(lost, MS_MCML__SET(MS_MCML__UNITS), u));
+                for (i = 0; i < MS_MCML__LANES; ++i)
+                    t->sum_a[t->offset[i] + (size_t)t->ring[i] * t->nz + t->slab[i]] += (int64_t)t->units[i];
+            }
+            if (t->sum_phi) {
+                const MS_MCML__F length = MS_MCML__MUL(MS_MCML__MUL(w, mfp), MS_MCML__SET(t->phi_units));
+                MS_MCML__STORE(t->units, MS_MCML__SELECT(hit, zero, MS_MCML__ADD(length, u)));
+                for (i = 0; i < MS_MCML__LANES; ++i)
+                    t->sum_phi[t->offset[i] + (size_t)t->ring[i] * t->nz + t->slab[i]] += (int64_t)t->units[i];
+            }
+        }
+        w = MS_MCML__SUB(w, lost);
+        MS_MCML__STORE(t->kept, MS_MCML__ADD(lost, MS_MCML__LOAD(t->kept)));
+        w = MS_MCML__SELECT(MS_MCML__LT(MS_MCML__SELECT(hit, one, w), low_weight),
+                            MS_MCML__SELECT(MS_MCML__LT(u, chance), MS_MCML__MUL(w, inverse_chance), zero), w);
+
+        {   /* Henyey-Greenstein, v = 2 xi - 1:
+               1 - cos = (1 - g)^2 (1 - v) (2 + g + g v) / (2 (1 + g v)^2), 1 + cos the same with -g and -v */
+            const MS_MCML__F xi = MS_MCML__KERNEL(uniform)(word_cosine);
+            const MS_MCML__F gv = MS_MCML__MUL(g, MS_MCML__MADD(two, xi, MS_MCML__SET(-1.0f)));
+            const MS_MCML__F q = MS_MCML__DIV(one, MS_MCML__ADD(one, gv)), less = MS_MCML__MUL(MS_MCML__SUB(one, g), q);
+            const MS_MCML__F more = MS_MCML__MUL(MS_MCML__ADD(one, g), q), middle = MS_MCML__ADD(two, gv);
+            const MS_MCML__F below =
+                MS_MCML__MUL(MS_MCML__MUL(MS_MCML__MUL(less, less), MS_MCML__SUB(one, xi)), MS_MCML__ADD(middle, g));
+            const MS_MCML__F above = MS_MCML__MUL(MS_MCML__MUL(MS_MCML__MUL(more, more), xi), MS_MCML__SUB(middle, g));
+            const MS_MCML__F cosine = MS_MCML__SUB(one, below), sine = MS_MCML__SQRT(MS_MCML__MUL(below, above));
+            /* azimuth 2 pi t, t in [-1/2, 1/2), by the half angle */
+            const MS_MCML__F tau = MS_MCML__SUB(MS_MCML__KERNEL(uniform)(word_azimuth), half), t2 = MS_MCML__MUL(tau, tau);
+            MS_MCML__F sh = MS_MCML__SET(0.0776594074f), ch = MS_MCML__SET(0.219696795f);
+            MS_MCML__F sc, ss, sign, a, b, scale, vx, vy, vz;
+            sh = MS_MCML__MADD(sh, t2, MS_MCML__SET(-0.598292159f));
+            sh = MS_MCML__MADD(sh, t2, MS_MCML__SET(2.55007766f));
+            sh = MS_MCML__MADD(sh, t2, MS_MCML__SET(-5.16771009f));
+            sh = MS_MCML__MUL(MS_MCML__MADD(sh, t2, MS_MCML__SET(3.14159264f)), tau);
+            ch = MS_MCML__MADD(ch, t2, MS_MCML__SET(-1.33188016f));
+            ch = MS_MCML__MADD(ch, t2, MS_MCML__SET(4.05841191f));
+            ch = MS_MCML__MADD(ch, t2, MS_MCML__SET(-4.93479286f));
+            ch = MS_MCML__MADD(ch, t2, MS_MCML__SET(0.999999953f));
+            sc = MS_MCML__MUL(sine, MS_MCML__NMADD(MS_MCML__MUL(two, sh), sh, one));
+            ss = MS_MCML__MUL(sine, MS_MCML__MUL(MS_MCML__MUL(two, sh), ch));
+            /* an orthonormal basis around u without a branch (Duff et al. 2017), and one Newton step to length 1 */
+            sign = MS_MCML__SIGN(uz);
+            a = MS_MCML__DIV(MS_MCML__SET(-1.0f), MS_MCML__ADD(sign, uz));
+            b = MS_MCML__MUL(MS_MCML__MUL(ux, uy), a);
+            vx = MS_MCML__MADD(sc, MS_MCML__MADD(MS_MCML__MUL(sign, ux), MS_MCML__MUL(ux, a), one),
+                               MS_MCML__MADD(ss, b, MS_MCML__MUL(cosine, ux)));
+            vy = MS_MCML__MADD(sc, MS_MCML__MUL(sign, b),
+                               MS_MCML__MADD(ss, MS_MCML__MADD(MS_MCML__MUL(uy, uy), a, sign), MS_MCML__MUL(cosine, uy)));
+            vz = MS_MCML__NMADD(MS_MCML__MUL(sc, sign), ux, MS_MCML__NMADD(ss, uy, MS_MCML__MUL(cosine, uz)));
+            scale = MS_MCML__MADD(vx, vx, MS_MCML__MADD(vy, vy, MS_MCML__MUL(vz, vz)));
+            scale = MS_MCML__NMADD(half, scale, MS_MCML__SET(1.5f));
+            ux = MS_MCML__SELECT(hit, ux, MS_MCML__MUL(vx, scale));
+            uy = MS_MCML__SELECT(hit, uy, MS_MCML__MUL(vy, scale));
+            uz = MS_MCML__SELECT(hit, uz, MS_MCML__MUL(vz, scale));
+        }
+
+        t->crossing = 0;
+        if (boundary) { /* Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0, and R = 1 by itself */
+            const MS_MCML__F ratio = MS_MCML__SELECT(up, MS_MCML__LOAD(t->ratio_up), MS_MCML__LOAD(t->ratio_down));
+            const MS_MCML__F sin2_i = MS_MCML__MAX(MS_MCML__NMADD(steep, steep, one), zero);
+            const MS_MCML__F cos2_t = MS_MCML__NMADD(MS_MCML__MUL(ratio, ratio), sin2_i, one);
+            const MS_MCML__F cos_t = MS_MCML__SQRT(MS_MCML__MAX(cos2_t, zero));
+            const MS_MCML__F si = MS_MCML__MUL(ratio, steep), pt = MS_MCML__MUL(ratio, cos_t);
+            const MS_MCML__F rs = MS_MCML__DIV(MS_MCML__SUB(si, cos_t), MS_MCML__ADD(si, cos_t));
+            const MS_MCML__F rp = MS_MCML__DIV(MS_MCML__SUB(pt, steep), MS_MCML__ADD(pt, steep));
+            const MS_MCML__M back = MS_MCML__LT(u, MS_MCML__MUL(half, MS_MCML__MADD(rs, rs, MS_MCML__MUL(rp, rp))));
+            uz = MS_MCML__SELECT(hit, MS_MCML__SELECT(back, MS_MCML__SUB(zero, uz), uz), uz);
+            MS_MCML__STORE(t->cos_t, cos_t);
+            t->crossing = boundary & ~MS_MCML__BITS(back);
+        }
+
+        MS_MCML__STORE(t->x, x);
+        MS_MCML__STORE(t->y, y);
+        MS_MCML__STORE(t->z, z);
+        MS_MCML__STORE(t->ux, ux);
+        MS_MCML__STORE(t->uy, uy);
+        MS_MCML__STORE(t->uz, uz);
+        MS_MCML__STORE(t->w, w);
+        events = MS_MCML__IADD(MS_MCML__ILOAD(t->events), MS_MCML__ISET(1));
+        MS_MCML__ISTORE(t->events, events);
+        t->ended = ~MS_MCML__BITS(MS_MCML__LT(zero, w)) & t->alive;
+        t->halving = MS_MCML__BITS(MS_MCML__EQ(events, MS_MCML__ILOAD(t->limit))) & t->alive;
+        rare = t->crossing | t->ended | t->halving;
+        if (rare) {
+            MS_MCML__ISTORE(t->word, word_chance);
+            MS_MCML__ISTORE(t->s[0], s0);
+            MS_MCML__ISTORE(t->s[1], s1);
+            MS_MCML__ISTORE(t->s[2], s2);
+            MS_MCML__ISTORE(t->s[3], s3);
+            for (i = 0; rare >> i; ++i)
+                if ((rare >> i) & 1) ms_mcml__rare(t, i);
+            s0 = MS_MCML__ILOAD(t->s[0]);
+            s1 = MS_MCML__ILOAD(t->s[1]);
+            s2 = MS_MCML__ILOAD(t->s[2]);
+            s3 = MS_MCML__ILOAD(t->s[3]);
+        }
+    }
+}
+#undef MS_MCML__DRAW
+
+#undef MS_MCML__KERNEL
+#undef MS_MCML__LANES
+#undef MS_MCML__F
+#undef MS_MCML__I
+#undef MS_MCML__M
+#undef MS_MCML__LOAD
+#undef MS_MCML__STORE
+#undef MS_MCML__SET
+#undef MS_MCML__ADD
+#undef MS_MCML__SUB
+#undef MS_MCML__MUL
+#undef MS_MCML__DIV
+#undef MS_MCML__MADD
+#undef MS_MCML__NMADD
+#undef MS_MCML__MIN
+#undef MS_MCML__MAX
+#undef MS_MCML__SQRT
+#undef MS_MCML__ABS
+#undef MS_MCML__SIGN
+#undef MS_MCML__LT
+#undef MS_MCML__SELECT
+#undef MS_MCML__BITS
+#undef MS_MCML__ILOAD
+#undef MS_MCML__ISTORE
+#undef MS_MCML__ISET
+#undef MS_MCML__IADD
+#undef MS_MCML__ISUB
+#undef MS_MCML__XOR
+#undef MS_MCML__SHL
+#undef MS_MCML__SHR
+#undef MS_MCML__SAR
+#undef MS_MCML__ROTL
+#undef MS_MCML__EQ
+#undef MS_MCML__FLOAT
+#undef MS_MCML__TRUNCATE
+#undef MS_MCML__AS_F
+#undef MS_MCML__AS_I
+#endif /* MS_MCML__PASS */
 
 /*
 These headers, their tests and their examples are in two licences; take whichever you prefer.

@@ -35,13 +35,9 @@ static void list_materials(void)
 {
     int count, i;
     const ms_mcml_material *m = ms_mcml_materials(&count);
-    printf("%-10s %-24s %-24s %s\n", "material", "mu_a R,G,B [1/mm]", "mu_s R,G,B [1/mm]", "eta");
-    for (i = 0; i < count; ++i, ++m) {
-        char mu_a[64], mu_s[64];
-        snprintf(mu_a, sizeof mu_a, "%.4f,%.4f,%.4f", m->mu_a_per_mm[0], m->mu_a_per_mm[1], m->mu_a_per_mm[2]);
-        snprintf(mu_s, sizeof mu_s, "%.4f,%.4f,%.4f", m->mu_s_per_mm[0], m->mu_s_per_mm[1], m->mu_s_per_mm[2]);
-        printf("%-10s %-24s %-24s %g\n", m->name, mu_a, mu_s, m->eta);
-    }
+    for (i = 0; i < count; ++i, ++m)
+        printf("%-9s  --mua %.4f,%.4f,%.4f  --mus %.2f,%.2f,%.2f  --eta %g\n", m->name, m->mu_a_per_mm[0], m->mu_a_per_mm[1],
+               m->mu_a_per_mm[2], m->mu_s_per_mm[0], m->mu_s_per_mm[1], m->mu_s_per_mm[2], m->eta);
 }
 
 static void print_head(FILE *f, const char *name, const ms_mcml_material *m, const ms_mcml_profile *p, double photons)
@@ -131,11 +127,11 @@ int main(int argc, char **argv)
         fprintf(stderr, "profile: %s\n", error.message);
         return 1;
     }
-    print_head(stdout, name ? name : "medium", material, &profile, photons);
+    print_head(stdout, name ? material->name : "medium", material, &profile, photons);
     if (csv) {
         FILE *f = fopen(csv, "w");
         if (f) {
-            print_head(f, name ? name : "medium", material, &profile, photons);
+            print_head(f, name ? material->name : "medium", material, &profile, photons);
             print_table(f, &profile);
         }
         failed = f == NULL || ferror(f);

@@ -1,0 +1,831 @@
+/* Half-space solver, white Monte Carlo, profiles and materials of ms_mcml.h: against adding-doubling and Galerkin
+   tables, against an independent solution by H functions that this file contains, and against each other. */
+#define MS_MCML_IMPLEMENTATION
+#include "ms_mcml.h"
+#include "json.h"
+#include "test.h"
+
+#define PI 3.14159265358979324
+
+static ms_mcml_medium medium_of(double albedo, double eta)
+{
+    ms_mcml_medium m;
+    m.mu_a_per_mm = 1 - albedo;
+    m.mu_s_per_mm = albedo;
+    m.g = 0;
+    m.eta = eta;
+    return m;
+}
+
+static ms_mcml_halfspace solve(ms_mcml_medium medium)
+{
+    ms_mcml_halfspace s;
+    memset(&s, 0, sizeof s);
+    CHECK_INT(ms_mcml_halfspace_solve(&medium, NULL, &s, NULL), MS_OK);
+    return s;
+}
+
+/* --- the independent reference: totals by Chandrasekhar's H function and Fresnel's boundary as a linear system.
+
+   A matched half-space of isotropic scattering reflects  I(mu) = a/2 int mu' H(mu) H(mu') / (mu + mu') I_in(mu') dmu'
+   (Chandrasekhar 1960, chapter V), with 1 / H = sqrt(1 - a) + a/2 int mu' H(mu') / (mu + mu') dmu'. What comes up is
+   reflected with R(mu) and comes in again. Nothing is shared with the solver but Fresnel's formulae. --- */
+
+#define PANEL 56 /* tanh-sinh nodes a panel: 1e-12 with endpoint square roots */
+
+typedef struct reference_nodes {
+    int count;
+    double mu[2 * PANEL], weight[2 * PANEL], reflect[2 * PANEL];
+} reference_nodes;
+
+static void reference_panel(reference_nodes *n, double low, double high, double eta)
+{
+    int i;
+    for (i = 0; i < PANEL; ++i) {
+        double t = (i + 0.5 - 0.5 * PANEL) * (7.0 / PANEL), e = exp(-PI * sinh(t)), from_low = (high - low) / (1 + e);
+        double mu = low + from_low, out2, out, rs, rp;
+        n->mu[n->count] = mu;
+        n->weight[n->count] = (high - low) * (7.0 / PANEL) * PI * cosh(t) * e / ((1 + e) * (1 + e));
+        out2 = low > 0 ? eta * eta * from_low * (mu + low) : 1 - eta * eta * (1 - mu * mu);
+        out = out2 > 0 ? sqrt(out2) : 0;
+        rs = (eta * mu - out) / (eta * mu + out);
+        rp = (eta * out - mu) / (eta * out + mu);
+        n->reflect[n->count++] = high < 1 ? 1 : 0.5 * (rs * rs + rp * rp);
+    }
+}
+
+static double reference_total(double albedo, double absorption, double eta)
+{
+    static double matrix[2 * PANEL][2 * PANEL + 1];
+    static reference_nodes q;
+    double h[2 * PANEL], next[2 * PANEL], h1 = 1, entering = (eta - 1) / (eta + 1), change, total = 0;
+    double mu_c = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0;
+    int i, j, k, round, n;
+    q.count = 0;
+    if (mu_c > 0) reference_panel(&q, 0, mu_c, eta);
+    reference_panel(&q, mu_c, 1, eta);
+    n = q.count;
+    entering = 1 - entering * entering;
+    for (i = 0; i < n; ++i) h[i] = 1;
+    for (round = 0; round < 4000; ++round) { /* damped, so that it also settles for conservative scattering */
+        for (change = 0, i = 0; i <= n; ++i) {
+            double mu = i < n ? q.mu[i] : 1, sum = 0;
+            for (j = 0; j < n; ++j) sum += q.weight[j] * q.mu[j] * h[j] / (mu + q.mu[j]);
+            sum = 1 / (sqrt(absorption) + 0.5 * albedo * sum);
+            if (i == n) {
+                h1 = sum;
+                break;
+            }
+            next[i] = 0.5 * (sum + h[i]);
+            if (fabs(next[i] / h[i] - 1) > change) change = fabs(next[i] / h[i] - 1);
+        }
+        memcpy(h, next, sizeof h);
+        if (change < 1e-15) break;
+    }
+    for (i = 0; i < n; ++i) { /* I_i - sum_j S_ij R_j I_j = direct light of the beam */
+        for (j = 0; j < n; ++j)
+            matrix[i][j] = (i == j) - 0.5 * albedo * q.weight[j] * q.mu[j] * h[i] * h[j] / (q.mu[i] + q.mu[j]) * q.reflect[j];
+        matrix[i][n] = albedo * entering / (4 * PI) * h[i] * h1 / (q.mu[i] + 1);
+    }
+    for (i = 0; i < n; ++i) { /* diagonally dominant for a < 1: no pivoting */
+        for (j = i + 1; j < n; ++j) {
+            double f = matrix[j][i] / matrix[i][i];
+            for (k = i + 1; k <= n; ++k) matrix[j][k] -= f * matrix[i][k];
+        }
+    }
+    for (i = n - 1; i >= 0; --i) {
+        for (k = i + 1; k < n; ++k) matrix[i][n] -= matrix[i][k] * matrix[k][n];
+        matrix[i][n] /= matrix[i][i];
+        total += 2 * PI * q.weight[i] * q.mu[i] * (1 - q.reflect[i]) * matrix[i][n];
+    }
+    return total;
+}
+
+/* --- totals --- */
+
+static void totals_of_the_reference_data(void)
+{
+    json *data = json_load("tests/data/mcml_totals.json"), *cases = json_get(data, "cases");
+    int i, count = 0;
+    double worst = 0, worst_own = 0;
+    for (i = 0; i < cases->count; ++i) {
+        json *c = &cases->child[i];
+        ms_mcml_medium m;
+        double expected, error, own;
+        if (json_find(c, "diff_exact_minus_ad") == NULL) continue;
+        m.mu_a_per_mm = 0.1 * json_number(json_get(c, "mua_per_cm"));
+        m.mu_s_per_mm = 0.1 * json_number(json_get(c, "mus_per_cm"));
+        m.g = 0;
+        m.eta = json_number(json_get(c, "n"));
+        expected = json_number(json_get(c, "Rd"));
+        error = solve(m).total - expected;
+        CHECK_NEAR(error, 0, 1e-7); /* the file's numbers are exact to about 1e-7 */
+        own = reference_total(m.mu_s_per_mm / (m.mu_a_per_mm + m.mu_s_per_mm), m.mu_a_per_mm / (m.mu_a_per_mm + m.mu_s_per_mm), m.eta) - expected;
+        CHECK_NEAR(own, 0, 1e-7);
+        if (fabs(error) > worst) worst = fabs(error);
+        if (fabs(own) > worst_own) worst_own = fabs(own);
+        ++count;
+    }
+    CHECK(count >= 10);
+    TEST_NOTE("%d cases, largest difference %.1e; H functions %.1e", count, worst, worst_own);
+    json_free(data);
+}
+
+static void totals_of_every_index_and_albedo(void)
+{
+    static const double eta[] = {0.5, 0.8, 0.999, 1.0, 1.000001, 1.01, 1.1, 1.3, 1.5, 2.0, 2.5, 4.0};
+    static const double albedo[] = {1e-12, 1e-6, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.999, 0.9999, 0.99999, 0.999999};
+    unsigned i, j;
+    double worst = 0, relative = 0;
+    for (i = 0; i < sizeof eta / sizeof eta[0]; ++i) {
+        for (j = 0; j < sizeof albedo / sizeof albedo[0]; ++j) {
+            double total = solve(medium_of(albedo[j], eta[i])).total;
+            double expected = reference_total(albedo[j], 1 - albedo[j], eta[i]), error = fabs(total - expected);
+            CHECK_NEAR(total, expected, 1e-8 * (expected < 0.1 ? 10 * expected : 1)); /* asked: 1e-6; Galerkin with step 0.3 has 1e-9 */
+            if (error > worst) worst = error;
+            if (error / expected > relative) relative = error / expected;
+        }
+    }
+    TEST_NOTE("largest difference %.1e, relative %.1e", worst, relative);
+}
+
+static void totals_at_the_edges(void)
+{
+    ms_mcml_halfspace s = solve(medium_of(0, 1.5));
+    ms_mcml_medium m = medium_of(1, 1.5);
+    CHECK(s.total <= 0 && s.total >= 0);
+    CHECK(ms_mcml_halfspace_ring(&s, 0, 1) <= 0);
+    CHECK(ms_mcml_halfspace_line_beyond(&s, 1) <= 0);
+    s = solve(m); /* no absorption: all that enters leaves */
+    CHECK_NEAR(s.total, 0.96, 1e-15);
+    CHECK_NEAR(s.decay_per_mm, 0, 0);
+    m.mu_a_per_mm = 1e-9;
+    CHECK_NEAR(solve(m).total, reference_total(1, 1e-9, 1.5), 1e-9);
+    m.mu_a_per_mm = 1e-30; /* below the rounding of the albedo; absorbed: about 3 sqrt(mu_a) */
+    CHECK_NEAR(solve(m).total, 0.96, 1e-14);
+    /* a^2 and more of small albedos: the total is single scattering to first order */
+    s = solve(medium_of(1e-9, 1.3));
+    CHECK_NEAR(s.total / s.total_single, 1, 1e-8);
+    /* units: per km and per nm */
+    m = medium_of(0.9, 1.3);
+    m.mu_a_per_mm *= 1e-6;
+    m.mu_s_per_mm *= 1e-6;
+    CHECK_NEAR(solve(m).total, solve(medium_of(0.9, 1.3)).total, 1e-14);
+    m.mu_a_per_mm *= 1e12;
+    m.mu_s_per_mm *= 1e12;
+    CHECK_NEAR(solve(m).total, solve(medium_of(0.9, 1.3)).total, 1e-14);
+}
+
+/* --- profiles --- */
+
+typedef struct table {
+    double eta, mu_a, mu_s; /* per cm */
+    int count;
+    double r0[200], r1[200], rd[200], se[200]; /* cm */
+} table;
+
+static void load_table(const char *name, table *t)
+{
+    char path[200], line[400];
+    FILE *f;
+    snprintf(path, sizeof path, "tests/data/mcml_profiles/%s.csv", name);
+    f = fopen(path, "r");
+    memset(t, 0, sizeof *t);
+    CHECK(f != NULL);
+    while (f && fgets(line, sizeof line, f)) {
+        double i0, i1;
+        int k = t->count;
+        if (sscanf(line, "# n: %lf", &t->eta) == 1 || sscanf(line, "# mua_per_cm: %lf", &t->mu_a) == 1 ||
+            sscanf(line, "# mus_per_cm: %lf", &t->mu_s) == 1 ||
+            sscanf(line, "# layers: n=%lf mua=%lf mus=%lf", &t->eta, &t->mu_a, &t->mu_s) == 3)
+            continue;
+        if (k < 200 && sscanf(line, "%lf,%lf,%lf,%lf,%lf,%lf", &i0, &i1, &t->r0[k], &t->r1[k], &t->rd[k], &t->se[k]) == 6) t->count++;
+    }
+    if (f) fclose(f);
+}
+
+static ms_mcml_medium table_medium(const table *t)
+{
+    ms_mcml_medium m;
+    m.mu_a_per_mm = 0.1 * t->mu_a;
+    m.mu_s_per_mm = 0.1 * t->mu_s;
+    m.g = 0;
+    m.eta = t->eta;
+    return m;
+}
+
+static void profiles_of_the_exact_tables(void)
+{
+    static const char *const name[] = {"exact_skin1_R", "exact_skin1_G", "exact_ketchup_R", "exact_marble_G", "exact_giovanelli"};
+    static table t;
+    unsigned k;
+    for (k = 0; k < sizeof name / sizeof name[0]; ++k) {
+        ms_mcml_halfspace s;
+        double worst = 0;
+        int i, j, rings = 0;
+        load_table(name[k], &t);
+        CHECK(t.count > 50);
+        s = solve(table_medium(&t));
+        for (i = 0; i < t.count; ++i) {
+            double energy = t.rd[i] * PI * (t.r1[i] * t.r1[i] - t.r0[i] * t.r0[i]), se = 0;
+            double rd = 100 * ms_mcml_halfspace_ring(&s, 10 * t.r0[i], 10 * t.r1[i]);
+            /* The tables' uncertainty is the difference of two discretisations, which changes sign from ring to ring:
+               the largest within six rings is meant. */
+            for (j = i - 6; j <= i + 6; ++j)
+                if (j >= 0 && j < t.count && t.se[j] / t.rd[j] > se) se = t.se[j] / t.rd[j];
+            if (energy < 1e-5) continue;
+            CHECK_NEAR(rd / t.rd[i], 1, 1e-4 + 2 * se);
+            if (se < 1e-4 && fabs(rd / t.rd[i] - 1) > worst) worst = fabs(rd / t.rd[i] - 1);
+            rings += se < 1e-4;
+        }
+        TEST_NOTE("%s %.0e in the %d rings that are sure to 1e-4", name[k] + 6, worst, rings);
+        CHECK_LE(worst, 1e-4);
+    }
+}
+
+/* Original MCML, 7.5e6 photons: chi-square of its rings. */
+static void profile_of_original_mcml(void)
+{
+    static table t;
+    ms_mcml_halfspace s;
+    double chi2 = 0, p;
+    int i, n = 0;
+    load_table("mcml_skin1_R", &t);
+    s = solve(table_medium(&t));
+    for (i = 0; i < t.count; ++i) {
+        double z = (t.rd[i] - 100 * ms_mcml_halfspace_ring(&s, 10 * t.r0[i], 10 * t.r1[i])) / t.se[i];
+        if (t.se[i] > 0.1 * t.rd[i]) continue; /* too few photons to be normal */
+        chi2 += z * z;
+        ++n;
+    }
+    p = test_chi2_p(chi2, n);
+    CHECK(n > 80);
+    CHECK(p > 1e-4);
+    TEST_NOTE("chi2 %.1f of %d, p %.2f", chi2, n, p);
+}
+
+/* The two knobs, moved: every ring with 1e-5 of the energy within 1e-4 of a finer solution, for hard media. */
+static void profiles_settle(void)
+{
+    static const double hard[][2] = {{1, 0.9}, {1.000001, 0.3}, {1.3, 0.01}, {1.3, 0.3}, {1.3, 0.9585}, {1.5, 0.998}, {2.5, 0.99},
+                                     {2.5, 0.3}, {0.8, 0.7}, {1.3, 0.99999}, {1.4, 0.999999999}, {1.4, 1}};
+    unsigned k;
+    double worst = 0, worst_fit = 0;
+    for (k = 0; k < sizeof hard / sizeof hard[0]; ++k) {
+        ms_mcml_medium m = medium_of(hard[k][1], hard[k][0]);
+        ms_mcml_halfspace_options fine;
+        ms_mcml_halfspace a = solve(m), b;
+        double r = 0, next;
+        memset(&fine, 0, sizeof fine);
+        fine.depth_step = 0.28;
+        fine.frequency_step = 0.2;
+        CHECK_INT(ms_mcml_halfspace_solve(&m, &fine, &b, NULL), MS_OK);
+        CHECK_NEAR(a.total, b.total, 1e-9);
+        if (b.fit_error > worst_fit) worst_fit = b.fit_error;
+        for (next = 1e-4; next < 1e6; r = next, next *= 1.1) {
+            double ra = ms_mcml_halfspace_ring(&a, r, next), rb = ms_mcml_halfspace_ring(&b, r, next);
+            CHECK(ra > 0 || next * a.rate_per_mm[0] > 700);
+            if (rb * PI * (next * next - r * r) < 1e-5 * b.total) continue;
+            if (fabs(ra / rb - 1) > 1e-4) TEST_FAIL("eta %g albedo %g r %g: %g", hard[k][0], hard[k][1], r, ra / rb - 1);
+            if (fabs(ra / rb - 1) > worst) worst = fabs(ra / rb - 1);
+        }
+    }
+    TEST_NOTE("largest change %.1e, misfit of the spectra %.1e", worst, worst_fit);
+}
+
+/* exp(-nu r) / r^2 far out, nu the root of a atanh(nu) = nu; falling and positive everywhere. */
+static void tail_is_the_one_of_transport_theory(void)
+{
+    static const double albedo[] = {0.9, 0.99, 0.999, 0.99999}; /* for smaller ones the cut that starts at 1 mixes in */
+    unsigned k;
+    for (k = 0; k < 4; ++k) {
+        ms_mcml_halfspace s = solve(medium_of(albedo[k], 1.4));
+        double nu = s.decay_per_mm, last = 1e300, r, slope, r1 = 40 / nu, r2 = 60 / nu;
+        CHECK_NEAR(albedo[k] * atanh(nu) / nu, 1, 1e-12);
+        for (r = 1e-6; r * nu < 500; r *= 1.3) {
+            double rd = ms_mcml_halfspace_ring(&s, r, 1.05 * r);
+            CHECK(rd > 0 && rd < last);
+            last = rd;
+        }
+        slope = log(ms_mcml_halfspace_ring(&s, r1, 1.001 * r1) * r1 * r1 / (ms_mcml_halfspace_ring(&s, r2, 1.001 * r2) * r2 * r2)) / (r2 - r1);
+        CHECK_NEAR(slope / nu, 1, 0.005); /* the next term of the tail is of relative size 1 / (nu r) = 1/40 to 1/60: slope 0.004 */
+        TEST_NOTE("albedo %g: slope / nu_0 = %.4f", albedo[k], slope / nu);
+    }
+}
+
+static void bessel_k1(void)
+{
+    double x, worst = 0;
+    for (x = 1e-8; x < 700; x *= 1.07) { /* x K1(x) = x int_0^inf exp(-x cosh t) cosh t dt: the trapezoid rule is exact to rounding */
+        double sum = 0.5 * exp(-x), t, h = 0.02;
+        for (t = h; x * cosh(t) < 740; t += h) sum += exp(-x * cosh(t)) * cosh(t);
+        sum *= x * h;
+        if (fabs(ms_mcml__x_bessel_k1(x) / sum - 1) > worst) worst = fabs(ms_mcml__x_bessel_k1(x) / sum - 1);
+    }
+    CHECK_LE(worst, 1e-11); /* 6e-12 of the fit and the rule's rounding */
+    CHECK_NEAR(ms_mcml__x_bessel_k1(0), 1, 0);
+    TEST_NOTE("relative error %.1e", worst);
+}
+
+static double bessel_j0(double x)
+{
+    int i, n = 64 + (int)(2 * x);
+    double sum = 0;
+    for (i = 0; i < n; ++i) sum += cos(x * sin(PI * (i + 0.5) / n));
+    return sum / n;
+}
+
+/* The three faces of a solution: rings, spectrum, and the kernel a_p of a line, each computed from the rings. */
+static void rings_spectrum_and_line_agree(void)
+{
+    static const double hard[][2] = {{1.3, 0.9}, {1.5, 0.3}, {1.0, 0.99}};
+    static const double at[] = {0.01, 0.1, 1, 3};
+    unsigned k, q;
+    double worst_k = 0, worst_x = 0;
+    for (k = 0; k < 3; ++k) {
+        ms_mcml_halfspace s = solve(medium_of(hard[k][1], hard[k][0]));
+        for (q = 0; q < 4; ++q) {
+            double r = 0, next, spectrum = 0, line = 0, x = at[q];
+            for (next = 1e-5; next < 500; r = next, next += 0.003 * next < 0.01 ? 0.003 * next : 0.01) {
+                double e = ms_mcml_halfspace_beyond(&s, r) - ms_mcml_halfspace_beyond(&s, next), middle = 0.5 * (r + next);
+                spectrum += e * bessel_j0(at[q] * middle);
+                if (middle > x) line += e * acos(x / middle) / PI; /* share of a ring at one side beyond x */
+                if (e < 1e-13) break;
+            }
+            /* rings 0.3% wide as points: 1e-5 */
+            CHECK_NEAR(ms_mcml_halfspace_spectrum(&s, at[q]), spectrum, 2e-5);
+            CHECK_NEAR(ms_mcml_halfspace_line_beyond(&s, x), line, 2e-5);
+            if (fabs(ms_mcml_halfspace_spectrum(&s, at[q]) - spectrum) > worst_k) worst_k = fabs(ms_mcml_halfspace_spectrum(&s, at[q]) - spectrum);
+            if (fabs(ms_mcml_halfspace_line_beyond(&s, x) - line) > worst_x) worst_x = fabs(ms_mcml_halfspace_line_beyond(&s, x) - line);
+        }
+        CHECK_NEAR(ms_mcml_halfspace_spectrum(&s, 0), s.total, 1e-14);
+        CHECK_NEAR(ms_mcml_halfspace_beyond(&s, 0), s.total, 1e-14);
+        CHECK_NEAR(2 * ms_mcml_halfspace_line_beyond(&s, 0), s.total, 1e-14);
+    }
+    TEST_NOTE("spectrum %.1e, line %.1e", worst_k, worst_x);
+}
+
+static void narrow_and_wide_rings(void)
+{
+    ms_mcml_halfspace s = solve(medium_of(0.95, 1.3));
+    double at;
+    for (at = 1e-9; at < 30; at *= 10) { /* a ring of no width has the density: twelve digits narrower changes nothing */
+        double a = ms_mcml_halfspace_ring(&s, at, at * (1 + 1e-5)), b = ms_mcml_halfspace_ring(&s, at, at * (1 + 1e-15) + 1e-300);
+        double c = ms_mcml_halfspace_ring(&s, at * (1 - 0.5e-3), at * (1 + 0.5e-3));
+        CHECK_NEAR(a / c, 1, 1e-5 + 1e-4 * at); /* the density varies by r^-1 exp(-r) over the rings */
+        CHECK_NEAR(b / a, 1, 1e-4);
+    }
+    /* 1 / r near the beam: single scattering, R_d r -> a (1 - R_sp) T / (2 pi) int (1 - u^2) / (1 + u^2)^2 exp(-r / u) du */
+    CHECK_NEAR(ms_mcml_halfspace_ring(&s, 0, 1e-9) / ms_mcml_halfspace_ring(&s, 0, 1e-8), 10, 1e-5);
+    CHECK(ms_mcml_halfspace_ring(&s, 0, 1e9) * PI * 1e18 <= s.total * (1 + 1e-12));
+    CHECK_NEAR(ms_mcml_halfspace_ring(&s, 0, 1e9) * PI * 1e18, s.total, 1e-12);
+    CHECK(ms_mcml_halfspace_ring(&s, 1e8, 1e9) >= 0);
+}
+
+/* --- white Monte Carlo --- */
+
+static ms_mcml_white_options white_options(uint64_t photons, uint64_t first)
+{
+    ms_mcml_white_options o;
+    memset(&o, 0, sizeof o);
+    o.photons = photons;
+    o.first_photon = first;
+    o.seed = test_seed;
+    return o;
+}
+
+static void white_agrees_with_the_solver(void)
+{
+    static const double eta[] = {1.0, 1.3, 1.5}, albedo[] = {0.02, 0.5, 0.9, 0.99, 0.999, 1};
+    unsigned k, q;
+    double least = 1;
+    for (k = 0; k < 3; ++k) {
+        ms_mcml_white *white = NULL;
+        ms_mcml_white_options o = white_options(test_full ? 4000000 : 400000, 0);
+        static double rd[1000], se[1000];
+        const double *edge;
+        int rings, i;
+        CHECK_INT(ms_mcml_white_run(&white, eta[k], &o, NULL), MS_OK);
+        if (white == NULL) return;
+        edge = ms_mcml_white_edges(white, &rings);
+        for (q = 0; q < 6; ++q) {
+            ms_mcml_halfspace s = solve(medium_of(albedo[q], eta[k]));
+            double total, total_se, chi2 = 0, p;
+            int n = 0;
+            CHECK_INT(ms_mcml_white_profile(white, albedo[q], rd, se, &total, &total_se, NULL), MS_OK);
+            CHECK_NEAR(total, s.total, 4.5 * total_se); /* 18 totals: 1e-4 that one fails by chance, for some seed */
+            for (i = 0; i < rings; ++i) {
+                double z = (rd[i] - ms_mcml_halfspace_ring(&s, edge[i], edge[i + 1])) / se[i];
+                /* at least 150 photons' worth, and not so far out that the few short paths there decide: normal enough */
+                if (!(se[i] < 0.08 * rd[i]) || ms_mcml_halfspace_beyond(&s, edge[i]) < 1e-3 * s.total) continue;
+                chi2 += z * z;
+                ++n;
+            }
+            p = test_chi2_p(chi2, n);
+            CHECK(n > 25);
+            if (!(p > 1e-4)) TEST_FAIL("eta %g albedo %g: chi2 %g of %d rings", eta[k], albedo[q], chi2, n);
+            if (p < least) least = p;
+        }
+        ms_mcml_white_destroy(white);
+    }
+    TEST_NOTE("18 profiles, least p of chi-square %.3f", least);
+}
+
+static void white_is_the_same_however_it_is_split(void)
+{
+    ms_mcml_white *whole = NULL, *part = NULL, *rest = NULL;
+    ms_mcml_white_options o = white_options(70000, 5);
+    int threads;
+    CHECK_INT(ms_mcml_white_run(&whole, 1.4, &o, NULL), MS_OK);
+    for (threads = 2; threads <= 7; threads += 5) {
+        test_pool pool;
+        o.parallel = test_parallel(&pool, threads);
+        CHECK_INT(ms_mcml_white_run(&part, 1.4, &o, NULL), MS_OK);
+        CHECK(memcmp(whole->count, part->count, (size_t)(whole->rings + 1) * MS_MCML__WHITE_BINS * sizeof *whole->count) == 0);
+        ms_mcml_white_destroy(part);
+    }
+    o = white_options(12345, 5);
+    CHECK_INT(ms_mcml_white_run(&part, 1.4, &o, NULL), MS_OK);
+    o = white_options(70000 - 12345, 5 + 12345);
+    CHECK_INT(ms_mcml_white_run(&rest, 1.4, &o, NULL), MS_OK);
+    CHECK_INT(ms_mcml_white_merge(part, rest, NULL), MS_OK);
+    CHECK(memcmp(whole->count, part->count, (size_t)(whole->rings + 1) * MS_MCML__WHITE_BINS * sizeof *whole->count) == 0);
+    CHECK_NEAR(part->photons, 70000, 0);
+    ms_mcml_white_destroy(rest);
+    o.photons = 10;
+    CHECK_INT(ms_mcml_white_run(&rest, 1.5, &o, NULL), MS_OK);
+    CHECK_INT(ms_mcml_white_merge(part, rest, NULL), MS_INVALID_ARGUMENT); /* another eta */
+    CHECK_INT(ms_mcml_white_merge(part, part, NULL), MS_INVALID_ARGUMENT);
+    ms_mcml_white_destroy(rest);
+    ms_mcml_white_destroy(part);
+    ms_mcml_white_destroy(whole);
+    ms_mcml_white_destroy(NULL);
+}
+
+/* Every level walks the same paths but for rounding: the ring and collision of nearly all photons are the same. */
+static void white_levels(void)
+{
+    static float r2[2][4000];
+    static uint32_t j[2][4000];
+    ms_mcml__white_batch batch;
+    int level, i;
+    memset(&batch, 0, sizeof batch);
+    batch.seed = 77;
+    batch.first = 0xfffffff0u; /* across the 32-bit border of the counter */
+    batch.count = 4000;
+    batch.eta = 1.3f;
+    batch.r2 = r2[0];
+    batch.j = j[0];
+    ms_mcml__white_kernel(MS_SIMD_SCALAR)(&batch);
+    batch.r2 = r2[1];
+    batch.j = j[1];
+    for (level = MS_SIMD_BASE; level <= MS_SIMD_AVX512; ++level) {
+        int same = 0;
+        if ((int)ms__simd_pick((ms_simd)level) != level) {
+            TEST_NOTE("%s: not on this machine", ms_simd_string((ms_simd)level));
+            continue;
+        }
+        ms_mcml__white_kernel((ms_simd)level)(&batch);
+        for (i = 0; i < 4000; ++i) same += j[0][i] == j[1][i] && fabsf(r2[0][i] - r2[1][i]) <= 1e-3f * r2[0][i] + 1e-6f;
+        CHECK(same >= 3950); /* a rounding of 1e-7 changes a decision about once in 1e6 flights, and then the whole path */
+        TEST_NOTE("%s: %d of 4000 paths as the scalar ones", ms_simd_string((ms_simd)level), same);
+    }
+}
+
+/* Reported errors against the spread of 40 runs. */
+static void white_standard_errors(void)
+{
+    double sum[2] = {0, 0}, squares[2] = {0, 0}, reported[2] = {0, 0};
+    int run, k;
+    for (run = 0; run < 40; ++run) {
+        ms_mcml_white *white = NULL;
+        ms_mcml_white_options o = white_options(3000, (uint64_t)run * 3000);
+        double rd[138], se[138], total, total_se, v[2], e[2];
+        CHECK_INT(ms_mcml_white_run(&white, 1.3, &o, NULL), MS_OK);
+        CHECK_INT(ms_mcml_white_profile(white, 0.95, rd, se, &total, &total_se, NULL), MS_OK);
+        v[0] = total;
+        e[0] = total_se;
+        v[1] = rd[40];
+        e[1] = se[40];
+        for (k = 0; k < 2; ++k) {
+            sum[k] += v[k];
+            squares[k] += v[k] * v[k];
+            reported[k] += e[k] * e[k] / 40;
+        }
+        ms_mcml_white_destroy(white);
+    }
+    for (k = 0; k < 2; ++k) { /* chi-square with 39 degrees of freedom: 0.48 to 1.8 at 1e-4 on either side */
+        double ratio = (squares[k] - sum[k] * sum[k] / 40) / 39 / reported[k];
+        CHECK(ratio > 0.48 && ratio < 1.8);
+        TEST_NOTE("variance seen / reported %.2f", ratio);
+    }
+}
+
+/* --- profiles of several channels --- */
+
+static void materials_table(void)
+{
+    int count = 0, i;
+    const ms_mcml_material *all = ms_mcml_materials(&count), *m;
+    ms_mcml_medium medium;
+    CHECK_INT(count, 11);
+    CHECK(ms_mcml_materials(NULL) == all);
+    for (i = 0; i < count; ++i) CHECK(ms_mcml_find_material(all[i].name) == &all[i]);
+    m = ms_mcml_find_material("SkimMilk");
+    CHECK(m && strcmp(m->name, "skimmilk") == 0);
+    CHECK(ms_mcml_find_material("skin") == NULL && ms_mcml_find_material("skin11") == NULL);
+    CHECK(ms_mcml_find_material("") == NULL && ms_mcml_find_material(NULL) == NULL);
+    medium = ms_mcml_material_medium(ms_mcml_find_material("marble"), 1);
+    CHECK_NEAR(medium.mu_a_per_mm, 0.0041, 0);
+    CHECK_NEAR(medium.mu_s_per_mm, 2.62, 0);
+    CHECK_NEAR(medium.eta, 1.5, 0);
+}
+
+static int all_media(ms_mcml_medium *media)
+{
+    int count, i;
+    const ms_mcml_material *m = ms_mcml_materials(&count);
+    for (i = 0; i < 3 * count; ++i) media[i] = ms_mcml_material_medium(&m[i / 3], i % 3);
+    return 3 * count;
+}
+
+/* Checks that hold for any profile of the solver. */
+static void check_profile(const ms_mcml_profile *p, const ms_mcml_medium *media, double left)
+{
+    int c, i;
+    for (c = 0; c < p->channels; ++c) {
+        const double *rd = p->rd_per_mm2 + (size_t)c * (size_t)p->rings, *ap = p->ap_per_mm + (size_t)c * (size_t)p->rings;
+        const double *within = p->within + (size_t)c * (size_t)(p->rings + 1);
+        double line = 0, energy = within[0];
+        ms_mcml_halfspace s = solve(media[c]);
+        for (i = 0; i < p->rings; ++i) {
+            double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1];
+            CHECK(rd[i] >= 0 && (i == 0 || rd[i] <= rd[i - 1]));
+            CHECK(ap[i] >= 0 && (i == 0 || ap[i] <= ap[i - 1] * (1 + 1e-9)));
+            energy += rd[i] * PI * (r1 - r0) * (r1 + r0);
+            line += ap[i] * (r1 - r0);
+            CHECK_NEAR(energy, within[i + 1], 1e-9);
+        }
+        CHECK(within[p->rings] <= p->total[c]);
+        CHECK(p->total[c] - within[p->rings] <= left * p->total[c]);
+        line += ms_mcml_halfspace_line_beyond(&s, p->edge_mm[p->rings]); /* cells and the rest are one half */
+        if (p->edge_mm[0] <= 0) CHECK_NEAR(line, 0.5 * p->total[c], 1e-12);
+        CHECK(p->total_error[c] <= 0);
+    }
+}
+
+static void profile_of_all_channels_at_once(void)
+{
+    ms_mcml_medium media[33];
+    ms_mcml_profile p, q;
+    ms_mcml_profile_options o;
+    int n = all_media(media), threads, i;
+    memset(&o, 0, sizeof o);
+    CHECK_INT(ms_mcml_profile_make(&p, media, n, NULL, NULL), MS_OK);
+    check_profile(&p, media, 1e-5 * (1 + 1e-6));
+    for (i = 0; i < n; ++i) CHECK_NEAR(p.total[i], solve(media[i]).total, 0);
+    for (threads = 1; threads <= 7; threads += 3) {
+        test_pool pool;
+        o.parallel = test_parallel(&pool, threads);
+        CHECK_INT(ms_mcml_profile_make(&q, media, n, &o, NULL), MS_OK);
+        CHECK(p.rings == q.rings && p.memory_size == q.memory_size && memcmp(p.memory, q.memory, p.memory_size) == 0);
+        ms_mcml_profile_destroy(&q);
+    }
+    TEST_NOTE("%d rings", p.rings);
+    ms_mcml_profile_destroy(&p);
+    CHECK(p.memory == NULL);
+    ms_mcml_profile_destroy(&p);
+    ms_mcml_profile_destroy(NULL);
+}
+
+static void profile_rings_of_all_kinds(void)
+{
+    static const double wild[] = {0, 1e-12, 1e-9, 1e-6, 1.000001e-6, 1e-3, 1, 1.0000000001, 2, 100, 1e4, 1e6, 1e30};
+    ms_mcml_medium media[3];
+    ms_mcml_profile p;
+    ms_mcml_profile_options o;
+    double hole;
+    int i;
+    for (i = 0; i < 3; ++i) media[i] = ms_mcml_material_medium(ms_mcml_find_material("cream"), i);
+    memset(&o, 0, sizeof o);
+    o.edge_mm = wild;
+    o.rings = 12;
+    CHECK_INT(ms_mcml_profile_make(&p, media, 3, &o, NULL), MS_OK);
+    check_profile(&p, media, 1e-12);
+    hole = p.within[3];
+    ms_mcml_profile_destroy(&p);
+    o.edge_mm = wild + 3; /* a hole in the middle */
+    o.rings = 9;
+    CHECK_INT(ms_mcml_profile_make(&p, media, 3, &o, NULL), MS_OK);
+    check_profile(&p, media, 1e-12);
+    CHECK_NEAR(p.within[0], hole, 1e-15);
+    ms_mcml_profile_destroy(&p);
+    o.edge_mm = NULL;
+    o.rings = 60000; /* huge, uniform */
+    o.ring_mm = 0.001;
+    CHECK_INT(ms_mcml_profile_make(&p, media, 1, &o, NULL), MS_OK);
+    check_profile(&p, media, 0.1);
+    ms_mcml_profile_destroy(&p);
+    media[0] = medium_of(0, 1.3);
+    media[1] = medium_of(1, 1.3);
+    CHECK_INT(ms_mcml_profile_make(&p, media, 2, NULL, NULL), MS_OK);
+    check_profile(&p, media, 1e-5 * (1 + 1e-6));
+    ms_mcml_profile_destroy(&p);
+}
+
+/* The profile by white Monte Carlo is the white run itself where the rings are the same in mean free paths. */
+static void profile_by_white_monte_carlo(void)
+{
+    ms_mcml_medium media[3];
+    ms_mcml_profile p, d, q;
+    ms_mcml_profile_options o;
+    test_pool pool;
+    double chi2 = 0, value;
+    int c, i, n = 0;
+    for (i = 0; i < 3; ++i) media[i] = ms_mcml_material_medium(ms_mcml_find_material("skin1"), i);
+    memset(&o, 0, sizeof o);
+    CHECK_INT(ms_mcml_profile_make(&d, media, 3, &o, NULL), MS_OK);
+    o.photons = 150000;
+    o.seed = test_seed + 1;
+    CHECK_INT(ms_mcml_profile_make(&p, media, 3, &o, NULL), MS_OK);
+    CHECK_INT(p.method, MS_MCML_WHITE);
+    CHECK(p.rings == d.rings && p.ap_per_mm == NULL);
+    for (c = 0; c < 3; ++c) CHECK_NEAR(p.total[c], d.total[c], 4.5 * p.total_error[c]);
+    for (i = 0; i < p.rings; ++i) { /* red alone: the channels share their photons */
+        if (!(p.rd_error_per_mm2[i] < 0.08 * p.rd_per_mm2[i])) continue;
+        value = (p.rd_per_mm2[i] - d.rd_per_mm2[i]) / p.rd_error_per_mm2[i];
+        chi2 += value * value;
+        ++n;
+    }
+    CHECK(test_chi2_p(chi2, n) > 1e-4);
+    TEST_NOTE("chi2 %.1f of %d", chi2, n);
+    o.parallel = test_parallel(&pool, 3);
+    CHECK_INT(ms_mcml_profile_make(&q, media, 3, &o, NULL), MS_OK);
+    CHECK(memcmp(p.total, q.total, 6 * sizeof(double)) == 0);
+    CHECK(memcmp(p.rd_per_mm2, q.rd_per_mm2, 3 * (size_t)p.rings * sizeof(double)) == 0);
+    ms_mcml_profile_destroy(&p);
+    ms_mcml_profile_destroy(&q);
+    ms_mcml_profile_destroy(&d);
+}
+
+/* --- what is refused --- */
+
+static int stop_at_once(void *user, double fraction)
+{
+    *(double *)user = fraction;
+    return 1;
+}
+
+static void bad_arguments(void)
+{
+    ms_mcml_halfspace s;
+    ms_mcml_profile p;
+    ms_mcml_profile_options o;
+    ms_mcml_halfspace_options h;
+    ms_mcml_white *white = NULL;
+    ms_mcml_white_options w;
+    ms_mcml_medium good = medium_of(0.9, 1.3), two[2], m;
+    ms_error error;
+    double fraction = 0, edges[] = {0, 1, 1, 2}, nan_value = strtod("nan", NULL), rd;
+    static const double wrong[][4] = {{-1, 1, 0, 1.3}, {1, -1, 0, 1.3}, {0, 0, 0, 1.3}, {1, 1, 1, 1.3}, {1, 1, -1, 1.3},
+                                      {1, 1, 0, 0}, {1, 1, 0, 11}, {1, 1, 0, -1.3}, {1e200, 1e200, 0, 1.3}};
+    static const char *const says[] = {"mu_a", "mu_s", "mu_a", "g is", "g is", "eta", "eta", "eta", "mu_a"};
+    unsigned i;
+    for (i = 0; i < sizeof wrong / sizeof wrong[0]; ++i) {
+        m.mu_a_per_mm = wrong[i][0];
+        m.mu_s_per_mm = wrong[i][1];
+        m.g = wrong[i][2];
+        m.eta = wrong[i][3];
+        CHECK_INT(ms_mcml_halfspace_solve(&m, NULL, &s, &error), MS_INVALID_ARGUMENT);
+        CHECK(strstr(error.message, says[i]) != NULL);
+        CHECK_INT(ms_mcml_profile_make(&p, &m, 1, NULL, &error), MS_INVALID_ARGUMENT);
+        CHECK(strstr(error.message, says[i]) != NULL && p.memory == NULL);
+    }
+    for (i = 0; i < 4; ++i) {
+        m = good;
+        if (i == 0) m.mu_a_per_mm = nan_value;
+        if (i == 1) m.mu_s_per_mm = nan_value;
+        if (i == 2) m.g = nan_value;
+        if (i == 3) m.eta = nan_value;
+        CHECK_INT(ms_mcml_halfspace_solve(&m, NULL, &s, &error), MS_INVALID_ARGUMENT);
+        CHECK(strstr(error.message, "nan") != NULL);
+    }
+    CHECK_INT(ms_mcml_halfspace_solve(NULL, NULL, &s, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_halfspace_solve(&good, NULL, NULL, NULL), MS_INVALID_ARGUMENT);
+    memset(&h, 0, sizeof h);
+    h.depth_step = 0.01;
+    CHECK_INT(ms_mcml_halfspace_solve(&good, &h, &s, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "depth_step") != NULL);
+    h.depth_step = 0.5;
+    h.frequency_step = nan_value;
+    CHECK_INT(ms_mcml_halfspace_solve(&good, &h, &s, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "frequency_step") != NULL);
+
+    memset(&o, 0, sizeof o);
+    o.edge_mm = edges;
+    o.rings = 3;
+    CHECK_INT(ms_mcml_profile_make(&p, &good, 1, &o, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "edge") != NULL && error.position == 2);
+    edges[2] = nan_value;
+    CHECK_INT(ms_mcml_profile_make(&p, &good, 1, &o, &error), MS_INVALID_ARGUMENT);
+    o.rings = 0;
+    CHECK_INT(ms_mcml_profile_make(&p, &good, 1, &o, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "rings") != NULL);
+    o.edge_mm = NULL;
+    o.rings = 10;
+    CHECK_INT(ms_mcml_profile_make(&p, &good, 1, &o, &error), MS_INVALID_ARGUMENT); /* ring_mm 0 */
+    CHECK(strstr(error.message, "ring_mm") != NULL);
+    memset(&o, 0, sizeof o);
+    o.method = 9;
+    CHECK_INT(ms_mcml_profile_make(&p, &good, 1, &o, &error), MS_INVALID_ARGUMENT);
+    o.method = 0;
+    CHECK_INT(ms_mcml_profile_make(&p, &good, 0, &o, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_profile_make(NULL, &good, 1, &o, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_profile_make(&p, NULL, 1, &o, &error), MS_INVALID_ARGUMENT);
+    two[0] = good;
+    two[1] = medium_of(0.9, 1.5);
+    o.method = MS_MCML_WHITE;
+    CHECK_INT(ms_mcml_profile_make(&p, two, 2, &o, &error), MS_UNSUPPORTED);
+    two[1].eta = 1.3;
+    two[1].g = 0.5;
+    CHECK_INT(ms_mcml_profile_make(&p, two, 2, &o, &error), MS_UNSUPPORTED);
+    o.photons = (uint64_t)1 << 40;
+    CHECK_INT(ms_mcml_profile_make(&p, two, 1, &o, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "photons") != NULL);
+
+    w = white_options(600000, 0);
+    w.progress.user = &fraction;
+    w.progress.report = stop_at_once;
+    CHECK_INT(ms_mcml_white_run(&white, 1.3, &w, &error), MS_CANCELLED);
+    CHECK(white == NULL && fraction > 0 && fraction < 1);
+    w = white_options(100, 0);
+    CHECK_INT(ms_mcml_white_run(&white, nan_value, &w, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_white_run(NULL, 1.3, &w, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_white_run(&white, 1.3, &w, &error), MS_OK);
+    CHECK_INT(ms_mcml_white_profile(white, 1.5, NULL, NULL, &rd, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_white_profile(white, nan_value, NULL, NULL, &rd, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_white_profile(NULL, 0.5, NULL, NULL, &rd, NULL, &error), MS_INVALID_ARGUMENT);
+    ms_mcml_white_destroy(white);
+}
+
+static void memory_runs_out(void)
+{
+    ms_mcml_medium media[2];
+    media[0] = media[1] = medium_of(0.5, 1.3);
+    TEST_ALLOCATION_SWEEP(10, {
+        ms_mcml_halfspace s;
+        ms_mcml_halfspace_options o;
+        memset(&o, 0, sizeof o);
+        o.allocator = allocator;
+        status = ms_mcml_halfspace_solve(media, &o, &s, NULL);
+    });
+    TEST_ALLOCATION_SWEEP(10, {
+        ms_mcml_profile p;
+        ms_mcml_profile_options o;
+        memset(&o, 0, sizeof o);
+        o.allocator = allocator;
+        status = ms_mcml_profile_make(&p, media, 2, &o, NULL);
+        ms_mcml_profile_destroy(&p);
+    });
+    TEST_ALLOCATION_SWEEP(10, {
+        ms_mcml_profile p;
+        ms_mcml_profile_options o;
+        memset(&o, 0, sizeof o);
+        o.allocator = allocator;
+        o.photons = 100;
+        status = ms_mcml_profile_make(&p, media, 2, &o, NULL);
+        ms_mcml_profile_destroy(&p);
+    });
+    TEST_ALLOCATION_SWEEP(10, {
+        ms_mcml_white *white = NULL;
+        ms_mcml_white_options o = white_options(100, 0);
+        o.allocator = allocator;
+        status = ms_mcml_white_run(&white, 1.3, &o, NULL);
+        ms_mcml_white_destroy(white);
+    });
+}
+
+static const test_case cases[] = {
+    {"materials_table", materials_table},
+    {"totals_of_the_reference_data", totals_of_the_reference_data},
+    {"totals_of_every_index_and_albedo", totals_of_every_index_and_albedo},
+    {"totals_at_the_edges", totals_at_the_edges},
+    {"profiles_of_the_exact_tables", profiles_of_the_exact_tables},
+    {"profile_of_original_mcml", profile_of_original_mcml},
+    {"profiles_settle", profiles_settle},
+    {"tail_is_the_one_of_transport_theory", tail_is_the_one_of_transport_theory},
+    {"bessel_k1", bessel_k1},
+    {"rings_spectrum_and_line_agree", rings_spectrum_and_line_agree},
+    {"narrow_and_wide_rings", narrow_and_wide_rings},
+    {"white_agrees_with_the_solver", white_agrees_with_the_solver},
+    {"white_is_the_same_however_it_is_split", white_is_the_same_however_it_is_split},
+    {"white_levels", white_levels},
+    {"white_standard_errors", white_standard_errors},
+    {"profile_of_all_channels_at_once", profile_of_all_channels_at_once},
+    {"profile_rings_of_all_kinds", profile_rings_of_all_kinds},
+    {"profile_by_white_monte_carlo", profile_by_white_monte_carlo},
+    {"bad_arguments", bad_arguments},
+    {"memory_runs_out", memory_runs_out},
+};
+
+TEST_MAIN(cases)
