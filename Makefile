@@ -6,6 +6,7 @@
 #   make test       all tests
 #   make bench      speed against error: tables and plots in build/bench/, peers where they are installed
 #   make sanitize, check-style, thread, valgrind, fuzz     other ways to run the tests
+#   make dataset    path-traced pictures of random materials for training (FIRST, COUNT, SIZE, SAMPLES, JOBS)
 #   make common     copies the block that all headers share from ms_mcml.h into the rest
 .POSIX:
 
@@ -72,10 +73,13 @@ fuzz:
 bench: all
 	@CC="$(CC)" CFLAGS="$(CFLAGS)" sh tests/bench/run.sh
 
+dataset:
+	@CC="$(CC)" sh tests/render/dataset.sh
+
 common:
 	@sh tests/common.sh copy
 
 clean:
 	rm -rf build
 
-.PHONY: all demo deps check test check-style sanitize thread valgrind fuzz bench common clean
+.PHONY: all demo deps check test check-style sanitize thread valgrind fuzz bench dataset common clean

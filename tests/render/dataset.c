@@ -1,0 +1,130 @@
+/* Pairs of material and picture for training: dataset FOLDER FIRST COUNT [SIZE] [SAMPLES]
+
+   Material i is a function of i alone, so that any range can be made anywhere: jobs on several machines take ranges of
+   indices, their folders are copied together. 32 pictures go to a file part_NNNNNN.bin (NNNNNN = first index / 32), which
+   appears under its name only when it is whole: start again after an interruption and what is there is skipped.
+
+   A file: "msds", then little-endian u32: version 1, size, samples, first index, pictures n; then n times 19 f32
+   parameters; then n times size x size x 3 f16, linear radiance, top row first.
+
+   Even materials are uniform in [0, 1]^19. Odd ones are sharp: the three mix factors (x7, x16, x17) are 0 or 1. Every
+   fourth one (i = 1 mod 4) has glass of low roughness: x11 = 0.3 u^2. Indices from 2^30 on are the held-out ones. */
+#define MS_SSS_IMPLEMENTATION /* for the random numbers that all headers share */
+#include "ms_sss.h"
+#include "image.h"
+#include "render/material.h"
+
+enum { PART = 32 };
+
+static void choose_material(uint32_t index, float x[MATERIAL_PARAMETERS])
+{
+    ms__rng rng = ms__rng_make(20190501, index);
+    int k;
+    for (k = 0; k < MATERIAL_PARAMETERS; ++k) x[k] = (float)ms__rng_uniform(&rng);
+    if (index % 2 == 1) {
+        static const int mixes[3] = {7, 16, 17};
+        for (k = 0; k < 3; ++k) x[mixes[k]] = x[mixes[k]] < 0.5f ? 0.0f : 1.0f;
+    }
+    if (index % 4 == 1) x[11] = 0.3f * x[11] * x[11];
+}
+
+/* Round to nearest even; beyond 65504 is 65504. */
+static uint16_t to_half(float v)
+{
+    uint32_t u, mantissa, rounded;
+    int exponent;
+    if (!(v > 0)) return 0;
+    if (v > 65504) v = 65504;
+    memcpy(&u, &v, 4);
+    exponent = (int)(u >> 23) - 112;
+    mantissa = (u & 0x7fffffu) | 0x800000u;
+    if (exponent <= 0) {
+        if (exponent < -10) return 0;
+        mantissa >>= 1 - exponent;
+        exponent = 0;
+        rounded = mantissa + 0xfffu + (mantissa >> 13 & 1);
+        return (uint16_t)(rounded >> 13);
+    }
+    rounded = (mantissa & 0x7fffffu) + 0xfffu + (mantissa >> 13 & 1);
+    return (uint16_t)(((uint32_t)exponent << 10) + (rounded >> 13));
+}
+
+static void put_u32(FILE *f, uint32_t v)
+{
+    int k;
+    for (k = 0; k < 4; ++k) fputc((int)(v >> 8 * k & 255), f);
+}
+
+/* One file; 0 where it could not be written. */
+static int write_part(const material_scene *stage, const char *folder, uint32_t first, int size, int samples)
+{
+    char path[1024], temporary[1040];
+    FILE *f;
+    float x[MATERIAL_PARAMETERS];
+    uint32_t i, bits;
+    int k, bad;
+    size_t p;
+    snprintf(path, sizeof path, "%s/part_%06u.bin", folder, (unsigned)(first / PART));
+    snprintf(temporary, sizeof temporary, "%s.part", path);
+    f = fopen(path, "rb");
+    if (f) return fclose(f) == 0;
+    f = fopen(temporary, "wb");
+    if (f == NULL) return 0;
+    fputs("msds", f);
+    put_u32(f, 1);
+    put_u32(f, (uint32_t)size);
+    put_u32(f, (uint32_t)samples);
+    put_u32(f, first);
+    put_u32(f, PART);
+    for (i = 0; i < PART; ++i) {
+        choose_material(first + i, x);
+        for (k = 0; k < MATERIAL_PARAMETERS; ++k) {
+            memcpy(&bits, &x[k], 4);
+            put_u32(f, bits);
+        }
+    }
+    for (i = 0; i < PART; ++i) {
+        image picture;
+        choose_material(first + i, x);
+        if (!material_render(stage, x, size, size, samples, first + i, &picture)) break;
+        for (p = 0; p < image_count(&picture); ++p) {
+            uint16_t h = to_half(picture.pixels[p]);
+            fputc(h & 255, f);
+            fputc(h >> 8, f);
+        }
+        image_free(&picture);
+    }
+    bad = i < PART || ferror(f);
+    bad |= fclose(f) != 0;
+    if (bad || rename(temporary, path) != 0) {
+        remove(temporary);
+        return 0;
+    }
+    printf("%s\n", path);
+    fflush(stdout);
+    return 1;
+}
+
+int main(int argc, char **argv)
+{
+    unsigned long first = argc > 3 ? strtoul(argv[2], NULL, 10) : 1, count = argc > 3 ? strtoul(argv[3], NULL, 10) : 0, i;
+    int size = argc > 4 ? atoi(argv[4]) : 128, samples = argc > 5 ? atoi(argv[5]) : 32;
+    material_scene *stage;
+    if (argc < 4 || argc > 6 || first % PART || count < 1 || first + count > 0xfffffff0ul || size < 1 || size > 4096 || samples < 1) {
+        fprintf(stderr, "usage: dataset FOLDER FIRST COUNT [SIZE 128] [SAMPLES 32]   (FIRST a multiple of %d)\n", PART);
+        return 2;
+    }
+    stage = material_scene_create(1);
+    if (stage == NULL) {
+        fprintf(stderr, "dataset: Embree or memory failed\n");
+        return 1;
+    }
+    for (i = first; i < first + count; i += PART)
+        if (!write_part(stage, argv[1], (uint32_t)i, size, samples)) {
+            fprintf(stderr, "dataset: cannot write to %s\n", argv[1]);
+            material_scene_destroy(stage);
+            return 1;
+        }
+    material_scene_destroy(stage);
+    return 0;
+}
