@@ -856,7 +856,7 @@ static ms_status ms_mcml__check_tissue(const ms_mcml_tissue *tissue, ms_error *e
 #define MS_MCML__CHANCE 0.1f         /* of surviving roulette */
 #define MS_MCML__HALVING_EVENTS 4096 /* then every fourfold: half of the photons end and the others count double */
 #define MS_MCML__GROUPS 64           /* photon i is in group i / 64 mod 64, for errors by spread */
-#define MS_MCML__WAVE 65536          /* photons between two looks at the progress callback */
+#define MS_MCML__STRETCH 65536          /* photons between two looks at the progress callback */
 #define MS_MCML__TASKS 16
 #define MS_MCML__LANES_MAX 16
 #define MS_MCML__C_CM_PER_PS 0.0299792458
@@ -1025,69 +1025,8 @@ static void ms_mcml__rare(ms_mcml__tracer *t, int i)
     }
 }
 
-static MS__UNUSED float ms_mcml__as_float(uint32_t bits)
-{
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-static MS__UNUSED uint32_t ms_mcml__as_int(float x)
-{
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-static MS__UNUSED float ms_mcml__min(float a, float b) { return a < b ? a : b; }
-static MS__UNUSED float ms_mcml__max(float a, float b) { return a > b ? a : b; }
-
-#if defined(MS__NEON)
-static MS__UNUSED int ms_mcml__neon_bits(uint32x4_t mask)
-{
-    static const uint32_t lane[4] = {1, 2, 4, 8};
-    return (int)vaddvq_u32(vandq_u32(mask, vld1q_u32(lane)));
-}
-#endif
-
-#ifndef MS_MCML_FILENAME
-#define MS_MCML_FILENAME "ms_mcml.h"
-#endif
-#define MS_MCML__PASS 1
-#include MS_MCML_FILENAME
-#undef MS_MCML__PASS
-#if defined(MS__X64) || defined(MS__NEON)
-#define MS_MCML__PASS 2
-#include MS_MCML_FILENAME
-#undef MS_MCML__PASS
-#endif
-#if defined(MS__X64)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
-#elif defined(__GNUC__)
-#pragma GCC push_options
-#pragma GCC target("avx2,fma,f16c")
-#endif
-#define MS_MCML__PASS 3
-#include MS_MCML_FILENAME
-#undef MS_MCML__PASS
-#if defined(__clang__)
-#pragma clang attribute pop
-#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), apply_to = function)
-#elif defined(__GNUC__)
-#pragma GCC pop_options
-#pragma GCC push_options
-#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c")
-#endif
-#define MS_MCML__PASS 4
-#include MS_MCML_FILENAME
-#undef MS_MCML__PASS
-#if defined(__clang__)
-#pragma clang attribute pop
-#elif defined(__GNUC__)
-#pragma GCC pop_options
-#endif
-#endif
+typedef void (*ms_mcml__trace_function)(ms_mcml__tracer *t);
+static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level); /* behind the kernels */
 
 /* The photons first to end - 1 into sum. */
 static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint64_t end)
@@ -1121,16 +1060,7 @@ static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint6
     t.sum_phi = m->options.fluence ? sum + m->at.phi : NULL;
     t.next = first;
     t.end = end;
-    switch (m->simd) {
-#if defined(MS__X64)
-    case MS_SIMD_AVX512: ms_mcml__trace_avx512(&t); break;
-    case MS_SIMD_AVX2: ms_mcml__trace_avx2(&t); break;
-#endif
-#if defined(MS__X64) || defined(MS__NEON)
-    case MS_SIMD_BASE: ms_mcml__trace_base(&t); break;
-#endif
-    default: ms_mcml__trace_scalar(&t); break;
-    }
+    ms_mcml__trace_kernel(m->simd)(&t);
 }
 
 /* Reflectance at normal incidence of the boundaries from above the tissue to the first layer that is not clear, light that
@@ -1296,7 +1226,7 @@ static ms_status ms_mcml__run(ms_mcml *m, uint64_t first, uint64_t count, uint64
         memset(wave.sums, 0, size);
     }
     for (wave.first = first; wave.first < end; wave.first += wave.count) {
-        wave.count = MS_MCML__WAVE - wave.first % MS_MCML__WAVE;
+        wave.count = MS_MCML__STRETCH - wave.first % MS_MCML__STRETCH;
         if (wave.count > end - wave.first) wave.count = end - wave.first;
         if (progress->report && progress->report(progress->user, (double)(done + wave.first - first) / (double)of)) {
             status = ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
@@ -1751,7 +1681,7 @@ MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_gr
     photons = m->options.photons ? m->options.photons : 1000000;
     for (done = 0; status == MS_OK && done < photons; done = m->photons) {
         /* with a target, stop for a look after every eighth more; the numbers of photons depend on nothing else */
-        uint64_t count = photons - done, look = (done / 8 / MS_MCML__WAVE + 1) * MS_MCML__WAVE;
+        uint64_t count = photons - done, look = (done / 8 / MS_MCML__STRETCH + 1) * MS_MCML__STRETCH;
         if (m->options.target_error > 0 && done > 0 && ms_mcml__relative_error(m) <= m->options.target_error) break;
         if (m->options.target_error > 0 && count > look) count = look;
         status = ms_mcml__run(m, done, count, done, photons, error);
@@ -3532,6 +3462,20 @@ static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
 #elif defined(__GNUC__)
 #pragma GCC pop_options
 #endif
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c")
+#endif
+#define MS_MCML__LEVEL avx512
+#define MS_MCML__ISA 4
+#include MS_MCML_FILENAME
+#if defined(__clang__)
+#pragma clang attribute pop
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#endif
 #endif /* MS__X64 */
 #undef MS_MCML__PASS
 
@@ -3546,438 +3490,607 @@ static ms_mcml__white_function ms_mcml__white_kernel(ms_simd level)
     (void)level;
     return ms_mcml__white_scalar;
 }
+
+static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
+{
+#if defined(MS__X64)
+    if (level == MS_SIMD_AVX512) return ms_mcml__trace_avx512;
+    if (level == MS_SIMD_AVX2) return ms_mcml__trace_avx2;
+#endif
+#if defined(MS__X64) || defined(MS__NEON)
+    if (level == MS_SIMD_BASE) return ms_mcml__trace_base;
+#endif
+    (void)level;
+    return ms_mcml__trace_scalar;
+}
 #endif /* MS_MCML_IMPLEMENTATION */
 
-#ifdef MS_MCML__PASS
-/* --- vectors ----------------------------------------------------------------------------------------------- */
+#if defined(MS_MCML_IMPLEMENTATION) && defined(MS_MCML__PASS)
+/* --- kernels --------------------------------------------------------------------------------------------------
 
-/* One level of instruction sets an inclusion: MS_MCML__PASS is its ms_simd. F: floats, I: 32-bit integers, M: a mask,
-   LANES of each. MADD a b + c, NMADD c - a b; MIN and MAX return their second argument where the first is NaN; SIGN is
-   +1 or -1; LT and EQ make masks, BITS an int of one bit a lane; SELECT(m, a, b) is m ? a : b. */
-#if MS_MCML__PASS == 4
-#define MS_MCML__KERNEL(name) ms_mcml__##name##_avx512
-#define MS_MCML__LANES 16
-#define MS_MCML__F __m512
-#define MS_MCML__I __m512i
-#define MS_MCML__M __mmask16
-#define MS_MCML__LOAD(p) _mm512_loadu_ps(p)
-#define MS_MCML__STORE(p, a) _mm512_storeu_ps(p, a)
-#define MS_MCML__SET(x) _mm512_set1_ps(x)
-#define MS_MCML__ADD(a, b) _mm512_add_ps(a, b)
-#define MS_MCML__SUB(a, b) _mm512_sub_ps(a, b)
-#define MS_MCML__MUL(a, b) _mm512_mul_ps(a, b)
-#define MS_MCML__DIV(a, b) _mm512_div_ps(a, b)
-#define MS_MCML__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define MS_MCML__NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
-#define MS_MCML__MIN(a, b) _mm512_min_ps(a, b)
-#define MS_MCML__MAX(a, b) _mm512_max_ps(a, b)
-#define MS_MCML__SQRT(a) _mm512_sqrt_ps(a)
-#define MS_MCML__ABS(a) _mm512_and_ps(a, _mm512_castsi512_ps(_mm512_set1_epi32(0x7fffffff)))
-#define MS_MCML__SIGN(a) _mm512_or_ps(_mm512_and_ps(a, _mm512_set1_ps(-0.0f)), _mm512_set1_ps(1.0f))
-#define MS_MCML__LT(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
-#define MS_MCML__SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
-#define MS_MCML__BITS(m) (int)(m)
-#define MS_MCML__ILOAD(p) _mm512_loadu_si512((const void *)(p))
-#define MS_MCML__ISTORE(p, a) _mm512_storeu_si512((void *)(p), a)
-#define MS_MCML__ISET(x) _mm512_set1_epi32(x)
-#define MS_MCML__IADD(a, b) _mm512_add_epi32(a, b)
-#define MS_MCML__ISUB(a, b) _mm512_sub_epi32(a, b)
-#define MS_MCML__XOR(a, b) _mm512_xor_si512(a, b)
-#define MS_MCML__SHL(a, n) _mm512_slli_epi32(a, n)
-#define MS_MCML__SHR(a, n) _mm512_srli_epi32(a, n)
-#define MS_MCML__SAR(a, n) _mm512_srai_epi32(a, n)
-#define MS_MCML__ROTL(a, n) _mm512_rol_epi32(a, n)
-#define MS_MCML__EQ(a, b) _mm512_cmpeq_epi32_mask(a, b)
-#define MS_MCML__FLOAT(a) _mm512_cvtepi32_ps(a)
-#define MS_MCML__TRUNCATE(a) _mm512_cvttps_epi32(a)
-#define MS_MCML__AS_F(a) _mm512_castsi512_ps(a)
-#define MS_MCML__AS_I(a) _mm512_castps_si512(a)
-#elif MS_MCML__PASS == 3
-#define MS_MCML__KERNEL(name) ms_mcml__##name##_avx2
-#define MS_MCML__LANES 8
-#define MS_MCML__F __m256
-#define MS_MCML__I __m256i
-#define MS_MCML__M __m256
-#define MS_MCML__LOAD(p) _mm256_loadu_ps(p)
-#define MS_MCML__STORE(p, a) _mm256_storeu_ps(p, a)
-#define MS_MCML__SET(x) _mm256_set1_ps(x)
-#define MS_MCML__ADD(a, b) _mm256_add_ps(a, b)
-#define MS_MCML__SUB(a, b) _mm256_sub_ps(a, b)
-#define MS_MCML__MUL(a, b) _mm256_mul_ps(a, b)
-#define MS_MCML__DIV(a, b) _mm256_div_ps(a, b)
-#define MS_MCML__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define MS_MCML__NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
-#define MS_MCML__MIN(a, b) _mm256_min_ps(a, b)
-#define MS_MCML__MAX(a, b) _mm256_max_ps(a, b)
-#define MS_MCML__SQRT(a) _mm256_sqrt_ps(a)
-#define MS_MCML__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
-#define MS_MCML__SIGN(a) _mm256_or_ps(_mm256_and_ps(a, _mm256_set1_ps(-0.0f)), _mm256_set1_ps(1.0f))
-#define MS_MCML__LT(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
-#define MS_MCML__SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
-#define MS_MCML__BITS(m) _mm256_movemask_ps(m)
-#define MS_MCML__ILOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
-#define MS_MCML__ISTORE(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), a)
-#define MS_MCML__ISET(x) _mm256_set1_epi32(x)
-#define MS_MCML__IADD(a, b) _mm256_add_epi32(a, b)
-#define MS_MCML__ISUB(a, b) _mm256_sub_epi32(a, b)
-#define MS_MCML__XOR(a, b) _mm256_xor_si256(a, b)
-#define MS_MCML__SHL(a, n) _mm256_slli_epi32(a, n)
-#define MS_MCML__SHR(a, n) _mm256_srli_epi32(a, n)
-#define MS_MCML__SAR(a, n) _mm256_srai_epi32(a, n)
-#define MS_MCML__ROTL(a, n) _mm256_or_si256(_mm256_slli_epi32(a, n), _mm256_srli_epi32(a, 32 - (n)))
-#define MS_MCML__EQ(a, b) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, b))
-#define MS_MCML__FLOAT(a) _mm256_cvtepi32_ps(a)
-#define MS_MCML__TRUNCATE(a) _mm256_cvttps_epi32(a)
-#define MS_MCML__AS_F(a) _mm256_castsi256_ps(a)
-#define MS_MCML__AS_I(a) _mm256_castps_si256(a)
-#elif MS_MCML__PASS == 2 && defined(MS__X64)
-#define MS_MCML__KERNEL(name) ms_mcml__##name##_base
-#define MS_MCML__LANES 4
-#define MS_MCML__F __m128
-#define MS_MCML__I __m128i
-#define MS_MCML__M __m128
-#define MS_MCML__LOAD(p) _mm_loadu_ps(p)
-#define MS_MCML__STORE(p, a) _mm_storeu_ps(p, a)
-#define MS_MCML__SET(x) _mm_set1_ps(x)
-#define MS_MCML__ADD(a, b) _mm_add_ps(a, b)
-#define MS_MCML__SUB(a, b) _mm_sub_ps(a, b)
-#define MS_MCML__MUL(a, b) _mm_mul_ps(a, b)
-#define MS_MCML__DIV(a, b) _mm_div_ps(a, b)
-#define MS_MCML__MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
-#define MS_MCML__NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
-#define MS_MCML__MIN(a, b) _mm_min_ps(a, b)
-#define MS_MCML__MAX(a, b) _mm_max_ps(a, b)
-#define MS_MCML__SQRT(a) _mm_sqrt_ps(a)
-#define MS_MCML__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
-#define MS_MCML__SIGN(a) _mm_or_ps(_mm_and_ps(a, _mm_set1_ps(-0.0f)), _mm_set1_ps(1.0f))
-#define MS_MCML__LT(a, b) _mm_cmplt_ps(a, b)
-#define MS_MCML__SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
-#define MS_MCML__BITS(m) _mm_movemask_ps(m)
-#define MS_MCML__ILOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
-#define MS_MCML__ISTORE(p, a) _mm_storeu_si128((__m128i *)(void *)(p), a)
-#define MS_MCML__ISET(x) _mm_set1_epi32(x)
-#define MS_MCML__IADD(a, b) _mm_add_epi32(a, b)
-#define MS_MCML__ISUB(a, b) _mm_sub_epi32(a, b)
-#define MS_MCML__XOR(a, b) _mm_xor_si128(a, b)
-#define MS_MCML__SHL(a, n) _mm_slli_epi32(a, n)
-#define MS_MCML__SHR(a, n) _mm_srli_epi32(a, n)
-#define MS_MCML__SAR(a, n) _mm_srai_epi32(a, n)
-#define MS_MCML__ROTL(a, n) _mm_or_si128(_mm_slli_epi32(a, n), _mm_srli_epi32(a, 32 - (n)))
-#define MS_MCML__EQ(a, b) _mm_castsi128_ps(_mm_cmpeq_epi32(a, b))
-#define MS_MCML__FLOAT(a) _mm_cvtepi32_ps(a)
-#define MS_MCML__TRUNCATE(a) _mm_cvttps_epi32(a)
-#define MS_MCML__AS_F(a) _mm_castsi128_ps(a)
-#define MS_MCML__AS_I(a) _mm_castps_si128(a)
-#elif MS_MCML__PASS == 2
-#define MS_MCML__KERNEL(name) ms_mcml__##name##_base
-#define MS_MCML__LANES 4
-#define MS_MCML__F float32x4_t
-#define MS_MCML__I int32x4_t
-#define MS_MCML__M uint32x4_t
-#define MS_MCML__LOAD(p) vld1q_f32(p)
-#define MS_MCML__STORE(p, a) vst1q_f32(p, a)
-#define MS_MCML__SET(x) vdupq_n_f32(x)
-#define MS_MCML__ADD(a, b) vaddq_f32(a, b)
-#define MS_MCML__SUB(a, b) vsubq_f32(a, b)
-#define MS_MCML__MUL(a, b) vmulq_f32(a, b)
-#define MS_MCML__DIV(a, b) vdivq_f32(a, b)
-#define MS_MCML__MADD(a, b, c) vfmaq_f32(c, a, b)
-#define MS_MCML__NMADD(a, b, c) vfmsq_f32(c, a, b)
-#define MS_MCML__MIN(a, b) vbslq_f32(vcltq_f32(a, b), a, b)
-#define MS_MCML__MAX(a, b) vbslq_f32(vcgtq_f32(a, b), a, b)
-#define MS_MCML__SQRT(a) vsqrtq_f32(a)
-#define MS_MCML__ABS(a) vabsq_f32(a)
-#define MS_MCML__SIGN(a) vbslq_f32(vdupq_n_u32(0x80000000u), a, vdupq_n_f32(1.0f))
-#define MS_MCML__LT(a, b) vcltq_f32(a, b)
-#define MS_MCML__SELECT(m, a, b) vbslq_f32(m, a, b)
-#define MS_MCML__BITS(m) ms_mcml__neon_bits(m)
-#define MS_MCML__ILOAD(p) vld1q_s32((const int32_t *)(const void *)(p))
-#define MS_MCML__ISTORE(p, a) vst1q_s32((int32_t *)(void *)(p), a)
-#define MS_MCML__ISET(x) vdupq_n_s32(x)
-#define MS_MCML__IADD(a, b) vaddq_s32(a, b)
-#define MS_MCML__ISUB(a, b) vsubq_s32(a, b)
-#define MS_MCML__XOR(a, b) veorq_s32(a, b)
-#define MS_MCML__SHL(a, n) vshlq_n_s32(a, n)
-#define MS_MCML__SHR(a, n) vreinterpretq_s32_u32(vshrq_n_u32(vreinterpretq_u32_s32(a), n))
-#define MS_MCML__SAR(a, n) vshrq_n_s32(a, n)
-#define MS_MCML__ROTL(a, n) vorrq_s32(MS_MCML__SHL(a, n), MS_MCML__SHR(a, 32 - (n)))
-#define MS_MCML__EQ(a, b) vceqq_s32(a, b)
-#define MS_MCML__FLOAT(a) vcvtq_f32_s32(a)
-#define MS_MCML__TRUNCATE(a) vcvtq_s32_f32(a)
-#define MS_MCML__AS_F(a) vreinterpretq_f32_s32(a)
-#define MS_MCML__AS_I(a) vreinterpretq_s32_f32(a)
-#else
-#define MS_MCML__KERNEL(name) ms_mcml__##name##_scalar
-#define MS_MCML__LANES 1
-#define MS_MCML__F float
-#define MS_MCML__I uint32_t
-#define MS_MCML__M int
-#define MS_MCML__LOAD(p) (*(p))
-#define MS_MCML__STORE(p, a) (*(p) = (a))
-#define MS_MCML__SET(x) (x)
-#define MS_MCML__ADD(a, b) ((a) + (b))
-#define MS_MCML__SUB(a, b) ((a) - (b))
-#define MS_MCML__MUL(a, b) ((a) * (b))
-#define MS_MCML__DIV(a, b) ((a) / (b))
-#define MS_MCML__MADD(a, b, c) ((a) * (b) + (c))
-#define MS_MCML__NMADD(a, b, c) ((c) - (a) * (b))
-#define MS_MCML__MIN(a, b) ms_mcml__min(a, b)
-#define MS_MCML__MAX(a, b) ms_mcml__max(a, b)
-#define MS_MCML__SQRT(a) sqrtf(a)
-#define MS_MCML__ABS(a) fabsf(a)
-#define MS_MCML__SIGN(a) (ms_mcml__as_int(a) >> 31 ? -1.0f : 1.0f)
-#define MS_MCML__LT(a, b) ((a) < (b))
-#define MS_MCML__SELECT(m, a, b) ((m) ? (a) : (b))
-#define MS_MCML__BITS(m) (m)
-#define MS_MCML__ILOAD(p) (*(p))
-#define MS_MCML__ISTORE(p, a) (*(p) = (a))
-#define MS_MCML__ISET(x) ((uint32_t)(x))
-#define MS_MCML__IADD(a, b) ((a) + (b))
-#define MS_MCML__ISUB(a, b) ((a) - (b))
-#define MS_MCML__XOR(a, b) ((a) ^ (b))
-#define MS_MCML__SHL(a, n) ((a) << (n))
-#define MS_MCML__SHR(a, n) ((a) >> (n))
-#define MS_MCML__SAR(a, n) (((a) >> (n)) | (0u - ((a) >> 31)) << (32 - (n)))
-#define MS_MCML__ROTL(a, n) (((a) << (n)) | ((a) >> (32 - (n))))
-#define MS_MCML__EQ(a, b) ((a) == (b))
-#define MS_MCML__FLOAT(a) ((float)(int32_t)(a))
-#define MS_MCML__TRUNCATE(a) ((uint32_t)(int32_t)(a))
-#define MS_MCML__AS_F(a) ms_mcml__as_float(a)
-#define MS_MCML__AS_I(a) ms_mcml__as_int(a)
+   Read once a level. V is a vector of L floats, U of L 32-bit words, M a comparison's result. */
+
+#if MS_MCML__ISA == 1
+#define L 1
+#define V float
+#define U uint32_t
+#define M int
+#define V_LOAD(p) (*(p))
+#define V_STORE(p, a) (*(p) = (a))
+#define V_SET(a) (a)
+#define V_ADD(a, b) ((a) + (b))
+#define V_SUB(a, b) ((a) - (b))
+#define V_MUL(a, b) ((a) * (b))
+#define V_DIV(a, b) ((a) / (b))
+#define V_MADD(a, b, c) ((a) * (b) + (c))
+#define V_SQRT(a) sqrtf(a)
+#define V_MAX(a, b) ((a) > (b) ? (a) : (b))
+#define V_LESS(a, b) ((a) < (b))
+#define V_SELECT(m, a, b) ((m) ? (a) : (b))
+#define V_FROM_INT(a) ((float)(int32_t)(a))
+#define V_BITS(a) ms_mcml__bits_float(a)
+#define U_BITS(a) ms_mcml__float_bits(a)
+#define U_LOAD(p) (*(p))
+#define U_STORE(p, a) (*(p) = (a))
+#define U_SET(a) (a)
+#define U_ADD(a, b) ((a) + (b))
+#define U_SUB(a, b) ((a) - (b))
+#define U_AND(a, b) ((a) & (b))
+#define U_XOR(a, b) ((a) ^ (b))
+#define U_RIGHT(a, n) ((a) >> (n))
+#define U_LEFT(a, n) ((a) << (n))
+#define U_IS_ZERO(a) ((a) == 0)
+#define U_WIDE(a, m, high, low) ((high) = (uint32_t)(((uint64_t)(a) * (m)) >> 32), (low) = (a) * (m))
+#define V_NMADD(a, b, c) ((c) - (a) * (b))
+#define V_MIN(a, b) ((a) < (b) ? (a) : (b))
+#define V_ABS(a) fabsf(a)
+#define V_SIGN(a) (ms_mcml__float_bits(a) >> 31 ? -1.0f : 1.0f)
+#define V_TO_INT(a) ((uint32_t)(int32_t)(a))
+#define U_ROTATE(a, n) (((a) << (n)) | ((a) >> (32 - (n))))
+#define M_BITS(m) ((unsigned)(m))
+
+#elif MS_MCML__ISA == 2 && defined(MS__X64)
+#define L 4
+#define V __m128
+#define U __m128i
+#define M __m128
+#define V_LOAD(p) _mm_loadu_ps(p)
+#define V_STORE(p, a) _mm_storeu_ps(p, a)
+#define V_SET(a) _mm_set1_ps(a)
+#define V_ADD(a, b) _mm_add_ps(a, b)
+#define V_SUB(a, b) _mm_sub_ps(a, b)
+#define V_MUL(a, b) _mm_mul_ps(a, b)
+#define V_DIV(a, b) _mm_div_ps(a, b)
+#define V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define V_SQRT(a) _mm_sqrt_ps(a)
+#define V_MAX(a, b) _mm_max_ps(a, b)
+#define V_LESS(a, b) _mm_cmplt_ps(a, b)
+#define V_SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
+#define V_FROM_INT(a) _mm_cvtepi32_ps(a)
+#define V_BITS(a) _mm_castsi128_ps(a)
+#define U_BITS(a) _mm_castps_si128(a)
+#define U_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
+#define U_STORE(p, a) _mm_storeu_si128((__m128i *)(void *)(p), a)
+#define U_SET(a) _mm_set1_epi32((int)(a))
+#define U_ADD(a, b) _mm_add_epi32(a, b)
+#define U_SUB(a, b) _mm_sub_epi32(a, b)
+#define U_AND(a, b) _mm_and_si128(a, b)
+#define U_XOR(a, b) _mm_xor_si128(a, b)
+#define U_RIGHT(a, n) _mm_srli_epi32(a, n)
+#define U_LEFT(a, n) _mm_slli_epi32(a, n)
+#define U_IS_ZERO(a) _mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))
+#define U_WIDE(a, m, high, low) /* even lanes, odd lanes, and sorted together again */                         \
+    do {                                                                                                       \
+        __m128i even_ = _mm_mul_epu32(a, m), odd_ = _mm_mul_epu32(_mm_srli_epi64(a, 32), m);                   \
+        __m128i upper_ = _mm_set_epi32(-1, 0, -1, 0);                                                          \
+        (high) = _mm_or_si128(_mm_srli_epi64(even_, 32), _mm_and_si128(odd_, upper_));                         \
+        (low) = _mm_or_si128(_mm_andnot_si128(upper_, even_), _mm_slli_epi64(odd_, 32));                       \
+    } while (0)
+#define V_NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
+#define V_MIN(a, b) _mm_min_ps(a, b)
+#define V_ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
+#define V_SIGN(a) _mm_or_ps(_mm_and_ps(a, _mm_set1_ps(-0.0f)), _mm_set1_ps(1.0f))
+#define V_TO_INT(a) _mm_cvttps_epi32(a)
+#define U_ROTATE(a, n) _mm_or_si128(_mm_slli_epi32(a, n), _mm_srli_epi32(a, 32 - (n)))
+#define M_BITS(m) ((unsigned)_mm_movemask_ps(m))
+
+#elif MS_MCML__ISA == 2
+#define L 4
+#define V float32x4_t
+#define U uint32x4_t
+#define M uint32x4_t
+#define V_LOAD(p) vld1q_f32(p)
+#define V_STORE(p, a) vst1q_f32(p, a)
+#define V_SET(a) vdupq_n_f32(a)
+#define V_ADD(a, b) vaddq_f32(a, b)
+#define V_SUB(a, b) vsubq_f32(a, b)
+#define V_MUL(a, b) vmulq_f32(a, b)
+#define V_DIV(a, b) vdivq_f32(a, b)
+#define V_MADD(a, b, c) vfmaq_f32(c, a, b)
+#define V_SQRT(a) vsqrtq_f32(a)
+#define V_MAX(a, b) vmaxq_f32(a, b)
+#define V_LESS(a, b) vcltq_f32(a, b)
+#define V_SELECT(m, a, b) vbslq_f32(m, a, b)
+#define V_FROM_INT(a) vcvtq_f32_s32(vreinterpretq_s32_u32(a))
+#define V_BITS(a) vreinterpretq_f32_u32(a)
+#define U_BITS(a) vreinterpretq_u32_f32(a)
+#define U_LOAD(p) vld1q_u32(p)
+#define U_STORE(p, a) vst1q_u32(p, a)
+#define U_SET(a) vdupq_n_u32(a)
+#define U_ADD(a, b) vaddq_u32(a, b)
+#define U_SUB(a, b) vsubq_u32(a, b)
+#define U_AND(a, b) vandq_u32(a, b)
+#define U_XOR(a, b) veorq_u32(a, b)
+#define U_RIGHT(a, n) vshrq_n_u32(a, n)
+#define U_LEFT(a, n) vshlq_n_u32(a, n)
+#define U_IS_ZERO(a) vceqq_u32(a, vdupq_n_u32(0))
+#define U_WIDE(a, m, high, low)                                                                                \
+    do {                                                                                                       \
+        uint32x4_t first_ = vreinterpretq_u32_u64(vmull_u32(vget_low_u32(a), vget_low_u32(m)));                \
+        uint32x4_t second_ = vreinterpretq_u32_u64(vmull_u32(vget_high_u32(a), vget_high_u32(m)));             \
+        (low) = vuzp1q_u32(first_, second_);                                                                   \
+        (high) = vuzp2q_u32(first_, second_);                                                                  \
+    } while (0)
+#define V_NMADD(a, b, c) vfmsq_f32(c, a, b)
+#define V_MIN(a, b) vminq_f32(a, b)
+#define V_ABS(a) vabsq_f32(a)
+#define V_SIGN(a) vbslq_f32(vdupq_n_u32(0x80000000u), a, vdupq_n_f32(1.0f))
+#define V_TO_INT(a) vreinterpretq_u32_s32(vcvtq_s32_f32(a))
+#define U_ROTATE(a, n) vorrq_u32(vshlq_n_u32(a, n), vshrq_n_u32(a, 32 - (n)))
+#define M_BITS(m) ms_mcml__neon_bits(m)
+
+#elif MS_MCML__ISA == 3
+#define L 8
+#define V __m256
+#define U __m256i
+#define M __m256
+#define V_LOAD(p) _mm256_loadu_ps(p)
+#define V_STORE(p, a) _mm256_storeu_ps(p, a)
+#define V_SET(a) _mm256_set1_ps(a)
+#define V_ADD(a, b) _mm256_add_ps(a, b)
+#define V_SUB(a, b) _mm256_sub_ps(a, b)
+#define V_MUL(a, b) _mm256_mul_ps(a, b)
+#define V_DIV(a, b) _mm256_div_ps(a, b)
+#define V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define V_SQRT(a) _mm256_sqrt_ps(a)
+#define V_MAX(a, b) _mm256_max_ps(a, b)
+#define V_LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
+#define V_SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
+#define V_FROM_INT(a) _mm256_cvtepi32_ps(a)
+#define V_BITS(a) _mm256_castsi256_ps(a)
+#define U_BITS(a) _mm256_castps_si256(a)
+#define U_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
+#define U_STORE(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), a)
+#define U_SET(a) _mm256_set1_epi32((int)(a))
+#define U_ADD(a, b) _mm256_add_epi32(a, b)
+#define U_SUB(a, b) _mm256_sub_epi32(a, b)
+#define U_AND(a, b) _mm256_and_si256(a, b)
+#define U_XOR(a, b) _mm256_xor_si256(a, b)
+#define U_RIGHT(a, n) _mm256_srli_epi32(a, n)
+#define U_LEFT(a, n) _mm256_slli_epi32(a, n)
+#define U_IS_ZERO(a) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))
+#define U_WIDE(a, m, high, low)                                                                                \
+    do {                                                                                                       \
+        __m256i even_ = _mm256_mul_epu32(a, m), odd_ = _mm256_mul_epu32(_mm256_srli_epi64(a, 32), m);          \
+        (high) = _mm256_blend_epi32(_mm256_srli_epi64(even_, 32), odd_, 0xAA);                                 \
+        (low) = _mm256_blend_epi32(even_, _mm256_slli_epi64(odd_, 32), 0xAA);                                  \
+    } while (0)
+#define V_NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
+#define V_MIN(a, b) _mm256_min_ps(a, b)
+#define V_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
+#define V_SIGN(a) _mm256_or_ps(_mm256_and_ps(a, _mm256_set1_ps(-0.0f)), _mm256_set1_ps(1.0f))
+#define V_TO_INT(a) _mm256_cvttps_epi32(a)
+#define U_ROTATE(a, n) _mm256_or_si256(_mm256_slli_epi32(a, n), _mm256_srli_epi32(a, 32 - (n)))
+#define M_BITS(m) ((unsigned)_mm256_movemask_ps(m))
+
+#elif MS_MCML__ISA == 4
+#define L 16
+#define V __m512
+#define U __m512i
+#define M __mmask16
+#define V_LOAD(p) _mm512_loadu_ps(p)
+#define V_STORE(p, a) _mm512_storeu_ps(p, a)
+#define V_SET(a) _mm512_set1_ps(a)
+#define V_ADD(a, b) _mm512_add_ps(a, b)
+#define V_SUB(a, b) _mm512_sub_ps(a, b)
+#define V_MUL(a, b) _mm512_mul_ps(a, b)
+#define V_DIV(a, b) _mm512_div_ps(a, b)
+#define V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define V_SQRT(a) _mm512_sqrt_ps(a)
+#define V_MAX(a, b) _mm512_max_ps(a, b)
+#define V_LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
+#define V_SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
+#define V_FROM_INT(a) _mm512_cvtepi32_ps(a)
+#define V_BITS(a) _mm512_castsi512_ps(a)
+#define U_BITS(a) _mm512_castps_si512(a)
+#define U_LOAD(p) _mm512_loadu_si512((const void *)(p))
+#define U_STORE(p, a) _mm512_storeu_si512((void *)(p), a)
+#define U_SET(a) _mm512_set1_epi32((int)(a))
+#define U_ADD(a, b) _mm512_add_epi32(a, b)
+#define U_SUB(a, b) _mm512_sub_epi32(a, b)
+#define U_AND(a, b) _mm512_and_si512(a, b)
+#define U_XOR(a, b) _mm512_xor_si512(a, b)
+#define U_RIGHT(a, n) _mm512_srli_epi32(a, n)
+#define U_LEFT(a, n) _mm512_slli_epi32(a, n)
+#define U_IS_ZERO(a) _mm512_testn_epi32_mask(a, a)
+#define V_NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
+#define V_MIN(a, b) _mm512_min_ps(a, b)
+#define V_ABS(a) _mm512_castsi512_ps(_mm512_and_si512(_mm512_castps_si512(a), _mm512_set1_epi32(0x7fffffff)))
+#define V_SIGN(a) \
+    _mm512_castsi512_ps(_mm512_ternarylogic_epi32(_mm512_castps_si512(a), _mm512_set1_epi32((int)0x80000000u), \
+                                                  _mm512_set1_epi32(0x3f800000), 0xEA))
+#define V_TO_INT(a) _mm512_cvttps_epi32(a)
+#define U_ROTATE(a, n) _mm512_rol_epi32(a, n)
+#define M_BITS(m) ((unsigned)(m))
+
 #endif
 
-/* -log(u) for random words: u = (word / 2 + 1/2) 2^-31, never 0. Relative error 5e-7; log(1 + f) = f - f^2/2 + f^3 P(f)
-   with a minimax P for 1 + f in [sqrt(1/2), sqrt(2)]. */
-static inline MS_MCML__F MS_MCML__KERNEL(exponential)(MS_MCML__I word)
+/* -log(u), u = (word / 2 + 1/2) 2^-31 > 0. With u = (1 + t) 2^e and 1 + t in [sqrt(1/2), sqrt(2)):
+   log(1 + t) = t - t^2 / 2 + t^3 P(t), error 1e-8. */
+static inline V MS_MCML__FN(exponential)(U word)
 {
-    const MS_MCML__F u = MS_MCML__MADD(MS_MCML__FLOAT(MS_MCML__SHR(word, 1)), MS_MCML__SET(4.656612873e-10f), MS_MCML__SET(2.328306437e-10f));
-    const MS_MCML__I exponent = MS_MCML__SAR(MS_MCML__ISUB(MS_MCML__AS_I(u), MS_MCML__ISET(0x3f3504f3)), 23);
-    const MS_MCML__F f = MS_MCML__SUB(MS_MCML__AS_F(MS_MCML__ISUB(MS_MCML__AS_I(u), MS_MCML__SHL(exponent, 23))), MS_MCML__SET(1.0f));
-    const MS_MCML__F square = MS_MCML__MUL(f, f);
-    MS_MCML__F p = MS_MCML__SET(-0.101916462f);
-    p = MS_MCML__MADD(p, f, MS_MCML__SET(0.160243571f));
-    p = MS_MCML__MADD(p, f, MS_MCML__SET(-0.1713714f));
-    p = MS_MCML__MADD(p, f, MS_MCML__SET(0.199245065f));
-    p = MS_MCML__MADD(p, f, MS_MCML__SET(-0.24983266f));
-    p = MS_MCML__MADD(p, f, MS_MCML__SET(0.333342463f));
-    p = MS_MCML__MADD(MS_MCML__MUL(p, f), square, MS_MCML__NMADD(MS_MCML__SET(0.5f), square, f));
-    return MS_MCML__NMADD(MS_MCML__FLOAT(exponent), MS_MCML__SET(0.693147181f), MS_MCML__SUB(MS_MCML__SET(0.0f), p));
+    const V u = V_MADD(V_FROM_INT(U_RIGHT(word, 1)), V_SET(1.0f / 2147483648.0f), V_SET(1.0f / 4294967296.0f));
+    const U bits = U_ADD(U_SUB(U_BITS(u), U_SET(0x3f3504f3u)), U_SET(64u << 23));
+    const V t = V_SUB(V_BITS(U_ADD(U_AND(bits, U_SET(0x7fffffu)), U_SET(0x3f3504f3u))), V_SET(1.0f));
+    V p = V_MADD(t, V_SET(-0.0810155815f), V_SET(0.127123076f));
+    p = V_MADD(p, t, V_SET(-0.12972239f));
+    p = V_MADD(p, t, V_SET(0.142021738f));
+    p = V_MADD(p, t, V_SET(-0.166422476f));
+    p = V_MADD(p, t, V_SET(0.200014686f));
+    p = V_MADD(p, t, V_SET(-0.250002965f));
+    p = V_MADD(p, t, V_SET(0.333333286f));
+    p = V_MADD(V_MADD(p, t, V_SET(-0.5f)), V_MUL(t, t), t);
+    return V_SUB(V_MUL(V_SUB(V_SET(64.0f), V_FROM_INT(U_RIGHT(bits, 23))), V_SET(0.693147181f)), p);
 }
 
 /* A word as a number in [0, 1) of 24 bits. */
-static inline MS_MCML__F MS_MCML__KERNEL(uniform)(MS_MCML__I word)
+static inline V MS_MCML__FN(uniform)(U word)
 {
-    return MS_MCML__MUL(MS_MCML__FLOAT(MS_MCML__SHR(word, 8)), MS_MCML__SET(5.960464478e-8f));
+    return V_MUL(V_FROM_INT(U_RIGHT(word, 8)), V_SET(1.0f / 16777216.0f));
 }
 
-/* --- direct Monte Carlo: the kernel ------------------------------------------------------------------------ */
-
 /* xoshiro128+ (Blackman, Vigna 2018), a lane a photon. */
-#define MS_MCML__DRAW(word)                         \
-    do {                                            \
-        const MS_MCML__I shifted = MS_MCML__SHL(s1, 9); \
-        word = MS_MCML__IADD(s0, s3);               \
-        s2 = MS_MCML__XOR(s2, s0);                  \
-        s3 = MS_MCML__XOR(s3, s1);                  \
-        s1 = MS_MCML__XOR(s1, s2);                  \
-        s0 = MS_MCML__XOR(s0, s3);                  \
-        s2 = MS_MCML__XOR(s2, shifted);             \
-        s3 = MS_MCML__ROTL(s3, 11);                 \
+#define MS_MCML__DRAW(word) \
+    do { \
+        const U shifted = U_LEFT(s1, 9); \
+        word = U_ADD(s0, s3); \
+        s2 = U_XOR(s2, s0); \
+        s3 = U_XOR(s3, s1); \
+        s1 = U_XOR(s1, s2); \
+        s0 = U_XOR(s0, s3); \
+        s2 = U_XOR(s2, shifted); \
+        s3 = U_ROTATE(s3, 11); \
     } while (0)
 
 /* Traces the photons of t. One event of every lane a turn: a flight that ends in a collision or at a boundary. Four words
    are drawn for each event, so that a photon's path does not depend on its neighbours. What is rare goes lane by lane
    through ms_mcml__rare. */
-static void MS_MCML__KERNEL(trace)(ms_mcml__tracer *t)
+static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 {
-    const MS_MCML__F zero = MS_MCML__SET(0.0f), one = MS_MCML__SET(1.0f), two = MS_MCML__SET(2.0f), half = MS_MCML__SET(0.5f);
-    const MS_MCML__F low_weight = MS_MCML__SET(t->low_weight), chance = MS_MCML__SET(MS_MCML__CHANCE);
-    const MS_MCML__F inverse_chance = MS_MCML__SET(1 / MS_MCML__CHANCE);
-    const MS_MCML__F inverse_dr = MS_MCML__SET(t->inverse_dr), inverse_dz = MS_MCML__SET(t->inverse_dz);
-    const MS_MCML__F last_r = MS_MCML__SET(t->last_r), last_z = MS_MCML__SET(t->last_z);
-    MS_MCML__I s0, s1, s2, s3;
+    const V zero = V_SET(0.0f), one = V_SET(1.0f), two = V_SET(2.0f), half = V_SET(0.5f);
+    const V low_weight = V_SET(t->low_weight), chance = V_SET(MS_MCML__CHANCE);
+    const V inverse_chance = V_SET(1 / MS_MCML__CHANCE);
+    const V inverse_dr = V_SET(t->inverse_dr), inverse_dz = V_SET(t->inverse_dz);
+    const V last_r = V_SET(t->last_r), last_z = V_SET(t->last_z);
+    U s0, s1, s2, s3;
     int i;
+
     t->alive = 0;
-    for (i = 0; i < MS_MCML__LANES; ++i) ms_mcml__launch(t, i);
-    s0 = MS_MCML__ILOAD(t->s[0]);
-    s1 = MS_MCML__ILOAD(t->s[1]);
-    s2 = MS_MCML__ILOAD(t->s[2]);
-    s3 = MS_MCML__ILOAD(t->s[3]);
+    for (i = 0; i < L; ++i) ms_mcml__launch(t, i);
+    s0 = U_LOAD(t->s[0]);
+    s1 = U_LOAD(t->s[1]);
+    s2 = U_LOAD(t->s[2]);
+    s3 = U_LOAD(t->s[3]);
     while (t->alive) {
-        MS_MCML__I word_flight, word_cosine, word_azimuth, word_chance, events;
-        MS_MCML__F x = MS_MCML__LOAD(t->x), y = MS_MCML__LOAD(t->y), z = MS_MCML__LOAD(t->z);
-        MS_MCML__F ux = MS_MCML__LOAD(t->ux), uy = MS_MCML__LOAD(t->uy), uz = MS_MCML__LOAD(t->uz);
-        MS_MCML__F w = MS_MCML__LOAD(t->w), u, flight, steep, gap, step, lost;
-        const MS_MCML__F depth = MS_MCML__LOAD(t->depth), mfp = MS_MCML__LOAD(t->mfp), g = MS_MCML__LOAD(t->g);
-        MS_MCML__M hit, up;
+        U word_flight, word_cosine, word_azimuth, word_chance, events;
+        V x = V_LOAD(t->x), y = V_LOAD(t->y), z = V_LOAD(t->z);
+        V ux = V_LOAD(t->ux), uy = V_LOAD(t->uy), uz = V_LOAD(t->uz);
+        V w = V_LOAD(t->w), u, flight, steep, gap, step, lost;
+        const V depth = V_LOAD(t->depth), mfp = V_LOAD(t->mfp), g = V_LOAD(t->g);
+        M hit, up;
         int boundary, rare;
 
         MS_MCML__DRAW(word_flight);
         MS_MCML__DRAW(word_cosine);
         MS_MCML__DRAW(word_azimuth);
         MS_MCML__DRAW(word_chance);
-        u = MS_MCML__KERNEL(uniform)(word_chance);
+        u = MS_MCML__FN(uniform)(word_chance);
 
         /* to the collision, or to the boundary if that is nearer; at least half the smallest -log u that is not 0 */
-        flight = MS_MCML__MUL(MS_MCML__MAX(MS_MCML__KERNEL(exponential)(word_flight), MS_MCML__SET(3e-8f)), mfp);
-        up = MS_MCML__LT(uz, zero);
-        gap = MS_MCML__MAX(MS_MCML__SELECT(up, z, MS_MCML__SUB(depth, z)), zero);
-        steep = MS_MCML__MAX(MS_MCML__ABS(uz), MS_MCML__SET(1e-9f));
-        hit = MS_MCML__LT(gap, MS_MCML__MUL(flight, steep));
-        boundary = MS_MCML__BITS(hit) & t->alive;
-        step = MS_MCML__SELECT(hit, MS_MCML__DIV(gap, steep), flight);
-        x = MS_MCML__MADD(step, ux, x);
-        y = MS_MCML__MADD(step, uy, y);
-        z = MS_MCML__SELECT(hit, MS_MCML__SELECT(up, zero, depth), MS_MCML__MADD(step, uz, z));
-        MS_MCML__STORE(t->path, MS_MCML__MADD(step, MS_MCML__LOAD(t->n), MS_MCML__LOAD(t->path)));
+        flight = V_MUL(V_MAX(MS_MCML__FN(exponential)(word_flight), V_SET(3e-8f)), mfp);
+        up = V_LESS(uz, zero);
+        gap = V_MAX(V_SELECT(up, z, V_SUB(depth, z)), zero);
+        steep = V_MAX(V_ABS(uz), V_SET(1e-9f));
+        hit = V_LESS(gap, V_MUL(flight, steep));
+        boundary = (int)M_BITS(hit) & t->alive;
+        step = V_SELECT(hit, V_DIV(gap, steep), flight);
+        x = V_MADD(step, ux, x);
+        y = V_MADD(step, uy, y);
+        z = V_SELECT(hit, V_SELECT(up, zero, depth), V_MADD(step, uz, z));
+        V_STORE(t->path, V_MADD(step, V_LOAD(t->n), V_LOAD(t->path)));
 
         /* absorption at a collision, in units of 2^-30, rounded up with a chance equal to the remainder */
-        lost = MS_MCML__SELECT(hit, zero, MS_MCML__MUL(w, MS_MCML__LOAD(t->absorbed)));
+        lost = V_SELECT(hit, zero, V_MUL(w, V_LOAD(t->absorbed)));
         if (t->sum_a || t->sum_phi) {
-            const MS_MCML__F r = MS_MCML__SQRT(MS_MCML__MADD(x, x, MS_MCML__MUL(y, y)));
-            const MS_MCML__F ring = MS_MCML__MAX(MS_MCML__MIN(MS_MCML__MUL(r, inverse_dr), last_r), zero);
-            const MS_MCML__F slab = MS_MCML__MUL(MS_MCML__ADD(z, MS_MCML__LOAD(t->top)), inverse_dz);
-            MS_MCML__ISTORE(t->ring, MS_MCML__TRUNCATE(ring));
-            MS_MCML__ISTORE(t->slab, MS_MCML__TRUNCATE(MS_MCML__MAX(MS_MCML__MIN(slab, last_z), zero)));
+            const V r = V_SQRT(V_MADD(x, x, V_MUL(y, y)));
+            const V ring = V_MAX(V_MIN(V_MUL(r, inverse_dr), last_r), zero);
+            const V slab = V_MUL(V_ADD(z, V_LOAD(t->top)), inverse_dz);
+            U_STORE(t->ring, V_TO_INT(ring));
+            U_STORE(t->slab, V_TO_INT(V_MAX(V_MIN(slab, last_z), zero)));
             if (t->sum_a) {
-                MS_MCML__STORE(t->units, MS_MCML__MADD(lost, MS_MCML__SET(MS_MCML__UNITS), u));
-                for (i = 0; i < MS_MCML__LANES; ++i)
+                V_STORE(t->units, V_MADD(lost, V_SET(MS_MCML__UNITS), u));
+                for (i = 0; i < L; ++i)
                     t->sum_a[t->offset[i] + (size_t)t->ring[i] * t->nz + t->slab[i]] += (int64_t)t->units[i];
             }
             if (t->sum_phi) {
-                const MS_MCML__F length = MS_MCML__MUL(MS_MCML__MUL(w, mfp), MS_MCML__SET(t->phi_units));
-                MS_MCML__STORE(t->units, MS_MCML__SELECT(hit, zero, MS_MCML__ADD(length, u)));
-                for (i = 0; i < MS_MCML__LANES; ++i)
+                const V length = V_MUL(V_MUL(w, mfp), V_SET(t->phi_units));
+                V_STORE(t->units, V_SELECT(hit, zero, V_ADD(length, u)));
+                for (i = 0; i < L; ++i)
                     t->sum_phi[t->offset[i] + (size_t)t->ring[i] * t->nz + t->slab[i]] += (int64_t)t->units[i];
             }
         }
-        w = MS_MCML__SUB(w, lost);
-        MS_MCML__STORE(t->kept, MS_MCML__ADD(lost, MS_MCML__LOAD(t->kept)));
-        w = MS_MCML__SELECT(MS_MCML__LT(MS_MCML__SELECT(hit, one, w), low_weight),
-                            MS_MCML__SELECT(MS_MCML__LT(u, chance), MS_MCML__MUL(w, inverse_chance), zero), w);
+        w = V_SUB(w, lost);
+        V_STORE(t->kept, V_ADD(lost, V_LOAD(t->kept)));
+        w = V_SELECT(V_LESS(V_SELECT(hit, one, w), low_weight),
+                            V_SELECT(V_LESS(u, chance), V_MUL(w, inverse_chance), zero), w);
 
         {   /* Henyey-Greenstein, v = 2 xi - 1:
                1 - cos = (1 - g)^2 (1 - v) (2 + g + g v) / (2 (1 + g v)^2), 1 + cos the same with -g and -v */
-            const MS_MCML__F xi = MS_MCML__KERNEL(uniform)(word_cosine);
-            const MS_MCML__F gv = MS_MCML__MUL(g, MS_MCML__MADD(two, xi, MS_MCML__SET(-1.0f)));
-            const MS_MCML__F q = MS_MCML__DIV(one, MS_MCML__ADD(one, gv)), less = MS_MCML__MUL(MS_MCML__SUB(one, g), q);
-            const MS_MCML__F more = MS_MCML__MUL(MS_MCML__ADD(one, g), q), middle = MS_MCML__ADD(two, gv);
-            const MS_MCML__F below =
-                MS_MCML__MUL(MS_MCML__MUL(MS_MCML__MUL(less, less), MS_MCML__SUB(one, xi)), MS_MCML__ADD(middle, g));
-            const MS_MCML__F above = MS_MCML__MUL(MS_MCML__MUL(MS_MCML__MUL(more, more), xi), MS_MCML__SUB(middle, g));
-            const MS_MCML__F cosine = MS_MCML__SUB(one, below), sine = MS_MCML__SQRT(MS_MCML__MUL(below, above));
+            const V xi = MS_MCML__FN(uniform)(word_cosine);
+            const V gv = V_MUL(g, V_MADD(two, xi, V_SET(-1.0f)));
+            const V q = V_DIV(one, V_ADD(one, gv)), less = V_MUL(V_SUB(one, g), q);
+            const V more = V_MUL(V_ADD(one, g), q), middle = V_ADD(two, gv);
+            const V below =
+                V_MUL(V_MUL(V_MUL(less, less), V_SUB(one, xi)), V_ADD(middle, g));
+            const V above = V_MUL(V_MUL(V_MUL(more, more), xi), V_SUB(middle, g));
+            const V cosine = V_SUB(one, below), sine = V_SQRT(V_MUL(below, above));
             /* azimuth 2 pi t, t in [-1/2, 1/2), by the half angle */
-            const MS_MCML__F tau = MS_MCML__SUB(MS_MCML__KERNEL(uniform)(word_azimuth), half), t2 = MS_MCML__MUL(tau, tau);
-            MS_MCML__F sh = MS_MCML__SET(0.0776594074f), ch = MS_MCML__SET(0.219696795f);
-            MS_MCML__F sc, ss, sign, a, b, scale, vx, vy, vz;
-            sh = MS_MCML__MADD(sh, t2, MS_MCML__SET(-0.598292159f));
-            sh = MS_MCML__MADD(sh, t2, MS_MCML__SET(2.55007766f));
-            sh = MS_MCML__MADD(sh, t2, MS_MCML__SET(-5.16771009f));
-            sh = MS_MCML__MUL(MS_MCML__MADD(sh, t2, MS_MCML__SET(3.14159264f)), tau);
-            ch = MS_MCML__MADD(ch, t2, MS_MCML__SET(-1.33188016f));
-            ch = MS_MCML__MADD(ch, t2, MS_MCML__SET(4.05841191f));
-            ch = MS_MCML__MADD(ch, t2, MS_MCML__SET(-4.93479286f));
-            ch = MS_MCML__MADD(ch, t2, MS_MCML__SET(0.999999953f));
-            sc = MS_MCML__MUL(sine, MS_MCML__NMADD(MS_MCML__MUL(two, sh), sh, one));
-            ss = MS_MCML__MUL(sine, MS_MCML__MUL(MS_MCML__MUL(two, sh), ch));
+            const V tau = V_SUB(MS_MCML__FN(uniform)(word_azimuth), half), t2 = V_MUL(tau, tau);
+            V sh = V_SET(0.0776594074f), ch = V_SET(0.219696795f);
+            V sc, ss, sign, a, b, scale, vx, vy, vz;
+            sh = V_MADD(sh, t2, V_SET(-0.598292159f));
+            sh = V_MADD(sh, t2, V_SET(2.55007766f));
+            sh = V_MADD(sh, t2, V_SET(-5.16771009f));
+            sh = V_MUL(V_MADD(sh, t2, V_SET(3.14159264f)), tau);
+            ch = V_MADD(ch, t2, V_SET(-1.33188016f));
+            ch = V_MADD(ch, t2, V_SET(4.05841191f));
+            ch = V_MADD(ch, t2, V_SET(-4.93479286f));
+            ch = V_MADD(ch, t2, V_SET(0.999999953f));
+            sc = V_MUL(sine, V_NMADD(V_MUL(two, sh), sh, one));
+            ss = V_MUL(sine, V_MUL(V_MUL(two, sh), ch));
             /* an orthonormal basis around u without a branch (Duff et al. 2017), and one Newton step to length 1 */
-            sign = MS_MCML__SIGN(uz);
-            a = MS_MCML__DIV(MS_MCML__SET(-1.0f), MS_MCML__ADD(sign, uz));
-            b = MS_MCML__MUL(MS_MCML__MUL(ux, uy), a);
-            vx = MS_MCML__MADD(sc, MS_MCML__MADD(MS_MCML__MUL(sign, ux), MS_MCML__MUL(ux, a), one),
-                               MS_MCML__MADD(ss, b, MS_MCML__MUL(cosine, ux)));
-            vy = MS_MCML__MADD(sc, MS_MCML__MUL(sign, b),
-                               MS_MCML__MADD(ss, MS_MCML__MADD(MS_MCML__MUL(uy, uy), a, sign), MS_MCML__MUL(cosine, uy)));
-            vz = MS_MCML__NMADD(MS_MCML__MUL(sc, sign), ux, MS_MCML__NMADD(ss, uy, MS_MCML__MUL(cosine, uz)));
-            scale = MS_MCML__MADD(vx, vx, MS_MCML__MADD(vy, vy, MS_MCML__MUL(vz, vz)));
-            scale = MS_MCML__NMADD(half, scale, MS_MCML__SET(1.5f));
-            ux = MS_MCML__SELECT(hit, ux, MS_MCML__MUL(vx, scale));
-            uy = MS_MCML__SELECT(hit, uy, MS_MCML__MUL(vy, scale));
-            uz = MS_MCML__SELECT(hit, uz, MS_MCML__MUL(vz, scale));
+            sign = V_SIGN(uz);
+            a = V_DIV(V_SET(-1.0f), V_ADD(sign, uz));
+            b = V_MUL(V_MUL(ux, uy), a);
+            vx = V_MADD(sc, V_MADD(V_MUL(sign, ux), V_MUL(ux, a), one),
+                               V_MADD(ss, b, V_MUL(cosine, ux)));
+            vy = V_MADD(sc, V_MUL(sign, b),
+                               V_MADD(ss, V_MADD(V_MUL(uy, uy), a, sign), V_MUL(cosine, uy)));
+            vz = V_NMADD(V_MUL(sc, sign), ux, V_NMADD(ss, uy, V_MUL(cosine, uz)));
+            scale = V_MADD(vx, vx, V_MADD(vy, vy, V_MUL(vz, vz)));
+            scale = V_NMADD(half, scale, V_SET(1.5f));
+            ux = V_SELECT(hit, ux, V_MUL(vx, scale));
+            uy = V_SELECT(hit, uy, V_MUL(vy, scale));
+            uz = V_SELECT(hit, uz, V_MUL(vz, scale));
         }
 
         t->crossing = 0;
         if (boundary) { /* Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0, and R = 1 by itself */
-            const MS_MCML__F ratio = MS_MCML__SELECT(up, MS_MCML__LOAD(t->ratio_up), MS_MCML__LOAD(t->ratio_down));
-            const MS_MCML__F sin2_i = MS_MCML__MAX(MS_MCML__NMADD(steep, steep, one), zero);
-            const MS_MCML__F cos2_t = MS_MCML__NMADD(MS_MCML__MUL(ratio, ratio), sin2_i, one);
-            const MS_MCML__F cos_t = MS_MCML__SQRT(MS_MCML__MAX(cos2_t, zero));
-            const MS_MCML__F si = MS_MCML__MUL(ratio, steep), pt = MS_MCML__MUL(ratio, cos_t);
-            const MS_MCML__F rs = MS_MCML__DIV(MS_MCML__SUB(si, cos_t), MS_MCML__ADD(si, cos_t));
-            const MS_MCML__F rp = MS_MCML__DIV(MS_MCML__SUB(pt, steep), MS_MCML__ADD(pt, steep));
-            const MS_MCML__M back = MS_MCML__LT(u, MS_MCML__MUL(half, MS_MCML__MADD(rs, rs, MS_MCML__MUL(rp, rp))));
-            uz = MS_MCML__SELECT(hit, MS_MCML__SELECT(back, MS_MCML__SUB(zero, uz), uz), uz);
-            MS_MCML__STORE(t->cos_t, cos_t);
-            t->crossing = boundary & ~MS_MCML__BITS(back);
+            const V ratio = V_SELECT(up, V_LOAD(t->ratio_up), V_LOAD(t->ratio_down));
+            const V sin2_i = V_MAX(V_NMADD(steep, steep, one), zero);
+            const V cos2_t = V_NMADD(V_MUL(ratio, ratio), sin2_i, one);
+            const V cos_t = V_SQRT(V_MAX(cos2_t, zero));
+            const V si = V_MUL(ratio, steep), pt = V_MUL(ratio, cos_t);
+            const V rs = V_DIV(V_SUB(si, cos_t), V_ADD(si, cos_t));
+            const V rp = V_DIV(V_SUB(pt, steep), V_ADD(pt, steep));
+            const M back = V_LESS(u, V_MUL(half, V_MADD(rs, rs, V_MUL(rp, rp))));
+            uz = V_SELECT(hit, V_SELECT(back, V_SUB(zero, uz), uz), uz);
+            V_STORE(t->cos_t, cos_t);
+            t->crossing = boundary & ~(int)M_BITS(back);
         }
 
-        MS_MCML__STORE(t->x, x);
-        MS_MCML__STORE(t->y, y);
-        MS_MCML__STORE(t->z, z);
-        MS_MCML__STORE(t->ux, ux);
-        MS_MCML__STORE(t->uy, uy);
-        MS_MCML__STORE(t->uz, uz);
-        MS_MCML__STORE(t->w, w);
-        events = MS_MCML__IADD(MS_MCML__ILOAD(t->events), MS_MCML__ISET(1));
-        MS_MCML__ISTORE(t->events, events);
-        t->ended = ~MS_MCML__BITS(MS_MCML__LT(zero, w)) & t->alive;
-        t->halving = MS_MCML__BITS(MS_MCML__EQ(events, MS_MCML__ILOAD(t->limit))) & t->alive;
+        V_STORE(t->x, x);
+        V_STORE(t->y, y);
+        V_STORE(t->z, z);
+        V_STORE(t->ux, ux);
+        V_STORE(t->uy, uy);
+        V_STORE(t->uz, uz);
+        V_STORE(t->w, w);
+        events = U_ADD(U_LOAD(t->events), U_SET(1u));
+        U_STORE(t->events, events);
+        t->ended = t->alive & ~(t->alive & (int)M_BITS(V_LESS(zero, w)));
+        t->halving = (int)M_BITS(U_IS_ZERO(U_XOR(events, U_LOAD(t->limit)))) & t->alive;
         rare = t->crossing | t->ended | t->halving;
         if (rare) {
-            MS_MCML__ISTORE(t->word, word_chance);
-            MS_MCML__ISTORE(t->s[0], s0);
-            MS_MCML__ISTORE(t->s[1], s1);
-            MS_MCML__ISTORE(t->s[2], s2);
-            MS_MCML__ISTORE(t->s[3], s3);
+            U_STORE(t->word, word_chance);
+            U_STORE(t->s[0], s0);
+            U_STORE(t->s[1], s1);
+            U_STORE(t->s[2], s2);
+            U_STORE(t->s[3], s3);
             for (i = 0; rare >> i; ++i)
                 if ((rare >> i) & 1) ms_mcml__rare(t, i);
-            s0 = MS_MCML__ILOAD(t->s[0]);
-            s1 = MS_MCML__ILOAD(t->s[1]);
-            s2 = MS_MCML__ILOAD(t->s[2]);
-            s3 = MS_MCML__ILOAD(t->s[3]);
+            s0 = U_LOAD(t->s[0]);
+            s1 = U_LOAD(t->s[1]);
+            s2 = U_LOAD(t->s[2]);
+            s3 = U_LOAD(t->s[3]);
         }
     }
 }
-#undef MS_MCML__DRAW
+#if MS_MCML__ISA < 4
+/* A photon a lane; a lane whose photon ended takes the next one of the batch. An iteration is collision j (0: the entry)
+   and the flight from there. */
+static void MS_MCML__FN(white)(const ms_mcml__white_batch *batch)
+{
+    float lane_x[L], lane_y[L], lane_z[L], lane_r2[L];
+    uint32_t lane_j[L], lane_low[L], lane_high[L], lane_word[L], key0[10], key1[10];
+    int slot[L], lane, next = 0, active = 0, round;
+    const V zero = V_SET(0.0f), one = V_SET(1.0f), eta = V_SET(batch->eta);
+    const U m0 = U_SET(0xD2511F53u), m1 = U_SET(0xCD9E8D57u);
+    V x = zero, y = zero, z = zero;
+    U j = U_SET(0u), low, high;
+    for (round = 0; round < 10; ++round) {
+        key0[round] = (uint32_t)batch->seed + 0x9E3779B9u * (uint32_t)round;
+        key1[round] = (uint32_t)(batch->seed >> 32) + 0xBB67AE85u * (uint32_t)round;
+    }
+    for (lane = 0; lane < L; ++lane) {
+        uint64_t photon = batch->first + (uint64_t)next;
+        slot[lane] = next < batch->count ? next++ : -1;
+        active += slot[lane] >= 0;
+        lane_low[lane] = (uint32_t)photon;
+        lane_high[lane] = (uint32_t)(photon >> 32);
+    }
+    low = U_LOAD(lane_low);
+    high = U_LOAD(lane_high);
+    while (active > 0) {
+        U c0 = j, c1 = U_SET(MS_MCML__WHITE_STREAM), c2 = low, c3 = high, high0, low0, high1, low1, bits;
+        V u, t, s, mu, dx, dy, z_next;
+        M mask;
+        unsigned leaves, ends;
+        for (round = 0; round < 10; ++round) { /* ms__philox */
+            U_WIDE(c0, m0, high0, low0);
+            U_WIDE(c2, m1, high1, low1);
+            c0 = U_XOR(U_XOR(high1, c1), U_SET(key0[round]));
+            c2 = U_XOR(U_XOR(high0, c3), U_SET(key1[round]));
+            c1 = low1;
+            c3 = low0;
+        }
+        /* s = -log(u), u = (1 + t) 2^e with 1 + t in [sqrt(1/2), sqrt(2)): log(1 + t) = t - t^2 / 2 + t^3 P(t), error 1e-8 */
+        u = V_MADD(V_FROM_INT(U_RIGHT(c0, 1)), V_SET(1.0f / 2147483648.0f), V_SET(1.0f / 4294967296.0f));
+        bits = U_ADD(U_SUB(U_BITS(u), U_SET(0x3f3504f3u)), U_SET(64u << 23));
+        t = V_SUB(V_BITS(U_ADD(U_AND(bits, U_SET(0x7fffffu)), U_SET(0x3f3504f3u))), one);
+        s = V_MADD(t, V_SET(-0.0810155815f), V_SET(0.127123076f));
+        s = V_MADD(s, t, V_SET(-0.12972239f));
+        s = V_MADD(s, t, V_SET(0.142021738f));
+        s = V_MADD(s, t, V_SET(-0.166422476f));
+        s = V_MADD(s, t, V_SET(0.200014686f));
+        s = V_MADD(s, t, V_SET(-0.250002965f));
+        s = V_MADD(s, t, V_SET(0.333333286f));
+        s = V_MADD(V_MADD(s, t, V_SET(-0.5f)), V_MUL(t, t), t);
+        s = V_MADD(V_SUB(V_SET(64.0f), V_FROM_INT(U_RIGHT(bits, 23))), V_SET(0.693147181f), V_SUB(zero, s));
+        /* Direction: the cosine even in (-1, 1], the azimuth in a quarter turn, mirrored and turned by two bits. */
+        mu = V_MADD(V_FROM_INT(U_RIGHT(c1, 8)), V_SET(-1.0f / 8388608.0f), one);
+        mu = V_SELECT(U_IS_ZERO(j), one, mu);
+        u = V_MADD(V_FROM_INT(U_RIGHT(c2, 8)), V_SET(1.57079633f / 16777216.0f), V_SET(-0.785398163f));
+        t = V_MUL(u, u);
+        dx = V_MADD(V_MADD(t, V_SET(-0.000195879498f), V_SET(0.00833274863f)), t, V_SET(-0.166666647f));
+        dx = V_MADD(V_MUL(dx, t), u, u);
+        dy = V_MADD(V_MADD(t, V_SET(2.45497663e-05f), V_SET(-0.0013888317f)), t, V_SET(0.0416666649f));
+        dy = V_MADD(V_MADD(dy, t, V_SET(-0.5f)), t, one);
+        dy = V_BITS(U_XOR(U_BITS(dy), U_LEFT(c2, 31)));
+        mask = U_IS_ZERO(U_AND(c2, U_SET(2u)));
+        u = V_SELECT(mask, dx, dy);
+        dy = V_SELECT(mask, dy, dx);
+        t = V_MUL(V_SQRT(V_MAX(zero, V_SUB(one, V_MUL(mu, mu)))), s);
+        dx = V_MUL(u, t);
+        dy = V_MUL(dy, t);
+        z_next = V_MADD(s, mu, z);
 
-#undef MS_MCML__KERNEL
-#undef MS_MCML__LANES
-#undef MS_MCML__F
-#undef MS_MCML__I
-#undef MS_MCML__M
-#undef MS_MCML__LOAD
-#undef MS_MCML__STORE
-#undef MS_MCML__SET
-#undef MS_MCML__ADD
-#undef MS_MCML__SUB
-#undef MS_MCML__MUL
-#undef MS_MCML__DIV
-#undef MS_MCML__MADD
-#undef MS_MCML__NMADD
-#undef MS_MCML__MIN
-#undef MS_MCML__MAX
-#undef MS_MCML__SQRT
-#undef MS_MCML__ABS
-#undef MS_MCML__SIGN
-#undef MS_MCML__LT
-#undef MS_MCML__SELECT
-#undef MS_MCML__BITS
-#undef MS_MCML__ILOAD
-#undef MS_MCML__ISTORE
-#undef MS_MCML__ISET
-#undef MS_MCML__IADD
-#undef MS_MCML__ISUB
-#undef MS_MCML__XOR
-#undef MS_MCML__SHL
-#undef MS_MCML__SHR
-#undef MS_MCML__SAR
-#undef MS_MCML__ROTL
-#undef MS_MCML__EQ
-#undef MS_MCML__FLOAT
-#undef MS_MCML__TRUNCATE
-#undef MS_MCML__AS_F
-#undef MS_MCML__AS_I
-#endif /* MS_MCML__PASS */
+        leaves = M_BITS(V_LESS(z_next, zero));
+        if (leaves) { /* Fresnel, unpolarised: T = 2 eta mu mu_out (1 / a^2 + 1 / b^2), 0 beyond the critical angle */
+            V in = V_SUB(zero, mu), square = V_SUB(one, V_MUL(V_MUL(eta, eta), V_SUB(one, V_MUL(mu, mu))));
+            V out = V_SQRT(V_MAX(zero, square)), a = V_MADD(eta, in, out), b = V_MADD(eta, out, in), ab = V_MUL(a, b);
+            u = V_MUL(V_ADD(V_FROM_INT(U_RIGHT(c3, 8)), V_SET(0.5f)), V_SET(1.0f / 16777216.0f));
+            t = V_MUL(V_MUL(V_MUL(V_ADD(eta, eta), in), out), V_MADD(a, a, V_MUL(b, b)));
+            leaves &= M_BITS(V_LESS(V_MUL(u, V_MUL(ab, ab)), t));
+        }
+        ends = M_BITS(U_IS_ZERO(U_AND(j, U_SET(MS_MCML__HALVING - 1))));
+        if (ends) { /* half of the photons end at collisions 1024, 2048, 4096, ... */
+            unsigned candidates = ends;
+            U_STORE(lane_j, j);
+            U_STORE(lane_word, c3);
+            for (ends = 0, lane = 0; lane < L; ++lane)
+                if (candidates >> lane & 1 && lane_j[lane] && (lane_j[lane] & (lane_j[lane] - 1)) == 0 && lane_word[lane] & 1)
+                    ends |= 1u << lane;
+        }
+        if (leaves | ends) {
+            t = V_DIV(z, V_SUB(z, z_next)); /* the part of the flight before the surface */
+            u = V_MADD(dx, t, x);
+            t = V_MADD(dy, t, y);
+            V_STORE(lane_r2, V_MADD(u, u, V_MUL(t, t)));
+            U_STORE(lane_j, j);
+            x = V_ADD(x, dx);
+            y = V_ADD(y, dy);
+            V_STORE(lane_x, x);
+            V_STORE(lane_y, y);
+            V_STORE(lane_z, z_next);
+            U_STORE(lane_low, low);
+            U_STORE(lane_high, high);
+            for (lane = 0; lane < L; ++lane) {
+                uint64_t photon = batch->first + (uint64_t)next;
+                if (!((leaves | ends) >> lane & 1)) {
+                    lane_j[lane]++;
+                    continue;
+                }
+                if (slot[lane] >= 0) {
+                    int left = !(ends >> lane & 1);
+                    batch->j[slot[lane]] = left ? lane_j[lane] : 0;
+                    batch->r2[slot[lane]] = left ? lane_r2[lane] : 0;
+                    --active;
+                }
+                slot[lane] = next < batch->count ? next++ : -1;
+                active += slot[lane] >= 0;
+                lane_x[lane] = lane_y[lane] = lane_z[lane] = 0;
+                lane_j[lane] = 0;
+                lane_low[lane] = (uint32_t)photon;
+                lane_high[lane] = (uint32_t)(photon >> 32);
+            }
+            x = V_LOAD(lane_x);
+            y = V_LOAD(lane_y);
+            z_next = V_LOAD(lane_z);
+            j = U_LOAD(lane_j);
+            low = U_LOAD(lane_low);
+            high = U_LOAD(lane_high);
+        } else {
+            x = V_ADD(x, dx);
+            y = V_ADD(y, dy);
+            j = U_ADD(j, U_SET(1u));
+        }
+        z = V_BITS(U_AND(U_BITS(z_next), U_SET(0x7fffffffu))); /* reflected: the mirror image */
+    }
+}
+#endif
+
+#undef MS_MCML__DRAW
+#undef MS_MCML__LEVEL
+#undef MS_MCML__ISA
+#undef L
+#undef M
+#undef M_BITS
+#undef U
+#undef U_ADD
+#undef U_AND
+#undef U_BITS
+#undef U_IS_ZERO
+#undef U_LEFT
+#undef U_LOAD
+#undef U_RIGHT
+#undef U_ROTATE
+#undef U_SET
+#undef U_STORE
+#undef U_SUB
+#undef U_WIDE
+#undef U_XOR
+#undef V
+#undef V_ABS
+#undef V_ADD
+#undef V_BITS
+#undef V_DIV
+#undef V_FROM_INT
+#undef V_LESS
+#undef V_LOAD
+#undef V_MADD
+#undef V_MAX
+#undef V_MIN
+#undef V_MUL
+#undef V_NMADD
+#undef V_SELECT
+#undef V_SET
+#undef V_SIGN
+#undef V_SQRT
+#undef V_STORE
+#undef V_SUB
+#undef V_TO_INT
+#endif /* kernels */
 
 /*
 These headers, their tests and their examples are in two licences; take whichever you prefer.
