@@ -678,7 +678,7 @@ static inline void scene__cover(scene *s, const scene_grid *g)
                 int choice = 4;
                 for (i = 0; i < 9; ++i) {
                     float aside = fabsf(dx + 0.5f - (float)(i % 3)) + fabsf(dy + 0.5f - (float)(i / 3));
-                    float cost = fabsf(depth[i] - z) + 0.004f * z * aside + (mask[i] > 0 != (hit.what == SCENE_OBJECT) ? z : 0);
+                    float cost = fabsf(depth[i] - z) + 0.004f * z * aside + ((mask[i] > 0) != (hit.what == SCENE_OBJECT) ? z : 0);
                     if (cost >= best) continue;
                     best = cost;
                     choice = i;

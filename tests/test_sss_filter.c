@@ -1,246 +1,961 @@
-/* The command build/sss_filter (examples/sss_filter.c): results, exit codes, sentences, and no file after a failure. */
-#include "image.h"
+/* The filter of ms_sss.h against a plain one in double precision, its exact promises, layouts, levels, threads,
+   hostile pixels and refused arguments. */
+#define MS_SSS_IMPLEMENTATION
+#include "build/dev_filter.h"
 #include "test.h"
-#include <sys/wait.h>
-#include <unistd.h>
 
-#define IRRADIANCE "build/test_sss_filter_e.pfm"
-#define DEPTH "build/test_sss_filter_z.pfm"
-#define OUT "build/test_sss_filter_out.pfm"
-#define OUT_PNG "build/test_sss_filter_out.png"
-#define LOG "build/test_sss_filter.log"
+/* --- inputs --- */
 
-static int exists(const char *path)
+/* A kernel of n taps whose weights fall off differently per channel; share: what is left to the delta. */
+static ms_sss_kernel test_kernel(int n, double radius, double share)
 {
-    FILE *f = fopen(path, "rb");
-    if (f) fclose(f);
-    return f != NULL;
-}
-
-/* Runs build/sss_filter; its exit code. What it said is in LOG. */
-static int run(const char *arguments)
-{
-    char command[1000];
-    int status;
-    remove(OUT);
-    remove(OUT_PNG);
-    snprintf(command, sizeof command, "build/sss_filter %s >" LOG " 2>&1", arguments);
-    status = system(command);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-static void need_tool(void)
-{
-    if (!exists("build/sss_filter")) SKIP("build/sss_filter is not there; make builds it");
-}
-
-/* A step in x of light 1 and 0.25, all at the same depth. */
-static void write_inputs(int width, int height, float depth)
-{
-    image e = image_new(width, height, 3), z = image_new(width, height, 1);
-    int i;
-    for (i = 0; i < width * height; ++i) {
-        z.pixels[i] = depth;
-        e.pixels[3 * i] = e.pixels[3 * i + 1] = e.pixels[3 * i + 2] = i % width < width / 2 ? 1 : 0.25f;
+    ms_sss_kernel k;
+    int i, c;
+    memset(&k, 0, sizeof k);
+    k.tap_count = n;
+    k.term_count = 1;
+    for (i = 1; i < n; ++i) {
+        double u = (double)((i + 1) / 2) / (double)(n / 2);
+        k.offset_mm[i] = (float)((i % 2 ? -1 : 1) * 0.9 * radius * u * u);
     }
-    CHECK(image_write(IRRADIANCE, &e) == NULL);
-    CHECK(image_write(DEPTH, &z) == NULL);
-    image_free(&e);
-    image_free(&z);
-}
-
-static image read_out(const char *path)
-{
-    image im;
-    const char *problem = image_read(path, &im);
-    if (problem) {
-        char *said = test_read_file(LOG, NULL);
-        TEST_FAIL("%s: %s; the tool said '%s'", path, problem, said ? said : "");
-        free(said);
+    for (c = 0; c < 3; ++c) {
+        double sum = 0, w[MS_SSS_TAPS_MAX];
+        for (i = 0; i < n; ++i) {
+            double u = (double)k.offset_mm[i] / radius;
+            w[i] = (0.05 + fabs(u)) * exp(-u * u * (2 + 3 * c));
+            sum += w[i];
+        }
+        for (i = 0; i < n; ++i) k.weight[0][i][c] = (float)(w[i] / sum);
+        k.scale[0][c] = (float)(1 - share);
+        k.delta[c] = (float)share;
+        k.reflectance[c] = 1;
     }
-    return im;
+    k.radius_mm = (float)radius;
+    return k;
 }
 
-/* --- results --- */
-
-static void test_step(void)
+/* Three terms, the last two with weights of both signs: as from an SVD. */
+static ms_sss_kernel test_kernel_terms(int n, double radius)
 {
-    image a, b;
-    int x;
-    need_tool();
-    if (test_skip_reason[0]) return;
-    write_inputs(128, 32, 100);
-    CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 32"), 0); /* 1 mm a pixel */
-    a = read_out(OUT);
-    if (a.pixels == NULL) return;
-    for (x = 1; x < 128; ++x) /* light crosses the edge, monotonously, the same in every row, red farthest */
-        CHECK(a.pixels[3 * (5 * 128 + x)] <= a.pixels[3 * (5 * 128 + x - 1)] + 1e-6f);
-    CHECK(a.pixels[3 * (5 * 128 + 66)] > 0.27f && a.pixels[3 * (5 * 128 + 61)] < 0.98f);
-    CHECK(a.pixels[3 * (5 * 128 + 68)] > a.pixels[3 * (5 * 128 + 68) + 2]);
-    CHECK_NEAR(a.pixels[3 * 64] + a.pixels[3 * 63], 1.25, 1e-5); /* the edge is symmetric */
-    CHECK_NEAR(a.pixels[3 * 127], 0.25, 1e-3);                   /* far from the edge all stays */
-
-    /* the same pixel size by perspective: 2 tan(fov / 2) * 100 = 32 */
-    CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --material SKIN1 --fov 18.180415 --taps 17"), 0);
-    b = read_out(OUT);
-    if (b.pixels == NULL) return;
-    for (x = 0; x < 128; ++x) CHECK_NEAR(b.pixels[3 * x], a.pixels[3 * x], 1e-5); /* the angle has 8 digits */
-    image_free(&b);
-
-    /* and by scale: half the units, twice the millimetres */
-    CHECK_INT(run("--ortho 16 --mm-per-unit 2 " IRRADIANCE " --material skin1 " DEPTH " " OUT), 0);
-    b = read_out(OUT);
-    if (b.pixels == NULL) return;
-    for (x = 0; x < 128; ++x) CHECK_NEAR(b.pixels[3 * x], a.pixels[3 * x], 1e-6);
-    image_free(&b);
-    image_free(&a);
-}
-
-static void test_strength(void)
-{
-    image e, full, half, none;
-    size_t i;
-    need_tool();
-    if (test_skip_reason[0]) return;
-    write_inputs(64, 8, 100);
-    e = read_out(IRRADIANCE);
-    CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --material marble --ortho 8"), 0);
-    full = read_out(OUT);
-    CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --material marble --ortho 8 --strength 0.5"), 0);
-    half = read_out(OUT);
-    CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --material marble --ortho 8 --strength 0"), 0);
-    none = read_out(OUT);
-    for (i = 0; e.pixels && full.pixels && half.pixels && none.pixels && i < image_count(&e); ++i) {
-        CHECK_NEAR(half.pixels[i], 0.5 * ((double)full.pixels[i] + (double)e.pixels[i]), 1e-6); /* float rounding */
-        CHECK(none.pixels[i] == e.pixels[i]);
+    ms_sss_kernel k = test_kernel(n, radius, 0.1);
+    int t, i, c;
+    k.term_count = 3;
+    for (c = 0; c < 3; ++c) {
+        double total = (double)k.delta[c];
+        for (t = 1; t < 3; ++t) {
+            double sum = 0;
+            for (i = 0; i < n; ++i) {
+                k.weight[t][i][c] = (float)(cos(2.0 * t * (double)k.offset_mm[i] / radius + 0.3 * c) / n);
+                sum += (double)k.weight[t][i][c];
+            }
+            k.scale[t][c] = t == 1 ? -0.3f : 0.2f;
+            total += (double)k.scale[t][c] * sum * sum;
+        }
+        k.scale[0][c] = (float)(1 - total);
     }
-    image_free(&e);
-    image_free(&full);
-    image_free(&half);
-    image_free(&none);
+    return k;
 }
 
-static void test_profile_file(void)
+typedef struct test_scene {
+    int width, height;
+    float *rgb[3], *depth, *strength, *albedo[3], *specular[3];
+    uint8_t *profile;
+} test_scene;
+
+static float *test_floats(int n) { return (float *)malloc((size_t)n * sizeof(float)); }
+
+/* A textured picture with a bump in front of a wall, and a strength map with holes. */
+static test_scene test_scene_make(int width, int height, uint64_t seed)
 {
-    image a, b;
-    FILE *f;
-    need_tool();
-    if (test_skip_reason[0]) return;
-    write_inputs(64, 8, 100);
-    f = fopen("build/test_sss_filter.csv", "w"); /* no light beyond 0.2 mm: a pixel of 1 mm sees nothing of it */
-    if (f == NULL) return;
-    fputs("# narrow\n0.05,1,1,1\n0.15,0.5,0.5,0.5\n0.25,0,0,0\n", f);
-    fclose(f);
-    CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --profile build/test_sss_filter.csv --ortho 8"), 0);
-    a = read_out(OUT);
-    b = read_out(IRRADIANCE);
-    CHECK(a.pixels && b.pixels && memcmp(a.pixels, b.pixels, image_count(&a) * sizeof(float)) == 0);
-    image_free(&a);
-    image_free(&b);
-    f = fopen("build/test_sss_filter.csv", "w");
-    if (f == NULL) return;
-    fputs("# broken\n0.05,1,1,1\n0.15,x,0.5,0.5\n", f);
-    fclose(f);
-    CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --profile build/test_sss_filter.csv --ortho 8"), 1);
-    {
-        char *said = test_read_file(LOG, NULL);
-        CHECK(said && strstr(said, "build/test_sss_filter.csv:3:") != NULL);
-        free(said);
+    test_scene s;
+    const int n = width * height;
+    int x, y, c;
+    s.width = width;
+    s.height = height;
+    for (c = 0; c < 3; ++c) {
+        s.rgb[c] = test_floats(n);
+        s.albedo[c] = test_floats(n);
+        s.specular[c] = test_floats(n);
     }
-    CHECK(!exists(OUT));
-    remove("build/test_sss_filter.csv");
-}
-
-static void test_png(void)
-{
-    char *bytes;
-    size_t size = 0;
-    need_tool();
-    if (test_skip_reason[0]) return;
-    write_inputs(64, 8, 100);
-    CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT_PNG " --material skin1"), 0);
-    bytes = test_read_file(OUT_PNG, &size);
-    CHECK(bytes && size > 60 && memcmp(bytes + 1, "PNG", 3) == 0);
-    free(bytes);
-}
-
-/* Background and broken depth take no part and come back as they were. */
-static void test_odd_depth(void)
-{
-    static const float odd[] = {0.0f, -5.0f, (float)NAN, (float)INFINITY};
-    image z, e, a;
-    int i;
-    need_tool();
-    if (test_skip_reason[0]) return;
-    write_inputs(64, 16, 100);
-    z = read_out(DEPTH);
-    e = read_out(IRRADIANCE);
-    if (!z.pixels || !e.pixels) return;
-    for (i = 0; i < 4; ++i) z.pixels[8 * 64 + 10 + 12 * i] = odd[i];
-    CHECK(image_write(DEPTH, &z) == NULL);
-    CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 16"), 0);
-    a = read_out(OUT);
-    for (i = 0; a.pixels && i < 64 * 16 * 3; ++i) CHECK(a.pixels[i] >= 0.25f - 1e-6f && a.pixels[i] <= 1 + 1e-6f);
-    for (i = 0; a.pixels && i < 4; ++i) CHECK(a.pixels[3 * (8 * 64 + 10 + 12 * i)] == e.pixels[3 * (8 * 64 + 10 + 12 * i)]);
-    image_free(&z);
-    image_free(&e);
-    image_free(&a);
-}
-
-/* --- refusals --- */
-
-static void test_refused(void)
-{
-    static const struct {
-        const char *arguments;
-        int code;
-        const char *gist;
-    } bad[] = {
-        {"", 2, "three file names"},
-        {IRRADIANCE " " DEPTH " --material skin1", 2, "three file names"},
-        {IRRADIANCE " " DEPTH " " OUT " more.pfm --material skin1", 2, "fourth"},
-        {IRRADIANCE " " DEPTH " " OUT, 2, "--material"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --profile x.csv", 2, "one of --material and --profile"},
-        {IRRADIANCE " " DEPTH " " OUT " --material", 2, "value is expected"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --colour red", 2, "unknown option"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 8", 2, "--taps"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 1", 2, "--taps"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 7x", 2, "--taps"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --fov 180", 2, "--fov"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --fov nan", 2, "--fov"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 0", 2, "--ortho"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 1 --fov 30", 2, "exclude"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --mm-per-unit -1", 2, "--mm-per-unit"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --strength 1.5", 2, "--strength"},
-        {IRRADIANCE " " DEPTH " build/test_sss_filter_out.exr --material skin1", 2, ".pfm or .png"},
-        {IRRADIANCE " " DEPTH " " OUT " --material granite", 1, "no such material"},
-        {IRRADIANCE " " DEPTH " " OUT " --profile build/no_such.csv", 1, "build/no_such.csv"},
-        {"build/no_such.pfm " DEPTH " " OUT " --material skin1", 1, "build/no_such.pfm: cannot open"},
-        {IRRADIANCE " Makefile " OUT " --material skin1", 1, "Makefile: not a PFM"},
-        {DEPTH " " DEPTH " " OUT " --material skin1", 1, "three channels"},
-        {IRRADIANCE " " IRRADIANCE " " OUT " --material skin1", 1, "one channel"},
-        {IRRADIANCE " build/test_sss_filter_small.pfm " OUT " --material skin1", 1, "size differs"},
-        {IRRADIANCE " " DEPTH " build/no/such/folder.pfm --material skin1", 1, "cannot open"}};
-    int i, count = (int)(sizeof bad / sizeof bad[0]);
-    image small = image_new(3, 3, 1);
-    need_tool();
-    if (test_skip_reason[0]) return;
-    write_inputs(16, 8, 100);
-    CHECK(image_write("build/test_sss_filter_small.pfm", &small) == NULL);
-    for (i = 0; i < count; ++i) {
-        int code = run(bad[i].arguments);
-        char *said = test_read_file(LOG, NULL);
-        if (code != bad[i].code) TEST_FAIL("'%s' ends with %d, expected %d", bad[i].arguments, code, bad[i].code);
-        if (said == NULL || strstr(said, bad[i].gist) == NULL)
-            TEST_FAIL("'%s' says '%s', which lacks '%s'", bad[i].arguments, said ? said : "", bad[i].gist);
-        CHECK(!exists(OUT) && !exists(OUT_PNG));
-        free(said);
+    s.depth = test_floats(n);
+    s.strength = test_floats(n);
+    s.profile = (uint8_t *)malloc((size_t)n);
+    for (y = 0; y < height; ++y) {
+        for (x = 0; x < width; ++x) {
+            const int i = y * width + x;
+            const double u = 2.0 * x / width - 1, v = 2.0 * y / height - 1, bump = 0.7 - u * u - v * v;
+            s.depth[i] = (float)(bump > 0 ? 110 - 20 * sqrt(bump) : 140 + 3 * u);
+            s.strength[i] = (float)(test_uniform(&seed) < 0.1 ? 0 : 0.2 + 0.8 * test_uniform(&seed));
+            s.profile[i] = (uint8_t)(v > 0.2 * u ? (x % 37 == 3 ? 7 : 1) : 0);
+            for (c = 0; c < 3; ++c) {
+                s.rgb[c][i] = (float)((x / 5 + y / 7) % 2 ? 0.2 + test_uniform(&seed) : 2 * test_uniform(&seed));
+                s.albedo[c][i] = (float)(0.1 + 0.9 * test_uniform(&seed));
+                s.specular[c][i] = (float)(0.5 * test_uniform(&seed));
+            }
+        }
     }
-    TEST_NOTE("%d command lines", count);
-    image_free(&small);
-    remove("build/test_sss_filter_small.pfm");
+    return s;
 }
 
-static const test_case cases[] = {{"step", test_step},         {"strength", test_strength},   {"profile_file", test_profile_file},
-                                  {"png", test_png},           {"odd_depth", test_odd_depth}, {"refused", test_refused}};
+static void test_scene_free(test_scene *s)
+{
+    int c;
+    for (c = 0; c < 3; ++c) {
+        free(s->rgb[c]);
+        free(s->albedo[c]);
+        free(s->specular[c]);
+    }
+    free(s->depth);
+    free(s->strength);
+    free(s->profile);
+}
+
+enum { WITH_DEPTH = 1, WITH_STRENGTH = 2, WITH_ALBEDO = 4, WITH_SPECULAR = 8, WITH_PROFILE = 16 };
+
+static ms_sss_frame test_frame(const test_scene *s, int with, float *const out[3])
+{
+    ms_sss_frame f;
+    memset(&f, 0, sizeof f);
+    f.width = s->width;
+    f.height = s->height;
+    f.input = ms_sss_planar(s->rgb[0], s->rgb[1], s->rgb[2], 0);
+    f.output = ms_sss_planar(out[0], out[1], out[2], 0);
+    if (with & WITH_DEPTH) f.depth = ms_sss_map(s->depth, 1, 0);
+    if (with & WITH_STRENGTH) f.strength = ms_sss_map(s->strength, 1, 0);
+    if (with & WITH_ALBEDO) f.albedo = ms_sss_planar(s->albedo[0], s->albedo[1], s->albedo[2], 0);
+    if (with & WITH_SPECULAR) f.specular = ms_sss_planar(s->specular[0], s->specular[1], s->specular[2], 0);
+    if (with & WITH_PROFILE) f.profile = s->profile;
+    return f;
+}
+
+/* Filters with a workspace of exactly the promised size, filled with NaN first. */
+static ms_status test_run(const ms_sss_frame *f, const ms_sss_kernel *kernels, int count,
+                          const ms_sss_filter_options *options)
+{
+    const size_t size = ms_sss_filter_workspace(f->width, f->height, kernels, count, options);
+    void *workspace = malloc(size);
+    ms_error error;
+    ms_status status;
+    memset(workspace, 0xff, size);
+    status = ms_sss_filter(f, kernels, count, options, workspace, size, &error);
+    if (status != MS_OK) TEST_FAIL("status %d: %s", (int)status, error.message);
+    free(workspace);
+    return status;
+}
+
+/* --- the plain filter, as the declaration of ms_sss_filter describes it --- */
+
+typedef struct plain {
+    const test_scene *s;
+    const ms_sss_kernel *kernels;
+    int count, with;
+    ms_sss_filter_options o;
+} plain;
+
+static int plain_part(const plain *p, int i)
+{
+    int c;
+    for (c = 0; c < 3; ++c)
+        if (!ms__finite_f(p->s->rgb[c][i])) return 0;
+    if ((p->with & WITH_DEPTH) && !(p->s->depth[i] > 0 && ms__finite_f(p->s->depth[i]))) return 0;
+    if ((p->with & WITH_STRENGTH) && !(p->s->strength[i] > 0)) return 0;
+    if ((p->with & WITH_PROFILE) && p->s->profile[i] >= p->count) return 0;
+    return p->o.fade < 1;
+}
+
+static int plain_profile(const plain *p, int i) { return p->with & WITH_PROFILE ? p->s->profile[i] : 0; }
+
+/* Pixels a mm along x and y. */
+static void plain_size(const plain *p, int i, double size[2])
+{
+    const int w = p->s->width, h = p->s->height;
+    const double mm = p->o.mm_per_unit > 0 ? (double)p->o.mm_per_unit : 1;
+    const double radius = (double)p->kernels[plain_profile(p, i)].radius_mm, most = (w > h ? w : h) / radius;
+    if (p->o.pixels_per_mm[0] > 0) size[0] = (double)p->o.pixels_per_mm[0];
+    else if (p->o.ortho_height > 0) size[0] = h / ((double)p->o.ortho_height * mm);
+    else size[0] = h / (2 * tan((double)p->o.fov_degrees * 3.14159265358979323846 / 360) * (double)p->s->depth[i] * mm);
+    if (size[0] > most) size[0] = most;
+    size[1] = size[0];
+    if (p->o.pixels_per_mm[0] > 0 && p->o.pixels_per_mm[1] > 0)
+        size[1] *= (double)p->o.pixels_per_mm[1] / (double)p->o.pixels_per_mm[0];
+    if (p->o.uv_steps && !(p->o.pixels_per_mm[0] > 0)) size[0] *= (double)w / h;
+}
+
+static int plain_small(const plain *p, int i)
+{
+    double size[2];
+    plain_size(p, i, size);
+    return (double)p->kernels[plain_profile(p, i)].radius_mm * (size[0] > size[1] ? size[0] : size[1]) < 0.5;
+}
+
+static double plain_depth_factor(const plain *p, const ms_sss_kernel *k, int i, int j)
+{
+    const double mm = p->o.mm_per_unit > 0 ? (double)p->o.mm_per_unit : 1;
+    double dz, sigma = p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : (double)k->radius_mm / 3;
+    double follow = p->o.follow_mm > 0 ? (double)p->o.follow_mm : (double)k->radius_mm;
+    if (!(p->with & WITH_DEPTH) || p->o.depth_mode == MS_SSS_DEPTH_SCALE) return 1;
+    dz = fabs((double)p->s->depth[i] - (double)p->s->depth[j]) * mm;
+    if (p->o.depth_mode == MS_SSS_DEPTH_FOLLOW) return dz < follow ? 1 - dz / follow : 0;
+    return dz < (double)k->radius_mm ? exp(-dz * dz / (2 * sigma * sigma)) : 0;
+}
+
+static double plain_albedo(const plain *p, int c, int i, int side)
+{
+    const double a = (p->with & WITH_ALBEDO) ? (double)p->s->albedo[c][i] : 1;
+    if (p->o.albedo_mode == MS_SSS_ALBEDO_BOTH) return sqrt(a);
+    return (p->o.albedo_mode == MS_SSS_ALBEDO_PRE) == (side == 0) ? a : 1;
+}
+
+/* One pass of a term over in[3][n]. */
+static void plain_pass(const plain *p, int term, int second, double *const in[3], double *const out[3])
+{
+    const int w = p->s->width, h = p->s->height;
+    int x, y, k, c, sub;
+    for (y = 0; y < h; ++y) {
+        for (x = 0; x < w; ++x) {
+            const int i = y * w + x;
+            const ms_sss_kernel *kernel;
+            double size[2], dx = second ? 0 : 1, dy = second ? 1 : 0, sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0};
+            double total[3] = {0, 0, 0};
+            int mixed[3] = {0, 0, 0};
+            if (!plain_part(p, i)) continue;
+            kernel = &p->kernels[plain_profile(p, i)];
+            plain_size(p, i, size);
+            if (p->o.rotation != 0 || p->o.jitter > 0) {
+                const double angle = (double)p->o.rotation +
+                                     (double)p->o.jitter * ((((unsigned)x * 49472u + (unsigned)y * 37345u) % 65536u / 1024u) + 0.5) / 64 * 3.14159265358979323846 / 2;
+                dx = second ? -sin(angle) : cos(angle);
+                dy = second ? cos(angle) : sin(angle);
+            }
+            for (k = 0; k < kernel->tap_count; ++k) {
+                const double tx = (double)kernel->offset_mm[k] * dx * size[0], ty = (double)kernel->offset_mm[k] * dy * size[1];
+                for (c = 0; c < 3; ++c) {
+                    total[c] += (double)kernel->weight[term][k][c];
+                    if (kernel->weight[term][k][c] < 0) mixed[c] = 1;
+                }
+                for (sub = 0; sub < 4; ++sub) {
+                    const int px = x + (int)floor(tx) + sub % 2, py = y + (int)floor(ty) + sub / 2, j = py * w + px;
+                    const double ax = tx - floor(tx), ay = ty - floor(ty);
+                    double f = (sub % 2 ? ax : 1 - ax) * (sub / 2 ? ay : 1 - ay);
+                    if (f <= 0 || px < 0 || py < 0 || px >= w || py >= h || !plain_part(p, j)) continue;
+                    if (plain_profile(p, i) != plain_profile(p, j)) continue;
+                    f *= plain_depth_factor(p, kernel, i, j);
+                    for (c = 0; c < 3; ++c) {
+                        sum[c] += (double)kernel->weight[term][k][c] * f * in[c][j];
+                        norm[c] += (double)kernel->weight[term][k][c] * f;
+                    }
+                }
+            }
+            for (c = 0; c < 3; ++c) {
+                if (mixed[c] || ((p->with & WITH_DEPTH) && p->o.depth_mode == MS_SSS_DEPTH_FOLLOW))
+                    out[c][i] = sum[c] + (total[c] - norm[c]) * in[c][i];
+                else out[c][i] = norm[c] > 0 ? sum[c] * total[c] / norm[c] : total[c] * in[c][i];
+                if (plain_small(p, i)) out[c][i] = total[c] * in[c][i];
+            }
+        }
+    }
+}
+
+static void plain_filter(const plain *p, double *const out[3])
+{
+    const int n = p->s->width * p->s->height;
+    double *e[3], *a[3], *b[3];
+    int t, c, i, terms = 1;
+    for (c = 0; c < 3; ++c) {
+        e[c] = (double *)malloc((size_t)n * sizeof(double));
+        a[c] = (double *)calloc((size_t)n, sizeof(double));
+        b[c] = (double *)calloc((size_t)n, sizeof(double));
+        for (i = 0; i < n; ++i) {
+            e[c][i] = plain_part(p, i) ? (double)p->s->rgb[c][i] * plain_albedo(p, c, i, 0) : 0;
+            out[c][i] = 0;
+        }
+    }
+    for (i = 0; i < p->count; ++i)
+        if (p->kernels[i].term_count > terms) terms = p->kernels[i].term_count;
+    for (t = 0; t < terms; ++t) {
+        plain_pass(p, t, 0, e, a);
+        plain_pass(p, t, 1, a, b);
+        for (c = 0; c < 3; ++c)
+            for (i = 0; i < n; ++i)
+                if (plain_part(p, i)) out[c][i] += (double)p->kernels[plain_profile(p, i)].scale[t][c] * b[c][i];
+    }
+    for (c = 0; c < 3; ++c) {
+        for (i = 0; i < n; ++i) {
+            if (plain_part(p, i)) {
+                double s = 1 - (double)p->o.fade;
+                if (p->with & WITH_STRENGTH) s *= (double)p->s->strength[i] < 1 ? (double)p->s->strength[i] : 1;
+                out[c][i] += (double)p->kernels[plain_profile(p, i)].delta[c] * e[c][i];
+                if (plain_small(p, i)) out[c][i] = e[c][i];
+                out[c][i] = ((1 - s) * e[c][i] + s * out[c][i]) * plain_albedo(p, c, i, 1);
+            } else {
+                out[c][i] = (double)p->s->rgb[c][i];
+                if (ms__finite_f(p->s->rgb[c][i]) && (p->with & WITH_ALBEDO)) out[c][i] *= (double)p->s->albedo[c][i];
+            }
+            if (p->with & WITH_SPECULAR) out[c][i] += (double)p->s->specular[c][i];
+        }
+        free(e[c]);
+        free(a[c]);
+        free(b[c]);
+    }
+}
+
+/* Largest difference from the plain filter over all levels of this machine. The inputs are at most 3. */
+static double test_against_plain(const test_scene *s, const ms_sss_kernel *kernels, int count,
+                                 const ms_sss_filter_options *options, int with)
+{
+    const int n = s->width * s->height;
+    plain p;
+    double *expected[3], worst = 0;
+    float *out[3];
+    int level, c, i;
+    p.s = s;
+    p.kernels = kernels;
+    p.count = count;
+    p.with = with;
+    p.o = *options;
+    for (c = 0; c < 3; ++c) {
+        expected[c] = (double *)malloc((size_t)n * sizeof(double));
+        out[c] = test_floats(n);
+    }
+    plain_filter(&p, expected);
+    for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+        ms_sss_filter_options o = *options;
+        ms_sss_frame f = test_frame(s, with, out);
+        o.simd = (ms_simd)level;
+        for (c = 0; c < 3; ++c) memset(out[c], 0xff, (size_t)n * sizeof(float));
+        test_run(&f, kernels, count, &o);
+        for (c = 0; c < 3; ++c) {
+            for (i = 0; i < n; ++i) {
+                double e = fabs((double)out[c][i] - expected[c][i]);
+                if (!(e <= worst)) worst = e == e ? e : (expected[c][i] != expected[c][i] ? worst : 1e9);
+            }
+        }
+    }
+    for (c = 0; c < 3; ++c) {
+        free(expected[c]);
+        free(out[c]);
+    }
+    return worst;
+}
+
+/* Two passes of at most 50 float products each, inputs up to 3: rounding adds up to about 50 * 6e-8 * 3 = 1e-5 at
+   worst; the depth differences of float depths near 100 with sigma about 1 add 1e-5 where a weight is steep. */
+#define PLAIN_TOLERANCE 1e-5
+
+static ms_sss_filter_options test_options(int kind)
+{
+    ms_sss_filter_options o = ms_sss_filter_defaults();
+    if (kind == 0) o.pixels_per_mm[0] = 2.1f;
+    if (kind == 1) o.fov_degrees = 35;
+    if (kind == 2) o.ortho_height = 40;
+    return o;
+}
+
+static void case_plain(void)
+{
+    test_scene s = test_scene_make(83, 61, test_seed);
+    ms_sss_kernel kernel[3];
+    int kind, with, variant;
+    double worst = 0;
+    kernel[0] = test_kernel(7, 5.0, 0.0);
+    kernel[1] = test_kernel(11, 2.0, 0.2);
+    kernel[2] = test_kernel_terms(9, 4.0);
+    for (kind = 0; kind < 3; ++kind) {
+        for (with = 0; with < 32; ++with) {
+            if (kind == 1 && !(with & WITH_DEPTH)) continue;
+            for (variant = 0; variant < 8; ++variant) {
+                ms_sss_filter_options o = test_options(kind);
+                const ms_sss_kernel *k = &kernel[with & WITH_PROFILE ? 0 : variant % 3];
+                double e;
+                if (!test_full && (with * 8 + variant + kind) % 5) continue;
+                if (variant & 1) o.pixels_per_mm[1] = kind == 0 ? 3.3f : 0.0f;
+                if (variant & 2) o.rotation = 0.6f;
+                if (variant & 4) o.jitter = 0.8f;
+                o.depth_mode = (ms_sss_depth_mode)((with + variant) % 3);
+                o.albedo_mode = (ms_sss_albedo_mode)((with / 4 + variant) % 3);
+                o.uv_steps = variant % 2;
+                o.fade = variant % 3 ? 0.0f : 0.25f;
+                e = test_against_plain(&s, k, with & WITH_PROFILE ? 2 : 1, &o, with);
+                if (!(e <= PLAIN_TOLERANCE)) TEST_FAIL("kind %d with %d variant %d: %g", kind, with, variant, e);
+                if (e > worst) worst = e;
+            }
+        }
+    }
+    TEST_NOTE("largest difference %.1e", worst);
+    test_scene_free(&s);
+}
+
+/* --- promises --- */
+
+static float *test_copy(const float *a, int n)
+{
+    float *b = test_floats(n);
+    memcpy(b, a, (size_t)n * sizeof(float));
+    return b;
+}
+
+/* Longer than a slab of rows, wider than a tile of columns. */
+static void case_large(void)
+{
+    test_scene tall = test_scene_make(23, 331, test_seed + 1), wide = test_scene_make(1100, 9, test_seed + 2);
+    ms_sss_kernel k = test_kernel(7, 5.0, 0.0);
+    double worst = 0;
+    int kind, with;
+    for (kind = 0; kind < 3; ++kind) {
+        for (with = kind == 1; with < 4; with += kind == 1 ? 2 : 1) {
+            ms_sss_filter_options o = test_options(kind);
+            double a = test_against_plain(&tall, &k, 1, &o, with), b = test_against_plain(&wide, &k, 1, &o, with);
+            CHECK_LE(a, PLAIN_TOLERANCE);
+            CHECK_LE(b, PLAIN_TOLERANCE);
+            worst = a > worst ? a : worst;
+            worst = b > worst ? b : worst;
+        }
+    }
+    TEST_NOTE("largest difference %.1e", worst);
+    test_scene_free(&tall);
+    test_scene_free(&wide);
+}
+
+static void case_radii(void)
+{
+    static const double radius[] = {0.01, 0.3, 0.49, 0.51, 1, 3.7, 20, 41, 100, 400};
+    test_scene s = test_scene_make(41, 33, test_seed);
+    double worst = 0;
+    int i, kind;
+    for (i = 0; i < (int)(sizeof radius / sizeof radius[0]); ++i) {
+        for (kind = 0; kind < 3; ++kind) {
+            ms_sss_filter_options o = test_options(kind);
+            ms_sss_kernel k = test_kernel(9, kind == 1 ? radius[i] * 100 : radius[i], 0.1);
+            double e;
+            if (kind == 0) o.pixels_per_mm[0] = 1;
+            if (kind == 1) o.fov_degrees = 18.9f; /* one pixel is about depth / 100 */
+            if (kind == 2) o.ortho_height = 33;
+            if (kind == 1) k.radius_mm = (float)radius[i] * 10, o.mm_per_unit = 10;
+            e = test_against_plain(&s, &k, 1, &o, WITH_DEPTH | (i % 2 ? WITH_STRENGTH : 0));
+            /* sigma is down to 0.1 mm at depths of 110 mm: the depths' rounding, 4e-6 mm, moves a weight by 4e-5 */
+            if (!(e <= 4e-5)) TEST_FAIL("radius %g px, kind %d: %g", radius[i], kind, e);
+            if (e > worst) worst = e;
+        }
+    }
+    TEST_NOTE("0.01 px to 10 times the picture, largest difference %.1e", worst);
+    test_scene_free(&s);
+}
+
+static void case_constant(void)
+{
+    static const int size[][2] = {{1, 1}, {1, 9}, {9, 1}, {2, 3}, {64, 64}, {70, 31}, {16384, 1}, {1, 2000}, {517, 6}};
+    static const float value[] = {1.0f, 1e6f, 1e-30f, 1e-42f, 0.0f};
+    double worst = 0;
+    int i, v, kind, j, c;
+    for (i = 0; i < (int)(sizeof size / sizeof size[0]); ++i) {
+        test_scene s = test_scene_make(size[i][0], size[i][1], test_seed);
+        const int n = s.width * s.height;
+        for (v = 0; v < 5; ++v) {
+            for (kind = 0; kind < 6; ++kind) {
+                ms_sss_filter_options o = test_options(kind % 3);
+                ms_sss_kernel k = kind < 3 ? test_kernel(11, 4.0, 0.2) : test_kernel_terms(9, 9.0);
+                ms_sss_frame f;
+                float *out[3];
+                if (kind == 4) o.rotation = 1;
+                for (c = 0; c < 3; ++c) {
+                    out[c] = test_floats(n);
+                    for (j = 0; j < n; ++j) s.rgb[c][j] = value[v];
+                }
+                f = test_frame(&s, WITH_DEPTH | (kind % 2 ? WITH_STRENGTH : 0), out);
+                test_run(&f, &k, 1, &o);
+                for (c = 0; c < 3; ++c) {
+                    for (j = 0; j < n; ++j) {
+                        double e = fabs((double)out[c][j] - (double)value[v]) / ((double)value[v] + 1e-37);
+                        if (!(e <= worst)) worst = e == e ? e : 1;
+                    }
+                    free(out[c]);
+                }
+            }
+        }
+        test_scene_free(&s);
+    }
+    /* The weights are floats: their sum, and delta + scale, are 1 within about 10 roundings. */
+    CHECK_LE(worst, 1e-6);
+    TEST_NOTE("largest relative change %.1e", worst);
+}
+
+static void case_depth_edge(void)
+{
+    test_scene s = test_scene_make(90, 70, test_seed);
+    ms_sss_kernel kernel[2];
+    int kind, variant, x, y, c, crossed = 0, blurred = 0;
+    kernel[0] = test_kernel(13, 3.0, 0.0);
+    kernel[1] = test_kernel_terms(9, 3.0);
+    for (kind = 1; kind < 3; ++kind) {
+        for (variant = 0; variant < 8; ++variant) {
+            ms_sss_filter_options o = test_options(kind);
+            float *out[3];
+            ms_sss_frame f;
+            if (variant & 1) o.rotation = 0.5f;
+            if (variant & 2) o.depth_mode = MS_SSS_DEPTH_FOLLOW;
+            for (c = 0; c < 3; ++c) out[c] = test_floats(90 * 70);
+            for (y = 0; y < 70; ++y) {
+                for (x = 0; x < 90; ++x) {
+                    const int near_by = x + y / 3 < 50; /* a slanted edge, 3.01 mm deep */
+                    s.depth[y * 90 + x] = near_by ? 50.0f : 53.01f;
+                    for (c = 0; c < 3; ++c)
+                        s.rgb[c][y * 90 + x] = near_by ? 0.0f : (x % 4 < 2 ? 1e6f : 1.0f);
+                }
+            }
+            f = test_frame(&s, WITH_DEPTH, out);
+            test_run(&f, &kernel[variant / 4], 1, &o);
+            for (c = 0; c < 3; ++c) {
+                for (y = 0; y < 70; ++y) {
+                    for (x = 0; x < 90; ++x) {
+                        const float v = out[c][y * 90 + x];
+                        if (s.depth[y * 90 + x] < 51) crossed += v < 0 || v > 0;
+                        else blurred += v > 1.5f && v < 9e5f;
+                    }
+                }
+                free(out[c]);
+            }
+        }
+    }
+    CHECK_INT(crossed, 0);
+    CHECK(blurred > 1000);
+    TEST_NOTE("%d pixels with light from across the edge", crossed);
+    test_scene_free(&s);
+}
+
+/* Bit patterns, so that NaN and -0 count. */
+static int test_same(const float *a, const float *b, int n) { return memcmp(a, b, (size_t)n * sizeof(float)) == 0; }
+
+static void case_small_radius(void)
+{
+    test_scene s = test_scene_make(67, 41, test_seed);
+    const int n = 67 * 41;
+    int kind, terms, c, level;
+    for (kind = 0; kind < 3; ++kind) {
+        for (terms = 0; terms < 2; ++terms) {
+            for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+                ms_sss_filter_options o = test_options(kind);
+                ms_sss_kernel k = terms ? test_kernel_terms(7, 1.0) : test_kernel(7, 1.0, 0.3);
+                float *out[3];
+                ms_sss_frame f;
+                o.simd = (ms_simd)level;
+                o.mm_per_unit = 1;
+                if (kind == 0) o.pixels_per_mm[0] = 0.499f;
+                if (kind == 1) o.fov_degrees = 27; /* at depths of 90 and more: 41 / (2 tan 13.5 deg 90) = 0.95 px a unit */
+                if (kind == 1) o.mm_per_unit = 2;  /* 0.47 px a mm */
+                if (kind == 2) o.ortho_height = 83;
+                for (c = 0; c < 3; ++c) out[c] = test_floats(n);
+                f = test_frame(&s, WITH_DEPTH | WITH_STRENGTH, out);
+                test_run(&f, &k, 1, &o);
+                for (c = 0; c < 3; ++c) {
+                    CHECK(test_same(out[c], s.rgb[c], n));
+                    free(out[c]);
+                }
+            }
+        }
+    }
+    test_scene_free(&s);
+}
+
+static void case_hostile(void)
+{
+    static const int bad_colour[] = {5, 300, 301, 1200, 2400}, bad_depth[] = {77, 78, 640, 1500, 2600, 2700};
+    const float colours[] = {NAN, INFINITY, -INFINITY, NAN, INFINITY}, depths[] = {NAN, INFINITY, 0.0f, -3.0f, -INFINITY, -0.0f};
+    const int n = 67 * 41;
+    int kind, variant, i, c, j, level;
+    for (kind = 0; kind < 3; ++kind) {
+        for (variant = 0; variant < 4; ++variant) {
+            for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+                test_scene s = test_scene_make(67, 41, test_seed);
+                ms_sss_filter_options o = test_options(kind);
+                ms_sss_kernel k = variant & 1 ? test_kernel_terms(7, 6.0) : test_kernel(7, 6.0, 0.0);
+                const int with = kind || variant & 2 ? WITH_DEPTH : 0;
+                float *out[3], *masked[3];
+                ms_sss_frame f;
+                o.simd = (ms_simd)level;
+                for (j = 0; j < n; ++j) s.strength[j] = 1;
+                for (i = 0; i < 5; ++i) {
+                    s.rgb[i % 3][bad_colour[i]] = colours[i];
+                    s.strength[bad_colour[i]] = 0;
+                }
+                for (i = 0; with && i < 6; ++i) {
+                    s.depth[bad_depth[i]] = depths[i];
+                    s.strength[bad_depth[i]] = i % 2 ? 0.0f : NAN;
+                }
+                for (c = 0; c < 3; ++c) {
+                    out[c] = test_floats(n);
+                    masked[c] = test_floats(n);
+                }
+                f = test_frame(&s, with, out);
+                test_run(&f, &k, 1, &o);
+                for (i = 0; i < 5; ++i)
+                    for (c = 0; c < 3; ++c) CHECK(test_same(&out[c][bad_colour[i]], &s.rgb[c][bad_colour[i]], 1));
+                for (i = 0; with && i < 6; ++i)
+                    for (c = 0; c < 3; ++c) CHECK(test_same(&out[c][bad_depth[i]], &s.rgb[c][bad_depth[i]], 1));
+                /* They act as if masked out: replaced by ordinary values under strength 0, nothing else changes. */
+                for (i = 0; i < 5; ++i) s.rgb[i % 3][bad_colour[i]] = 7;
+                for (i = 0; i < 6; ++i) s.depth[bad_depth[i]] = 100;
+                f = test_frame(&s, with | WITH_STRENGTH, masked);
+                test_run(&f, &k, 1, &o);
+                for (c = 0; c < 3; ++c)
+                    for (j = 0; j < n; ++j)
+                        if (s.strength[j] > 0 && !(fabsf(out[c][j] - masked[c][j]) <= 0)) TEST_FAIL("pixel %d: %g, %g", j, (double)out[c][j], (double)masked[c][j]);
+                for (c = 0; c < 3; ++c) {
+                    free(out[c]);
+                    free(masked[c]);
+                }
+                test_scene_free(&s);
+            }
+        }
+    }
+}
+
+static void case_energy(void)
+{
+    test_scene s = test_scene_make(160, 150, test_seed);
+    int kind, x, y, c, i;
+    double worst = 0;
+    for (kind = 0; kind < 6; ++kind) {
+        ms_sss_filter_options o = test_options(kind % 2 ? 2 : 0);
+        ms_sss_kernel k = kind < 2 ? test_kernel(7, 10.0, 0.0) : kind < 4 ? test_kernel(17, 9.0, 0.3) : test_kernel_terms(9, 9.0);
+        float *out[3];
+        ms_sss_frame f;
+        if (kind % 2) o.ortho_height = 75;
+        for (c = 0; c < 3; ++c) {
+            out[c] = test_floats(160 * 150);
+            for (y = 0; y < 150; ++y)
+                for (x = 0; x < 160; ++x)
+                    if (x < 50 || y < 50 || x >= 110 || y >= 100) s.rgb[c][y * 160 + x] = 0;
+        }
+        for (i = 0; i < 160 * 150; ++i) s.depth[i] = 3;
+        f = test_frame(&s, kind % 2 ? WITH_DEPTH : 0, out);
+        test_run(&f, &k, 1, &o);
+        for (c = 0; c < 3; ++c) {
+            double before = 0, after = 0;
+            for (i = 0; i < 160 * 150; ++i) {
+                before += (double)s.rgb[c][i];
+                after += (double)out[c][i];
+            }
+            worst = fabs(after / before - 1) > worst ? fabs(after / before - 1) : worst;
+            free(out[c]);
+        }
+    }
+    /* Kernels are normalised within their floats' rounding, a few 6e-8 a pass. */
+    CHECK_LE(worst, 1e-6);
+    TEST_NOTE("largest relative change %.1e", worst);
+    test_scene_free(&s);
+}
+
+/* --- layouts --- */
+
+static uint16_t test_half(float v) { return ms_sss__to_half(v); }
+
+static void case_layouts(void)
+{
+    test_scene s = test_scene_make(61, 43, test_seed);
+    enum { LAYOUTS = 9 };
+    const int n = 61 * 43;
+    const char *const name[LAYOUTS] = {"planar", "RGB", "RGBA", "RGB + depth", "odd strides", "bottom-up", "in place RGB",
+                                       "in place planar", "half RGBA"};
+    ms_sss_kernel k = test_kernel(7, 5.0, 0.1);
+    int layout, level, i, c, kind;
+    for (i = 0; i < n; ++i) /* values that are exact in binary16 */
+        for (c = 0; c < 3; ++c) s.rgb[c][i] = ms_sss__from_half(test_half(s.rgb[c][i]));
+    for (kind = 0; kind < 3; ++kind) {
+        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+            ms_sss_filter_options o = test_options(kind);
+            const int with = (kind ? WITH_DEPTH : 0) | WITH_STRENGTH;
+            float *expected[3];
+            ms_sss_frame f;
+            o.simd = (ms_simd)level;
+            for (c = 0; c < 3; ++c) expected[c] = test_floats(n);
+            f = test_frame(&s, with, expected);
+            test_run(&f, &k, 1, &o);
+            for (layout = 1; layout < LAYOUTS; ++layout) {
+                const int step = layout == 1 || layout == 6 ? 3 : layout == 4 ? 5 : layout == 7 ? 1 : 4;
+                const int row = layout == 4 ? 61 * 5 + 13 : 61 * step;
+                float *in = test_floats(row * 43), *out = test_floats(row * 43);
+                float *plane[3] = {NULL, NULL, NULL};
+                uint16_t *half_in = (uint16_t *)malloc((size_t)row * 43 * 2), *half_out = (uint16_t *)malloc((size_t)row * 43 * 2);
+                int wrong = 0, x, y;
+                for (i = 0; i < row * 43; ++i) {
+                    in[i] = 12345;
+                    out[i] = 54321;
+                    half_in[i] = half_out[i] = 0x7e01;
+                }
+                for (y = 0; y < 43; ++y) {
+                    for (x = 0; x < 61; ++x) {
+                        const int to = (layout == 5 ? 42 - y : y) * row + x * step;
+                        for (c = 0; c < 3 && step > 1; ++c) {
+                            in[to + c] = s.rgb[c][y * 61 + x];
+                            half_in[to + c] = test_half(s.rgb[c][y * 61 + x]);
+                        }
+                        if (layout == 3) in[to + 3] = s.depth[y * 61 + x];
+                    }
+                }
+                f = test_frame(&s, with, expected);
+                f.input = ms_sss_interleaved(in, step, 0);
+                f.output = ms_sss_interleaved(layout == 6 ? in : out, step, 0);
+                if (layout == 3 && kind) f.depth = ms_sss_map(in + 3, 4, 0);
+                if (layout == 4) f.input.row_stride = f.output.row_stride = row;
+                if (layout == 5) {
+                    for (c = 0; c < 3; ++c) {
+                        f.input.channel[c] = in + 42 * row + c;
+                        f.output.channel[c] = out + 42 * row + c;
+                    }
+                    f.input.row_stride = f.output.row_stride = -row;
+                }
+                if (layout == 7) {
+                    for (c = 0; c < 3; ++c) plane[c] = test_copy(s.rgb[c], n);
+                    f.input = f.output = ms_sss_planar(plane[0], plane[1], plane[2], 0);
+                }
+                if (layout == 8) {
+                    f.input = ms_sss_interleaved(half_in, 4, 1);
+                    f.output = ms_sss_interleaved(half_out, 4, 1);
+                }
+                test_run(&f, &k, 1, &o);
+                for (y = 0; y < 43; ++y) {
+                    for (x = 0; x < 61; ++x) {
+                        for (c = 0; c < 3; ++c) {
+                            const float e = expected[c][y * 61 + x];
+                            float v = layout == 7 ? plane[c][y * 61 + x] : (layout == 6 ? in : out)[(layout == 5 ? 42 - y : y) * row + x * step + c];
+                            if (layout == 8) wrong += half_out[y * row + x * 4 + c] != test_half(e);
+                            else wrong += !test_same(&v, &e, 1);
+                        }
+                        for (c = 3; c < step; ++c) { /* what lies between is left alone */
+                            const float v = out[(layout == 5 ? 42 - y : y) * row + x * step + c];
+                            wrong += layout == 8 ? half_out[y * row + x * 4 + c] != 0x7e01 : v < 54321 || v > 54321;
+                        }
+                    }
+                }
+                if (wrong) TEST_FAIL("%s, kind %d, level %d: %d values differ", name[layout], kind, level, wrong);
+                free(in);
+                free(out);
+                free(half_in);
+                free(half_out);
+                for (c = 0; c < 3; ++c) free(plane[c]);
+            }
+            for (c = 0; c < 3; ++c) free(expected[c]);
+        }
+    }
+    test_scene_free(&s);
+}
+
+/* Every binary16 value against its definition, and back. */
+static void case_half(void)
+{
+    int h, wrong = 0;
+    for (h = 0; h < 65536; ++h) {
+        const int sign = h >> 15, exponent = (h >> 10) & 31, mantissa = h & 1023;
+        const float value = ms_sss__from_half((uint16_t)h);
+        double expected = exponent ? ldexp(1024 + mantissa, exponent - 25) : ldexp(mantissa, -24);
+        if (exponent == 31) {
+            wrong += mantissa ? ms__finite_f(value) || ms_sss__to_half(value) != (uint16_t)(h & 0x8000) + 0x7e00
+                              : !(fabsf(value) > 3e38f) || ms_sss__to_half(value) != h;
+            continue;
+        }
+        wrong += fabs((double)value - (sign ? -expected : expected)) > 0;
+        wrong += ms_sss__to_half(value) != h;
+    }
+    CHECK_INT(wrong, 0);
+    CHECK_INT(ms_sss__to_half(65505.0f), 0x7bff); /* finite stays finite */
+    CHECK_INT(ms_sss__to_half(1e9f), 0x7bff);
+    CHECK_INT(ms_sss__to_half(1.00048828125f), 0x3c00);  /* halfway to the next: to even */
+    CHECK_INT(ms_sss__to_half(1.00146484375f), 0x3c02);
+    CHECK_INT(ms_sss__to_half(2.9802322387695312e-8f), 0x0000); /* half the smallest: to even */
+    CHECK_INT(ms_sss__to_half(2.99e-8f), 0x0001);
+}
+
+static void case_threads(void)
+{
+    static const int threads[] = {2, 7};
+    test_scene s = test_scene_make(150, 421, test_seed);
+    const int n = 150 * 421;
+    int kind, level, t, c;
+    for (kind = 0; kind < 4; ++kind) {
+        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+            ms_sss_filter_options o = test_options(kind % 3);
+            ms_sss_kernel kernel[2];
+            const int with = (kind == 1 || kind == 2 ? WITH_DEPTH : 0) | (kind ? WITH_STRENGTH | WITH_PROFILE : 0);
+            float *one[3], *many[3];
+            ms_sss_frame f;
+            kernel[0] = test_kernel(7, 5.0, 0.0);
+            kernel[1] = test_kernel_terms(9, 4.0);
+            o.simd = (ms_simd)level;
+            if (kind == 3) o.jitter = 0.5f;
+            for (c = 0; c < 3; ++c) {
+                one[c] = test_floats(n);
+                many[c] = test_floats(n);
+            }
+            f = test_frame(&s, with, one);
+            test_run(&f, kernel, with & WITH_PROFILE ? 2 : 1, &o);
+            f = test_frame(&s, with, many);
+            for (t = 0; t < 2; ++t) {
+                test_pool pool;
+                o.parallel = test_parallel(&pool, threads[t]);
+                test_run(&f, kernel, with & WITH_PROFILE ? 2 : 1, &o);
+                for (c = 0; c < 3; ++c) CHECK(test_same(one[c], many[c], n));
+            }
+            for (c = 0; c < 3; ++c) {
+                free(one[c]);
+                free(many[c]);
+            }
+        }
+    }
+    TEST_NOTE("1, 2 and 7 threads: equal to the bit");
+    test_scene_free(&s);
+}
+
+/* Light behind a hole of the mask, and on the other side of a boundary between profiles, stays there. */
+static void case_mask(void)
+{
+    test_scene s = test_scene_make(80, 60, test_seed);
+    ms_sss_kernel kernel[2];
+    int kind, x, y, c, variant, wrong = 0;
+    kernel[0] = test_kernel(11, 6.0, 0.0);
+    kernel[1] = test_kernel(7, 4.0, 0.0);
+    for (kind = 0; kind < 3; ++kind) {
+        for (variant = 0; variant < 2; ++variant) {
+            ms_sss_filter_options o = test_options(kind);
+            float *out[3];
+            ms_sss_frame f;
+            for (c = 0; c < 3; ++c) out[c] = test_floats(80 * 60);
+            for (y = 0; y < 60; ++y) {
+                for (x = 0; x < 80; ++x) {
+                    const int inside = (x - 40) * (x - 40) + (y - 30) * (y - 30) < 400;
+                    s.strength[y * 80 + x] = inside ? 1.0f : 0.0f;
+                    s.profile[y * 80 + x] = (uint8_t)(inside ? 1 : x < 5 ? 9 : 0);
+                    for (c = 0; c < 3; ++c) s.rgb[c][y * 80 + x] = inside ? 0.25f : 1000.0f + (float)(x * 7 % 5);
+                }
+            }
+            f = test_frame(&s, WITH_DEPTH | (variant ? WITH_PROFILE : WITH_STRENGTH), out);
+            test_run(&f, kernel, variant ? 2 : 1, &o);
+            for (c = 0; c < 3; ++c) {
+                for (y = 0; y < 60; ++y) {
+                    for (x = 0; x < 80; ++x) {
+                        const float v = out[c][y * 80 + x];
+                        if (s.strength[y * 80 + x] > 0) wrong += !(fabsf(v - 0.25f) < 1e-6f);
+                        else if (!variant || x < 5) wrong += !test_same(&v, &s.rgb[c][y * 80 + x], 1);
+                        else wrong += !(v > 999);
+                    }
+                }
+                free(out[c]);
+            }
+        }
+    }
+    CHECK_INT(wrong, 0);
+    test_scene_free(&s);
+}
+
+static void case_refused(void)
+{
+    test_scene s = test_scene_make(20, 10, test_seed);
+    const ms_sss_filter_options good = test_options(1);
+    const ms_sss_kernel kernel = test_kernel(7, 5.0, 0.0);
+    const size_t size = ms_sss_filter_workspace(20, 10, &kernel, 1, &good);
+    char *workspace = (char *)malloc(size + 64);
+    float *out[3];
+    int i, c;
+    for (c = 0; c < 3; ++c) out[c] = test_floats(200);
+    for (i = 0; i < 30; ++i) {
+        static const char *const gist[30] = {
+            "", "width", "", "", "depth", "channel 1", "half", "stride", "kernel_count", "tap_count", "tap_count", "term_count",
+            "radius_mm", "offset_mm[0]", "finite", "exactly one", "exactly one", "fov_degrees", "ortho_height", "mm_per_unit",
+            "depth_sigma_mm", "fade", "jitter", "rotation", "depth_mode", "albedo_mode", "workspace", "workspace", "input", "output"};
+        ms_sss_filter_options o = good;
+        ms_sss_kernel k = kernel;
+        ms_sss_frame f = test_frame(&s, WITH_DEPTH, out);
+        ms_error error;
+        size_t given = size;
+        int count = 1, j, touched = 0;
+        ms_status status;
+        error.message[0] = 0;
+        if (i == 1) f.width = 0;
+        if (i == 2) f.height = -1;
+        if (i == 3) f.width = 70000;
+        if (i == 4) f.depth.channel[0] = NULL;
+        if (i == 5) f.input.channel[1] = NULL;
+        if (i == 6) f.output.half = 3;
+        if (i == 7) f.input.row_stride = PTRDIFF_MAX / 4;
+        if (i == 8) count = 0;
+        if (i == 9) k.tap_count = 8;
+        if (i == 10) k.tap_count = MS_SSS_TAPS_MAX + 2;
+        if (i == 11) k.term_count = 7;
+        if (i == 12) k.radius_mm = NAN;
+        if (i == 13) k.offset_mm[0] = 0.1f;
+        if (i == 14) k.weight[0][3][2] = INFINITY;
+        if (i == 15) o.ortho_height = 3;
+        if (i == 16) o.fov_degrees = 0;
+        if (i == 17) o.fov_degrees = 180;
+        if (i == 18) o.fov_degrees = 0, o.ortho_height = -1;
+        if (i == 19) o.mm_per_unit = NAN;
+        if (i == 20) o.depth_sigma_mm = -1;
+        if (i == 21) o.fade = 1.5f;
+        if (i == 22) o.jitter = NAN;
+        if (i == 23) o.rotation = INFINITY;
+        if (i == 24) o.depth_mode = (ms_sss_depth_mode)3;
+        if (i == 25) o.albedo_mode = (ms_sss_albedo_mode)9;
+        if (i == 26) given = size - 1;
+        if (i == 27) given = 0;
+        if (i == 28) f.input.channel[0] = NULL;
+        if (i == 29) f.output.channel[0] = NULL;
+        for (c = 0; c < 3; ++c)
+            for (j = 0; j < 200; ++j) out[c][j] = -7;
+        status = ms_sss_filter(&f, &k, count, &o, workspace + 1, given, &error);
+        if (i == 0) {
+            CHECK_INT(status, MS_OK); /* an odd workspace address */
+            continue;
+        }
+        CHECK_INT(status, MS_INVALID_ARGUMENT);
+        if (i != 1 && !strstr(error.message, gist[i])) TEST_FAIL("case %d: '%s'", i, error.message);
+        for (c = 0; c < 3; ++c)
+            for (j = 0; j < 200; ++j) touched += out[c][j] < -7 || out[c][j] > -7;
+        CHECK_INT(touched, 0);
+        CHECK_INT(ms_sss_filter(&f, &k, count, &o, workspace + 1, given, NULL), MS_INVALID_ARGUMENT);
+    }
+    CHECK(ms_sss_filter_workspace(0, 5, &kernel, 1, &good) == SIZE_MAX);
+    CHECK(ms_sss_filter_workspace(5, 70000, &kernel, 1, &good) == SIZE_MAX);
+    for (c = 0; c < 3; ++c) free(out[c]);
+    free(workspace);
+    test_scene_free(&s);
+}
+
+/* The taps alone: centre first, pairs, half a kernel, binary16. */
+static void case_upload(void)
+{
+    ms_sss_kernel k = test_kernel(7, 5.0, 0.0);
+    float full[7][4], half[4][4];
+    uint16_t packed[7][4];
+    ms_error error;
+    int i, c;
+    CHECK_INT(ms_sss_kernel_upload(&k, 0, 0, 0, full, &error), MS_OK);
+    CHECK_INT(ms_sss_kernel_upload(&k, 0, 1, 0, half, &error), MS_OK);
+    CHECK_INT(ms_sss_kernel_upload(&k, 0, 0, 1, packed, &error), MS_OK);
+    for (i = 0; i < 7; ++i) {
+        CHECK_NEAR(full[i][3], k.offset_mm[i], 0);
+        for (c = 0; c < 3; ++c) CHECK_NEAR(full[i][c], k.weight[0][i][c], 0);
+        for (c = 0; c < 4; ++c) CHECK_NEAR(ms_sss__from_half(packed[i][c]), full[i][c], fabsf(full[i][c]) / 2048);
+        if (i % 2 == 0) CHECK(memcmp(half[i / 2], full[i], sizeof full[i]) == 0);
+    }
+    k.weight[0][2][1] *= 1.5f;
+    CHECK_INT(ms_sss_kernel_upload(&k, 0, 1, 0, half, &error), MS_UNSUPPORTED);
+    CHECK(strstr(error.message, "differ") != NULL);
+    CHECK_INT(ms_sss_kernel_upload(&k, 1, 0, 0, full, &error), MS_INVALID_ARGUMENT);
+}
+
+static const test_case cases[] = {
+    {"plain filter in double", case_plain},
+    {"large pictures", case_large},
+    {"radii", case_radii},
+    {"a constant stays constant", case_constant},
+    {"nothing crosses a depth edge", case_depth_edge},
+    {"radius under half a pixel", case_small_radius},
+    {"hostile pixels", case_hostile},
+    {"energy", case_energy},
+    {"layouts", case_layouts},
+    {"binary16", case_half},
+    {"threads", case_threads},
+    {"masks and profiles", case_mask},
+    {"refused", case_refused},
+    {"upload of taps", case_upload},
+};
 TEST_MAIN(cases)

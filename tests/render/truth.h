@@ -5,7 +5,7 @@
 #define TESTS_RENDER_TRUTH_H
 #include "trace.h"
 
-enum { TRUTH_RINGS = 96 };
+#define TRUTH_RINGS 96
 
 typedef struct truth {
     int width, height, pixels; /* pixels: that show the object */
@@ -55,6 +55,7 @@ static inline int truth_make(truth *t, scene_object object, int width, int heigh
     double edge[TRUTH_RINGS + 1], energy[TRUTH_RINGS], *value[3];
     scene_light light[SCENE_LIGHTS];
     const double *rings[3];
+    ms_status status;
     int c, i, k;
     memset(t, 0, sizeof *t);
     t->width = width;
@@ -89,15 +90,15 @@ static inline int truth_make(truth *t, scene_object object, int width, int heigh
             value[c][i] = (energy[i] - (i ? energy[i - 1] : 0)) / (3.14159265358979 * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]));
     }
     *problem = "the flat profile was refused";
-    i = ms_sss_profile_from_rings(&t->profile, TRUTH_RINGS, edge, rings, 1, NULL, NULL);
+    status = ms_sss_profile_from_rings(&t->profile, TRUTH_RINGS, edge, rings, 1, NULL, NULL);
     for (c = 0; c < 3; ++c) free(value[c]);
-    if (i != MS_OK) return 0;
+    if (status != MS_OK) return 0;
     ms_sss_profile_reflectance(t->profile, t->reflectance);
     {
         double radius[3];
         ms_sss_profile_radius(t->profile, 0.99, radius);
         for (c = 0; c < 3; ++c) t->radius_mm = radius[c] > t->radius_mm ? radius[c] : t->radius_mm;
-        t->radius_px = t->radius_mm / t->mm_per_unit * height / (2 * (double)t->camera.tan_half_fov * (double)scene_length(t->camera.eye));
+        t->radius_px = t->radius_mm / (double)t->mm_per_unit * height / (2 * (double)t->camera.tan_half_fov * (double)scene_length(t->camera.eye));
     }
     for (i = 0; i < width * height; ++i) {
         t->pixels += t->layers.triangle[i] >= 0;
@@ -131,7 +132,8 @@ static inline truth_error truth_compare(const truth *t, const image *picture)
     return e;
 }
 
-/* The irradiance filtered by a separable kernel, times reflectance, into out (of the same size). */
+/* The irradiance filtered by a separable kernel, times reflectance, into out (of the same size); sigma: of the depth
+   weights, in radii of 99% of the energy. */
 static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel, double sigma, image *out)
 {
     ms_sss_frame frame;
@@ -165,8 +167,8 @@ static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel
    third of the radius). */
 static inline void truth_filter_2d(const truth *t, int in_space, image *out)
 {
-    enum { steps = 4096 };
-    double (*disc)[3] = (double (*)[3])malloc((steps + 1) * sizeof *disc);
+    const int steps = 4096;
+    double (*disc)[3] = (double (*)[3])malloc((size_t)(steps + 1) * sizeof *disc);
     double *size = (double *)malloc((size_t)t->width * (size_t)t->height * sizeof *size);
     double reach = t->radius_mm * 1.5, sigma = t->radius_mm / 3;
     int x, y, i, c;
@@ -191,7 +193,7 @@ static inline void truth_filter_2d(const truth *t, int in_space, image *out)
                     if (qx < 0 || qy < 0 || qx >= t->width || qy >= t->height || t->layers.triangle[q] < 0) continue;
                     r = in_space ? (double)(scene_length(scene_sub(t->layers.position[q], t->layers.position[at])) * t->mm_per_unit)
                                  : sqrt((double)(dx * dx + dy * dy)) * size[at];
-                    low = r > 0 ? scene__max((float)(r - 0.5 * size[q]), 0) : 0;
+                    low = r > 0.5 * size[q] ? r - 0.5 * size[q] : 0;
                     high = r > 0 ? r + 0.5 * size[q] : size[q] / sqrt(3.14159265358979);
                     if (high > reach) continue;
                     inner = (int)(low / reach * steps + 0.5);
