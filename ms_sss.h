@@ -1639,7 +1639,7 @@ typedef struct ms_sss__curve {
     double offset[MS_SSS__CELLS_MAX + 1];               /* [0] is the centre */
     double weight[3][MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1]; /* of the centre, then of each tap of a pair */
     double sign[3][MS_SSS_TERMS_MAX];
-    double delta[3];
+    double delta[3], energy[3];                         /* energy of delta and all terms: 1, but for SVD */
 } ms_sss__curve;
 
 /* One pass of fixed axes as a function of its one frequency. */
@@ -1709,6 +1709,7 @@ static void ms_sss__kernel_curve(const ms_sss_designer *d, const ms_sss_kernel *
     for (c = 0; c < 3; ++c) {
         for (t = 0; t < v->terms; ++t) v->sign[c][t] = (double)kernel->scale[t][c];
         v->delta[c] = (double)kernel->delta[c];
+        v->energy[c] = 1;
     }
 }
 
@@ -1765,26 +1766,33 @@ static int ms_sss__nodes(int cells, int *node, double *share)
     return count;
 }
 
-/* Scales the first term so that the energy is 1 with the other terms and delta as they are. */
+/* Sum of a term along one axis. */
+static double ms_sss__term_sum(const ms_sss__curve *v, int c, int t)
+{
+    double sum = 0;
+    int i;
+    for (i = 0; i <= v->pairs; ++i) sum += v->times[i] * v->weight[c][t][i];
+    return sum;
+}
+
+/* Scales the terms so that with delta they hold the curve's energy. */
 static void ms_sss__curve_normalise(ms_sss__curve *v)
 {
     int c, t, i;
     for (c = 0; c < 3; ++c) {
-        double rest = 1 - v->delta[c], first = 0;
-        for (t = v->terms - 1; t >= 0; --t) {
-            double sum = 0;
-            for (i = 0; i <= v->pairs; ++i) sum += v->times[i] * v->weight[c][t][i];
-            if (t > 0) rest -= v->sign[c][t] * sum * sum; else first = sum;
-        }
-        for (i = 0; i <= v->pairs; ++i) v->weight[c][0][i] *= sqrt(rest) / first;
+        double terms = 0, scale;
+        for (t = 0; t < v->terms; ++t) terms += v->sign[c][t] * ms_sss__term_sum(v, c, t) * ms_sss__term_sum(v, c, t);
+        scale = terms > 0 ? sqrt((v->energy[c] - v->delta[c]) / terms) : 1;
+        for (t = 0; t < v->terms; ++t)
+            for (i = 0; i <= v->pairs; ++i) v->weight[c][t][i] *= scale;
     }
 }
 
 /* A least-squares fit of taps to a target spectrum under a picture prior:
      minimise sum over bins of weight (target - delta - sum_t sign_t wave_t(line 1) wave_t(line 2))^2
    where wave(line) = w_0 + sum_i w_i basis_i(line) is one pass. Unknown are the offsets (optional, shared by the
-   channels), w_i ~ q_i^2 >= 0 of the first term, which is scaled to keep the energy, any w_i of the others, and
-   delta = q^2. The entries of a curve of hats are no pairs of taps but bumps over many cells. */
+   channels), w_i = q_i^2 >= 0 of the first term, any w_i of the others, and delta = q^2; then all terms are scaled to
+   keep the energy. The entries of a curve of hats are no pairs of taps but bumps over many cells. */
 typedef struct ms_sss__fit {
     const ms_sss_designer *d;
     int frames, lines, bins, pairs, terms, first, channels, move_offsets, use_delta, unknowns, local;
@@ -1907,10 +1915,12 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
     double *J = fit->jacobian;
     memset(fit->H, 0, sizeof *fit->H * (size_t)(fit->unknowns * fit->unknowns));
     memset(fit->g, 0, sizeof *fit->g * (size_t)fit->unknowns);
-    for (n = 0; n < fit->bins; ++n)
-        for (c = fit->first; c < fit->first + fit->channels; ++c) {
-            double rest = fit->target[n][c] - v->delta[c];
-            int own = moved + (c - fit->first) * (fit->local - moved) - moved; /* from local to global unknown */
+    for (c = fit->first; c < fit->first + fit->channels; ++c) {
+        int own = moved + (c - fit->first) * (fit->local - moved) - moved; /* from local to global unknown */
+        double spread = v->energy[c] - v->delta[c], sum[MS_SSS_TERMS_MAX];
+        for (t = 0; t < fit->terms; ++t) sum[t] = ms_sss__term_sum(v, c, t);
+        for (n = 0; n < fit->bins; ++n) {
+            double found = 0, rest;
             memset(J, 0, sizeof *J * (size_t)fit->local);
             for (t = 0; t < fit->terms; ++t) {
                 const double *wave = fit->wave + (c * MS_SSS_TERMS_MAX + t) * fit->lines, *w = v->weight[c][t];
@@ -1920,22 +1930,21 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
                     double a1 = wave[l1] * v->sign[c][t] / fit->frames, a2 = wave[l2] * v->sign[c][t] / fit->frames;
                     const double *b1 = fit->basis + l1 * fit->pairs, *b2 = fit->basis + l2 * fit->pairs;
                     const double *s1 = fit->slope + l1 * fit->pairs, *s2 = fit->slope + l2 * fit->pairs;
-                    rest -= a1 * wave[l2];
+                    found += a1 * wave[l2];
                     Jw[0] += a1 + a2;
                     for (i = 0; i < fit->pairs; ++i) Jw[i + 1] += b1[i] * a2 + a1 * b2[i];
                     for (i = 0; i < moved; ++i) J[i] += w[i + 1] * (s1[i] * a2 + a1 * s2[i]);
                 }
-                if (t == 0) { /* d w_i / d q_k = 2 q_k (i == k) - 2 q_k times_k w_i / sum of times w */
-                    double along = 0, energy = 0;
-                    for (i = 0; i <= fit->pairs; ++i) {
-                        energy += v->times[i] * w[i];
-                        along += Jw[i] * w[i];
-                    }
-                    for (i = 0; i <= fit->pairs; ++i)
-                        Jw[i] = 2 * sqrt(w[i]) * (Jw[i] - v->times[i] * along / energy);
-                    if (fit->use_delta) J[fit->local - 1] = 2 * sqrt(v->delta[c]) * (1 - 0.5 * along / (1 - v->delta[c]));
+            }
+            rest = fit->target[n][c] - v->delta[c] - found;
+            for (t = 0; t < fit->terms; ++t) { /* all terms are scaled to keep sum_t sign_t sum_t^2 = energy - delta */
+                double *Jw = J + moved + t * (fit->pairs + 1), pull = 2 * v->sign[c][t] * sum[t] * found / spread;
+                for (i = 0; i <= fit->pairs; ++i) {
+                    Jw[i] -= v->times[i] * pull;
+                    if (t == 0) Jw[i] *= 2 * sqrt(v->weight[c][0][i]); /* d w / d q */
                 }
             }
+            if (fit->use_delta) J[fit->local - 1] = 2 * sqrt(v->delta[c]) * (1 - found / spread);
             for (i = 0; i < fit->local; ++i) {
                 int row = i < moved ? i : own + i;
                 double Ji = fit->weight[n] * J[i], *H = fit->H + row * fit->unknowns;
@@ -1944,6 +1953,7 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
                 for (; j <= i; ++j) H[own + j] += Ji * J[j];
             }
         }
+    }
 }
 
 static void ms_sss__fit_move(const ms_sss__fit *fit, const ms_sss__curve *from, ms_sss__curve *to)
@@ -1964,7 +1974,7 @@ static void ms_sss__fit_move(const ms_sss__fit *fit, const ms_sss__curve *from, 
             }
         if (fit->use_delta) {
             double q = sqrt(from->delta[c]) + *step++;
-            to->delta[c] = q * q < 0.99 ? q * q : 0.99;
+            to->delta[c] = q * q < 0.99 * to->energy[c] ? q * q : 0.99 * to->energy[c];
         }
     }
     ms_sss__curve_normalise(to);
@@ -2065,6 +2075,7 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
     for (n = 0; n <= pairs; ++n) v->times[n] = n ? 2 : 1;
     memcpy(v->sign, dense->sign, sizeof v->sign);
     memcpy(v->delta, dense->delta, sizeof v->delta);
+    memcpy(v->energy, dense->energy, sizeof v->energy);
     for (n = 1; n <= pairs; ++n) {
         if (placement == MS_SSS_QUADRATIC) {
             v->offset[n] = range * n * n / ((double)pairs * pairs);
@@ -2477,6 +2488,7 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
     for (c = 0; c < 3 && status == MS_OK; ++c) {
         double *w = v->weight[c][0];
         for (t = 0; t < v->terms; ++t) v->sign[c][t] = 1;
+        v->energy[c] = 1;
         if (!(d->reflectance[c] > 0)) { /* a channel without light */
             w[0] = 1;
             continue;
@@ -2486,14 +2498,9 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
             status = ms_sss__singular_terms(d, c, w, 1, v->terms - 1, v);
         } else if (o->model == MS_SSS_SVD || o->model == MS_SSS_SVD_NORMALISED) {
             status = ms_sss__singular_terms(d, c, NULL, 0, v->terms, v);
-            for (t = 0, sum = 0; t < v->terms; ++t) {
-                double line = v->weight[c][t][0];
-                for (i = 1; i <= M; ++i) line += 2 * v->weight[c][t][i];
-                sum += v->sign[c][t] * line * line;
-            }
-            if (o->model == MS_SSS_SVD_NORMALISED && sum > 0)
-                for (t = 0; t < v->terms; ++t)
-                    for (i = 0; i <= M; ++i) v->weight[c][t][i] /= sqrt(sum);
+            for (t = 0, sum = 0; t < v->terms; ++t)
+                sum += v->sign[c][t] * ms_sss__term_sum(v, c, t) * ms_sss__term_sum(v, c, t);
+            if (o->model == MS_SSS_SVD && sum > 0) v->energy[c] = sum;
         } else if (o->model == MS_SSS_GAUSSIANS) {
             ms_sss__mixture mixture;
             ms_sss__fit_mixture(d, c, v->terms, &mixture);
@@ -2514,7 +2521,7 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
             memcpy(w, d->slice[c], sizeof *w * (size_t)(M + 1));
         }
     }
-    if (o->model != MS_SSS_SVD && status == MS_OK) ms_sss__curve_normalise(v);
+    if (status == MS_OK) ms_sss__curve_normalise(v);
     return status;
 }
 
@@ -2721,8 +2728,9 @@ MS_SSS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_des
             memset(taps.weight[c], 0, sizeof taps.weight[c]);
             taps.weight[c][0][0] = 1;
             taps.delta[c] = 0;
+            taps.energy[c] = 1;
         }
-    if (o.model != MS_SSS_SVD) ms_sss__curve_normalise(&taps);
+    ms_sss__curve_normalise(&taps);
     ms_sss__store_kernel(d, &taps, kernel);
     return MS_OK;
 }

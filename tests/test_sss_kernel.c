@@ -1,0 +1,982 @@
+/* ms_sss.h: profiles, pre-integration, kernels and what they report of their errors. */
+#define MS_SSS_IMPLEMENTATION
+#include "ms_sss.h"
+#include "json.h"
+#include "test.h"
+
+static const double PI = 3.14159265358979323846;
+
+/* --- profiles --- */
+
+/* d'Eon and Luebke's six Gaussians for skin (GPU Gems 3, chapter 14). */
+static const double skin_variance[6] = {0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41};
+static const double skin_weight[6][3] = {{0.233, 0.455, 0.649}, {0.1, 0.336, 0.344}, {0.118, 0.198, 0},
+                                         {0.113, 0.007, 0.007}, {0.358, 0.004, 0},   {0.078, 0, 0}};
+
+static ms_sss_profile *skin_profile(void)
+{
+    ms_sss_profile *p;
+    double sigma[6][3];
+    int i, c;
+    for (i = 0; i < 6; ++i)
+        for (c = 0; c < 3; ++c) sigma[i][c] = sqrt(skin_variance[i]);
+    CHECK(ms_sss_profile_from_gaussians(&p, 6, (const double(*)[3])sigma, skin_weight, NULL, NULL) == MS_OK);
+    return p;
+}
+
+static ms_sss_profile *burley_profile(double a, double b, double c)
+{
+    ms_sss_profile *p;
+    double reflectance[3] = {1, 1, 1}, d[3];
+    d[0] = a;
+    d[1] = b;
+    d[2] = c;
+    CHECK(ms_sss_profile_from_burley(&p, reflectance, d, NULL, NULL) == MS_OK);
+    return p;
+}
+
+/* Averages over n rings of equal width of a profile's own discs, so that energy is exact. */
+static ms_sss_profile *rings_of(const ms_sss_profile *source, int n, double outer, double noise)
+{
+    ms_sss_profile *p;
+    uint64_t random = test_seed;
+    double *edge = (double *)malloc(sizeof *edge * (size_t)(n + 1)), *rd = (double *)malloc(sizeof *rd * 3 * (size_t)n);
+    const double *value[3];
+    int i, c;
+    for (i = 0; i <= n; ++i) edge[i] = outer * i / n;
+    for (i = 0; i < n; ++i) {
+        double in[3], out[3];
+        ms_sss_profile_disc(source, edge[i], in);
+        ms_sss_profile_disc(source, edge[i + 1], out);
+        for (c = 0; c < 3; ++c) {
+            double v = (out[c] - in[c]) / (PI * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]));
+            v *= 1 + noise * test_normal(&random);
+            rd[c * n + i] = v > 0 ? v : 0;
+        }
+    }
+    for (c = 0; c < 3; ++c) value[c] = rd + c * n;
+    CHECK(ms_sss_profile_from_rings(&p, n, edge, value, 1, NULL, NULL) == MS_OK);
+    free(edge);
+    free(rd);
+    return p;
+}
+
+static ms_sss_profile *gaussian_profile(double sigma)
+{
+    ms_sss_profile *p;
+    double s[1][3], w[1][3] = {{1, 1, 1}};
+    s[0][0] = s[0][1] = s[0][2] = sigma;
+    CHECK(ms_sss_profile_from_gaussians(&p, 1, (const double(*)[3])s, (const double(*)[3])w, NULL, NULL) == MS_OK);
+    return p;
+}
+
+static void line_of_gaussian_rings(void)
+{
+    ms_sss_profile *g = gaussian_profile(1), *p = rings_of(g, 40000, 8.6, 0);
+    double line = 0, strip = 0, disc = 0, x, v[3];
+    for (x = 0; x < 6; x += 0.0371) {
+        ms_sss_profile_line(p, x, v);
+        line = fmax(line, fabs(v[1] - exp(-0.5 * x * x) / sqrt(2 * PI)));
+        ms_sss_profile_strip(p, x, v);
+        strip = fmax(strip, fabs(v[1] - erf(x * sqrt(0.5))));
+        ms_sss_profile_disc(p, x, v);
+        disc = fmax(disc, fabs(v[1] + expm1(-0.5 * x * x)));
+    }
+    CHECK_LE(line, 1e-10);  /* what the issue asks; rings 0.0002 sigma wide leave (width^2)^2 of curvature */
+    CHECK_LE(strip, 1e-12); /* sums of 40000 exact pieces: rounding */
+    CHECK_LE(disc, 1e-12);
+    ms_sss_profile_line(g, 0.7, v);
+    CHECK_NEAR(v[0], exp(-0.245) / sqrt(2 * PI), 1e-15);
+    ms_sss_profile_strip(g, 0.7, v);
+    CHECK_NEAR(v[0], erf(0.7 * sqrt(0.5)), 1e-15);
+    TEST_NOTE("a_p of 40000 rings within %.1e, strips %.1e, discs %.1e", line, strip, disc);
+    ms_sss_profile_destroy(p);
+    ms_sss_profile_destroy(g);
+}
+
+/* A uniform disc and a uniform ring: chords by Pythagoras. */
+static void exact_chords(void)
+{
+    double edge[3] = {0.5, 2, 3}, rd[2], x, v[3], worst = 0, strip = 0, sum = 0, before = 0;
+    const double *value[3];
+    ms_sss_profile *p;
+    rd[0] = 0;
+    rd[1] = 1;
+    value[0] = value[1] = value[2] = rd;
+    CHECK(ms_sss_profile_from_rings(&p, 2, edge, value, 1, NULL, NULL) == MS_OK);
+    for (x = 0; x < 3.2; x += 0.01) {
+        double expected = 2 * ((x < 3 ? sqrt((3 - x) * (3 + x)) : 0) - (x < 2 ? sqrt((2 - x) * (2 + x)) : 0));
+        ms_sss_profile_line(p, x, v);
+        worst = fmax(worst, fabs(v[2] - expected));
+    }
+    CHECK_LE(worst, 1e-14); /* two square roots of numbers below 9 */
+    for (x = 0; x < 3.2; x += 0.01) { /* a strip is the integral of lines: Simpson, except where a chord begins */
+        double a[3], b[3], m[3], s[3];
+        ms_sss_profile_line(p, x, a);
+        ms_sss_profile_line(p, x + 0.005, m);
+        ms_sss_profile_line(p, x + 0.01, b);
+        ms_sss_profile_strip(p, x + 0.01, s);
+        sum += 2 * 0.01 / 6 * (a[0] + 4 * m[0] + b[0]);
+        if (x < 1.98) strip = fmax(strip, fabs((s[0] - before) - 2 * 0.01 / 6 * (a[0] + 4 * m[0] + b[0])));
+        before = s[0];
+    }
+    CHECK_LE(strip, 1e-4); /* Simpson's rule near the square-root end at 2 */
+    CHECK_NEAR(before, PI * 5, 1e-12);
+    TEST_NOTE("chords within %.1e, strip of everything within %.1e", worst, fabs(before - PI * 5));
+    ms_sss_profile_destroy(p);
+}
+
+/* The integral of R_d along a line at distance x, with y = x sinh u, by the trapezoidal rule. */
+static double line_integral(const ms_sss_profile *p, double x, int c)
+{
+    double sum = 0, h = 1.0 / 32, u, v[3];
+    for (u = -20; u <= 20; u += h) {
+        ms_sss_profile_value(p, x * cosh(u), v);
+        sum += v[c] * x * cosh(u);
+    }
+    return sum * h;
+}
+
+static void line_of_burley(void)
+{
+    ms_sss_profile *p = burley_profile(0.4, 1, 2.5);
+    double worst = 0, x, a[3], s0[3], s1[3], m[3], b[3];
+    int c;
+    for (x = 0.01; x < 8; x *= 1.7)
+        for (c = 0; c < 3; ++c) {
+            ms_sss_profile_line(p, x, a);
+            worst = fmax(worst, fabs(a[c] / line_integral(p, x, c) - 1));
+        }
+    CHECK_LE(worst, 1e-10); /* the quadrature's step and the closed form's are both past 1e-13 */
+    ms_sss_profile_line(p, 1, a);
+    ms_sss_profile_line(p, 1.001, m);
+    ms_sss_profile_line(p, 1.002, b);
+    ms_sss_profile_strip(p, 1, s0);
+    ms_sss_profile_strip(p, 1.002, s1);
+    for (c = 0; c < 3; ++c) /* Simpson over 0.002: error h^5 below rounding of the difference */
+        CHECK_NEAR(s1[c] - s0[c], 2 * 0.002 / 6 * (a[c] + 4 * m[c] + b[c]), 1e-13);
+    ms_sss_profile_strip(p, 0, s0);
+    ms_sss_profile_strip(p, 200, s1);
+    CHECK_NEAR(s0[0], 0, 1e-14);
+    CHECK_NEAR(s1[0], 1, 1e-14);
+    ms_sss_profile_line(p, 0, a);
+    CHECK(a[0] > 1e300); /* the pole of K_0 */
+    TEST_NOTE("K_0 form within %.1e of quadrature", worst);
+    ms_sss_profile_destroy(p);
+}
+
+/* Values, lines and radii of the study (printed with 10 to 15 digits). */
+static void reference_profiles(void)
+{
+    json *j = json_load("tests/data/sss_profiles.json");
+    const json *x = json_get(j, "x");
+    const char *const name[2] = {"deon_skin", "burley"}, *const radius[4] = {"r50", "r90", "r99", "r999"};
+    const double fraction[4] = {0.5, 0.9, 0.99, 0.999};
+    double worst = 0;
+    int n, c, i;
+    for (n = 0; n < 2; ++n) {
+        ms_sss_profile *p = n == 0 ? skin_profile() : burley_profile(1, 0.5, 0.25);
+        for (c = 0; c < 3; ++c) {
+            const json *channel = &json_get(j, name[n])->child[c];
+            for (i = 0; i < x->count; ++i) {
+                double v[3], rd = json_number(&json_get(channel, "Rd")->child[i]), ap = json_number(&json_get(channel, "ap")->child[i]);
+                ms_sss_profile_value(p, x->child[i].number, v);
+                worst = fmax(worst, fabs(v[c] / rd - 1));
+                ms_sss_profile_line(p, x->child[i].number, v);
+                worst = fmax(worst, fabs(v[c] / ap - 1));
+            }
+            for (i = 0; i < 4; ++i) {
+                double r[3];
+                ms_sss_profile_radius(p, fraction[i], r);
+                CHECK_NEAR(r[c] / json_number(json_get(channel, radius[i])), 1, 2e-9); /* printed with 10 digits */
+            }
+        }
+        ms_sss_profile_destroy(p);
+    }
+    CHECK_LE(worst, 1e-11); /* printed with 15 digits; a_p by adaptive quadrature */
+    TEST_NOTE("R_d and a_p within %.1e", worst);
+    json_free(j);
+}
+
+static void samples_and_noise(void)
+{
+    ms_sss_profile *skin = skin_profile(), *p, *noisy;
+    double r[400], rd[3][400], v[3], total[3], expected, worst = 0;
+    const double *value[3];
+    int i, c;
+    for (i = 0; i < 400; ++i) { /* uneven, from a distance above 0 */
+        r[i] = 0.01 * pow(1.018, i);
+        ms_sss_profile_value(skin, r[i], v);
+        for (c = 0; c < 3; ++c) rd[c][i] = v[c];
+    }
+    for (c = 0; c < 3; ++c) value[c] = rd[c];
+    CHECK(ms_sss_profile_from_samples(&p, 400, r, value, 0, NULL, NULL) == MS_OK);
+    ms_sss_profile_reflectance(p, total);
+    for (c = 0; c < 3; ++c) CHECK_NEAR(total[c], 1, 1e-3); /* linear in r^2 over 1.8% steps */
+    for (i = 0; i < 300; ++i) {
+        double a[3];
+        ms_sss_profile_line(p, r[i], a);
+        ms_sss_profile_line(skin, r[i], v);
+        worst = fmax(worst, fabs(a[0] - v[0]));
+    }
+    CHECK_LE(worst, 3e-3); /* of a_p(0) = 1.6 per mm, by the same steps */
+    noisy = rings_of(skin, 600, 12, 0.3);
+    ms_sss_profile_reflectance(noisy, total);
+    for (c = 0; c < 3; ++c) { /* the slopes within rings must not change the energy: strip, disc and rings agree */
+        ms_sss_profile_strip(noisy, 13, v);
+        CHECK_NEAR(v[c], total[c], 1e-12);
+        CHECK_NEAR(total[c], 1, 0.3); /* 30% noise over a few rings that matter */
+    }
+    ms_sss_profile_value(noisy, 11.99, v);
+    CHECK(v[0] >= 0);
+    ms_sss_profile_value(noisy, 12.01, v);
+    CHECK(v[0] == 0 && v[1] == 0 && v[2] == 0);
+    expected = worst;
+    TEST_NOTE("a_p of 400 samples within %.1e", expected);
+    ms_sss_profile_destroy(noisy);
+    ms_sss_profile_destroy(p);
+    ms_sss_profile_destroy(skin);
+}
+
+static void refused_profiles(void)
+{
+    double edge[4] = {0, 1, 2, 3}, rd[3] = {3, 2, 1}, bad[4], sigma[1][3] = {{1, 1, 0}}, weight[1][3] = {{1, 1, 1}};
+    double d[3] = {1, 1, 1}, reflectance[3] = {1, 1, -1};
+    const double *value[3];
+    ms_sss_profile *p = (ms_sss_profile *)(void *)rd;
+    ms_error error;
+    value[0] = value[1] = value[2] = rd;
+    CHECK(ms_sss_profile_from_rings(&p, 0, edge, value, 1, NULL, &error) == MS_INVALID_ARGUMENT && p == NULL);
+    memcpy(bad, edge, sizeof bad);
+    bad[2] = 1;
+    CHECK(ms_sss_profile_from_rings(&p, 3, bad, value, 1, NULL, &error) == MS_INVALID_ARGUMENT && error.position == 2);
+    CHECK(strstr(error.message, "increasing") != NULL);
+    bad[2] = sqrt(-1.0);
+    CHECK(ms_sss_profile_from_samples(&p, 3, bad, value, 1, NULL, &error) == MS_INVALID_ARGUMENT && error.position == 2);
+    rd[1] = -1e-9;
+    CHECK(ms_sss_profile_from_rings(&p, 3, edge, value, 1, NULL, &error) == MS_INVALID_ARGUMENT && error.position == 1);
+    rd[1] = HUGE_VAL;
+    CHECK(ms_sss_profile_from_samples(&p, 3, edge, value, 1, NULL, &error) == MS_INVALID_ARGUMENT && error.position == 1);
+    CHECK(ms_sss_profile_from_samples(&p, 1, edge, value, 1, NULL, &error) == MS_INVALID_ARGUMENT);
+    CHECK(ms_sss_profile_from_rings(&p, 3, edge, NULL, 1, NULL, NULL) == MS_INVALID_ARGUMENT);
+    CHECK(ms_sss_profile_from_gaussians(&p, 1, (const double(*)[3])sigma, (const double(*)[3])weight, NULL, &error) == MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "channel 2") != NULL);
+    CHECK(ms_sss_profile_from_gaussians(&p, 17, (const double(*)[3])sigma, (const double(*)[3])weight, NULL, &error) == MS_INVALID_ARGUMENT);
+    CHECK(ms_sss_profile_from_burley(&p, reflectance, d, NULL, &error) == MS_INVALID_ARGUMENT && error.position == 2);
+    ms_sss_profile_destroy(NULL);
+}
+
+static void csv_files(void)
+{
+    static const struct {
+        const char *text;
+        size_t line;
+        const char *message;
+    } bad[] = {
+        {"r_mm,R,G,B\n0.5,1,1\n1.5,1,1,1\n", 2, "not r_mm"},    {"0.5,1,1,1\n1.5,1,1,1,1\n", 2, "not r_mm"},
+        {"0.5,1,1,1\n0.5,1,1,1\n", 2, "increasing"},            {"0.5,1,1,1\n1.5,1,-1,1\n", 2, "outside"},
+        {"0.5,1,1,1\nnan,1,1,1\n", 2, "not r_mm"},              {"0.5,1,1,1\n1.5,1e999,1,1\n", 2, "outside"},
+        {"0.5,1,1,1\nr_mm,R,G,B\n", 2, "not r_mm"},             {"0.5,1,1,1\n", 1, "at least 2"},
+        {"0.5;1;1;1\n1;1;1;1\n", 1, "not r_mm"},                {"", 0, "at least 2"},
+        {"# only\n\n", 2, "at least 2"},                        {"0.5,1,1,1\n1.5,1,1,0x10\n", 2, "not r_mm"},
+        {"0.5,1,1,1\n1.5,1,1,1e\n", 2, "not r_mm"},             {"0.5,1,1,1\n1.5,1,1,\n", 2, "not r_mm"},
+        {"-0.5,1,1,1\n1.5,1,1,1\n", 1, "increasing"}};
+    static const char good[] = "# a comment, with 1,2,3,4\r\n\r\nr_mm,R,G,B\r\n 0.25 , 4e-1, .3,2.E-1\r\n0.75,0.2,0.15,+0.1\r\n1.25,0,0,0";
+    ms_sss_profile *p;
+    ms_error error;
+    double v[3];
+    size_t i;
+    CHECK(ms_sss_profile_from_csv(&p, good, sizeof good - 1, NULL, &error) == MS_OK);
+    ms_sss_profile_disc(p, 0.5, v); /* the middles 0.25, 0.75, 1.25 make rings 0, 0.5, 1, 1.5 */
+    CHECK_NEAR(v[0], 0.4 * PI * 0.25, 1e-15);
+    ms_sss_profile_reflectance(p, v);
+    CHECK_NEAR(v[1], 0.3 * PI * 0.25 + 0.15 * PI * 0.75, 1e-15);
+    ms_sss_profile_destroy(p);
+    CHECK(ms_sss_profile_from_csv(&p, "0,2,2,2\n1,1,1,1\n3,0,0,0\n", 24, NULL, &error) == MS_OK); /* point samples */
+    ms_sss_profile_value(p, 1, v);
+    CHECK_NEAR(v[0], 1, 1e-15);
+    ms_sss_profile_value(p, sqrt(0.5), v);
+    CHECK_NEAR(v[0], 1.5, 1e-15);
+    ms_sss_profile_destroy(p);
+    CHECK(ms_sss_profile_from_csv(&p, "0,12345678901234567890123,1,1\n1,0.1,123456.789e-3,1e-5\n", 55, NULL, &error) == MS_OK);
+    ms_sss_profile_value(p, 1 - 1e-13, v);
+    CHECK_NEAR(v[1], 123.456789, 1e-9);
+    ms_sss_profile_destroy(p);
+    for (i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        ms_status status = ms_sss_profile_from_csv(&p, bad[i].text, strlen(bad[i].text), NULL, &error);
+        if (status != MS_BAD_DATA || p != NULL || error.position != bad[i].line || strstr(error.message, bad[i].message) == NULL)
+            TEST_FAIL("file %d: status %d, line %d: %s", (int)i, (int)status, (int)error.position, error.message);
+    }
+    TEST_NOTE("%d malformed files", (int)(sizeof bad / sizeof bad[0]));
+}
+
+static void translucency(void)
+{
+    ms_sss_profile *p = burley_profile(0.5, 1, 2), *skin = skin_profile();
+    double t[3], s, worst = 0;
+    float table[65][3];
+    int c, i;
+    for (s = 0.1; s < 10; s *= 2) { /* integral over the plane at distance s, by the same quadrature in r^2 = u */
+        double sum = 0, h = 1.0 / 128, u;
+        for (u = -4.5; u <= 4.5; u += h) {
+            double r = exp(0.5 * PI * sinh(u)), v[3];
+            ms_sss_profile_value(p, sqrt(r * r + s * s), v);
+            sum += v[0] * 2 * PI * r * r * 0.5 * PI * cosh(u) * h;
+        }
+        ms_sss_transmittance(p, s, t);
+        worst = fmax(worst, fabs(t[0] - sum));
+    }
+    CHECK_LE(worst, 1e-9); /* the quadrature */
+    CHECK(ms_sss_transmittance_table(skin, 8, 65, table) == MS_OK);
+    for (c = 0; c < 3; ++c) {
+        CHECK_NEAR(table[0][c], 1, 1e-6);
+        for (i = 1; i < 65; ++i) CHECK(table[i][c] <= table[i - 1][c]);
+    }
+    ms_sss_transmittance(skin, 1, t); /* sum of w exp(-s^2 / (2 v)) */
+    CHECK_NEAR(t[2], 0.649 * exp(-0.5 / 0.0064) + 0.344 * exp(-0.5 / 0.0484) + 0.007 * exp(-0.5 / 0.567), 1e-15);
+    CHECK_NEAR(table[8][2], t[2], 1e-7);
+    CHECK(ms_sss_transmittance_table(skin, 8, 1, table) == MS_INVALID_ARGUMENT);
+    CHECK(ms_sss_transmittance_table(skin, 0, 4, table) == MS_INVALID_ARGUMENT);
+    TEST_NOTE("within %.1e of quadrature", worst);
+    ms_sss_profile_destroy(skin);
+    ms_sss_profile_destroy(p);
+}
+
+/* --- kernels against the study --- */
+
+static ms_sss_designer *designer_for(const ms_sss_profile *p, double radius_px)
+{
+    ms_sss_designer *d = NULL;
+    ms_error error;
+    if (ms_sss_designer_create(&d, p, radius_px, NULL, &error) != MS_OK) TEST_FAIL("designer: %s", error.message);
+    return d;
+}
+
+static ms_sss_errors built(ms_sss_kernel *kernel, const ms_sss_designer *d, const ms_sss_kernel_options *o)
+{
+    ms_sss_errors e;
+    ms_error error;
+    if (ms_sss_kernel_build(kernel, d, o, &error) != MS_OK) TEST_FAIL("kernel: %s", error.message);
+    ms_sss_kernel_measure(&e, kernel, d);
+    return e;
+}
+
+static ms_sss_kernel_options dense_model(ms_sss_model model, int terms)
+{
+    ms_sss_kernel_options o = ms_sss_kernel_defaults();
+    o.model = model;
+    o.term_count = terms;
+    o.tap_count = MS_SSS_DENSE;
+    o.no_delta = 1;
+    return o;
+}
+
+/* The study's kernels on 65 x 65 cells, printed with 10 to 12 digits; ours are stored as float. */
+static void reference_kernels(void)
+{
+    json *j = json_load("tests/data/sss_kernels.json");
+    const json *channels = json_get(json_get(j, "deon_skin"), "channels");
+    ms_sss_profile *skin = skin_profile();
+    ms_sss_designer *d = designer_for(skin, 32);
+    static ms_sss_kernel k;
+    ms_sss_kernel_options o = dense_model(MS_SSS_PREINTEGRATED, 1);
+    double ap = 0, svd = 0, residual = 0, guided = 0, image = 0;
+    int c, i, t, g;
+    built(&k, d, &o);
+    CHECK_NEAR((double)k.offset_mm[2], 0.170435227406572, 1e-7);
+    CHECK_INT(k.tap_count, 65);
+    for (c = 0; c < 3; ++c)
+        for (i = 0; i <= 32; ++i)
+            ap = fmax(ap, fabs((double)k.weight[0][2 * i][c] - json_number(&json_get(&channels->child[c], "ap")->child[i])));
+    CHECK_LE(ap, 1e-7); /* float */
+    o = dense_model(MS_SSS_SVD, 6);
+    built(&k, d, &o);
+    for (c = 0; c < 3; ++c)
+        for (t = 0; t < 3; ++t) {
+            const json *vec = &json_get(&channels->child[c], "vec")->child[t];
+            double lambda = json_number(&json_get(&channels->child[c], "eig")->child[t]);
+            for (i = 0; i <= 32; ++i)
+                svd = fmax(svd, fabs((double)k.weight[t][2 * i][c] - sqrt(fabs(lambda)) * json_number(&vec->child[i])));
+            CHECK_NEAR(k.scale[t][c], lambda > 0 ? 1 : -1, 0);
+        }
+    CHECK_LE(svd, 1e-6); /* vectors printed with 10 digits, floats */
+    o = dense_model(MS_SSS_RESIDUAL, 3);
+    built(&k, d, &o);
+    for (c = 0; c < 3; ++c)
+        for (t = 0; t < 2; ++t) {
+            double norm = 0, sum = 0;
+            for (i = 0; i < k.tap_count; ++i) {
+                norm += (double)k.weight[t + 1][i][c] * (double)k.weight[t + 1][i][c];
+                sum += (double)k.weight[t + 1][i][c];
+            }
+            norm *= (double)k.scale[t + 1][c];
+            residual = fmax(residual, fabs(norm - json_number(&json_get(&channels->child[c], "residual_eig")->child[t])));
+            CHECK_NEAR(sum, 0, 1e-6); /* exact on separable signals */
+        }
+    CHECK_LE(residual, 1e-6);
+    for (g = 0; g <= 4; ++g) {
+        o = dense_model(MS_SSS_GUIDED, 1);
+        o.guide_k = g;
+        built(&k, d, &o);
+        for (c = 0; c < 3; ++c)
+            for (i = 0; i <= 32; ++i)
+                guided = fmax(guided, fabs((double)k.weight[0][2 * i][c] - json_number(&json_get(&channels->child[c], "guided")->child[g].child[i])));
+    }
+    CHECK_LE(guided, 0.02); /* where Gamma is tiny the study stopped at its iteration limit */
+    o = dense_model(MS_SSS_IMAGE_OPTIMAL, 1);
+    built(&k, d, &o);
+    for (c = 0; c < 3; ++c)
+        for (i = 0; i <= 32; ++i)
+            image = fmax(image, fabs((double)k.weight[0][2 * i][c] - json_number(&json_get(&channels->child[c], "img_rank1")->child[i])));
+    CHECK_LE(image, 0.01); /* ours knows of the texture's band limit, and is linear between knots */
+    TEST_NOTE("largest differences of weights: a_p %.1e, SVD %.1e, residual %.1e, guided %.1e, image-optimal %.1e", ap, svd,
+              residual, guided, image);
+    ms_sss_designer_destroy(d);
+    ms_sss_profile_destroy(skin);
+    json_free(j);
+}
+
+/* Every model of the study at R = 96. Signals without chance agree to the digits printed; the texture is another
+   picture, within 5%. */
+static void reference_errors(void)
+{
+    static const struct {
+        const char *name;
+        ms_sss_model model;
+        int terms;
+        int better; /* the study stopped short of the optimum: at most its error */
+        double texture; /* tolerance there: 5% in design.md's table as the issue asks, else that of another picture */
+    } row[] = {{"radial_slice_(iryoku_code,strength1)", MS_SSS_SLICE, 1, 0, 0.05}, {"sog1", MS_SSS_GAUSSIANS, 1, 0, 0.05},
+               {"svd1_norm", MS_SSS_SVD_NORMALISED, 1, 0, 0.05}, {"preint", MS_SSS_PREINTEGRATED, 1, 0, 0.05},
+               {"img_rank1", MS_SSS_IMAGE_OPTIMAL, 1, 0, 0.05}, {"svd2_norm", MS_SSS_SVD_NORMALISED, 2, 0, 0.05},
+               {"preint+res1", MS_SSS_RESIDUAL, 2, 0, 0.05}, {"sog6", MS_SSS_GAUSSIANS, 6, 1, 0.05}, {"svd3_norm", MS_SSS_SVD_NORMALISED, 3, 0, 0.08},
+               {"svd4_norm", MS_SSS_SVD_NORMALISED, 4, 0, 0.08}, {"preint+res2", MS_SSS_RESIDUAL, 3, 0, 0.08},
+               {"sog2", MS_SSS_GAUSSIANS, 2, 1, 0.08}, {"sog3", MS_SSS_GAUSSIANS, 3, 1, 0.08}, {"sog4", MS_SSS_GAUSSIANS, 4, 1, 0.08},
+               {"artist_LSfit_to_ap", MS_SSS_ARTIST, 1, 0, 0.08}, {"artist_close_mm", MS_SSS_ARTIST, 1, 0, 0.08},
+               {"artist_production_mm", MS_SSS_ARTIST, 1, 0, 0.08}, {"guided_k0", MS_SSS_GUIDED, 1, 0, 0.08}};
+    json *j = json_load("tests/data/sss_errors_deon_skin.json");
+    const json *models = json_get(json_get(j, "deon_skin"), "models");
+    ms_sss_profile *skin = skin_profile();
+    ms_sss_designer *d = designer_for(skin, 96);
+    static ms_sss_kernel k;
+    double worst = 0, worst_texture = 0;
+    size_t n;
+    for (n = 0; n < sizeof row / sizeof row[0]; ++n) {
+        const json *err = json_get(json_get(models, row[n].name), "err");
+        const char *const signal[5] = {"vstep", "dstep", "disk_small_r10", "disk_large_r120", "natural_1f"};
+        ms_sss_kernel_options o = dense_model(row[n].model, row[n].terms);
+        ms_sss_errors e;
+        double found[5];
+        int s;
+        if (strcmp(row[n].name, "artist_close_mm") == 0) o.artist = ms_sss_artist_close_fit();
+        if (strcmp(row[n].name, "artist_production_mm") == 0) o.artist = ms_sss_artist_production();
+        e = built(&k, d, &o);
+        found[0] = e.vertical_step;
+        found[1] = e.diagonal_step;
+        found[2] = e.small_disk;
+        found[3] = e.large_disk;
+        found[4] = e.texture;
+        for (s = 0; s < 5; ++s) {
+            double expected = json_number(&json_get(err, signal[s])->child[0]);
+            double tolerance = s < 4 ? 0.05 : row[n].texture;
+            /* 1e-6: weights are floats */
+            if (found[s] > (1 + tolerance) * expected + 1e-6 || (!row[n].better && found[s] < (1 - tolerance) * expected - 1e-6))
+                TEST_FAIL("%s, %s: %.5f, study %.5f", row[n].name, signal[s], found[s], expected);
+            if (!row[n].better && expected > 1e-6) {
+                double off = fabs(found[s] / expected - 1);
+                if (s < 4) worst = fmax(worst, off); else worst_texture = fmax(worst_texture, off);
+            }
+        }
+    }
+    TEST_NOTE("%d models: steps and disks within %.2f%%, texture within %.1f%%", (int)n, 100 * worst, 100 * worst_texture);
+    ms_sss_designer_destroy(d);
+    ms_sss_profile_destroy(skin);
+    json_free(j);
+}
+
+/* The study's own taps, measured by us: its weights sum to 1 and are scaled by 1 - delta. */
+static void reference_taps(void)
+{
+    json *j = json_load("tests/data/sss_taps_deon_skin_96.json");
+    const char *const set[2] = {"R96", "R24"}, *const taps[3] = {"7", "11", "17"}, *const kind[2] = {"imgopt", "imgopt+delta"};
+    ms_sss_profile *skin = skin_profile();
+    static ms_sss_kernel k;
+    double steps = 0, texture = 0, gain = 1e9, lose = 0;
+    int r, n, m, c, i;
+    for (r = 0; r < 2; ++r) {
+        ms_sss_designer *d = designer_for(skin, r == 0 ? 96 : 24);
+        double cell = 5.5391448907136 / (r == 0 ? 96.5 : 24.5);
+        for (n = 0; n < 3; ++n)
+            for (m = 0; m < 2; ++m) {
+                const json *entry = json_get(json_get(json_get(json_get(json_get(j, "deon_skin"), set[r]), taps[n]), kind[m]), "taps");
+                const json *err = json_get(json_get(json_get(json_get(json_get(json_get(j, "deon_skin"), set[r]), taps[n]), kind[m]), "err"), "natural_1f");
+                const json *all = json_get(json_get(json_get(json_get(json_get(j, "deon_skin"), set[r]), taps[n]), kind[m]), "err");
+                ms_sss_kernel_options o = ms_sss_kernel_defaults();
+                ms_sss_errors e, ours;
+                memset(&k, 0, sizeof k);
+                k.tap_count = 2 * json_get(entry, "offset_px")->count + 1;
+                k.term_count = k.frame_count = 1;
+                for (c = 0; c < 3; ++c) {
+                    k.delta[c] = (float)json_number(&json_get(entry, "wdelta")->child[c]);
+                    k.scale[0][c] = 1;
+                    for (i = 0; i < k.tap_count; ++i) {
+                        int pair = (i + 1) / 2;
+                        k.offset_mm[i] = (float)(pair == 0 ? 0 : (i % 2 ? -cell : cell) * json_get(entry, "offset_px")->child[pair - 1].number);
+                        k.weight[0][i][c] = (float)(sqrt(1 - (double)k.delta[c]) * json_get(entry, "w")->child[c].child[pair].number);
+                    }
+                }
+                ms_sss_kernel_measure(&e, &k, d);
+                steps = fmax(steps, fabs(e.vertical_step / json_number(&json_get(all, "vstep")->child[0]) - 1));
+                steps = fmax(steps, fabs(e.diagonal_step / json_number(&json_get(all, "dstep")->child[0]) - 1));
+                texture = fmax(texture, fabs(e.texture / json_number(&err->child[0]) - 1));
+                o.tap_count = k.tap_count;
+                o.no_delta = m == 0;
+                ours = built(&k, d, &o);
+                CHECK_LE(ours.texture, 1.03 * e.texture); /* descents from other starts may end a little higher */
+                gain = fmin(gain, ours.texture / e.texture);
+                lose = fmax(lose, ours.texture / e.texture);
+            }
+        ms_sss_designer_destroy(d);
+    }
+    CHECK_LE(steps, 0.01);   /* offsets and weights printed with 5 digits */
+    CHECK_LE(texture, 0.05); /* another picture with the same statistics */
+    TEST_NOTE("12 sets: steps within %.2f%%, texture within %.1f%%; our texture errors are %.2f to %.2f of theirs", 100 * steps,
+              100 * texture, gain, lose);
+    ms_sss_profile_destroy(skin);
+    json_free(j);
+}
+
+/* What the project set out to beat: the thesis's quadratic spacing at equal cost. */
+static void targets(void)
+{
+    ms_sss_profile *skin = skin_profile();
+    ms_sss_designer *near_view = designer_for(skin, 96), *far_view = designer_for(skin, 24);
+    ms_sss_kernel_options o = ms_sss_kernel_defaults();
+    static ms_sss_kernel k;
+    double a, b, c, quadratic;
+    a = built(&k, far_view, &o).texture;
+    CHECK_LE(a, 0.032);
+    o.tap_count = 17;
+    b = built(&k, near_view, &o).texture;
+    CHECK_LE(b, 0.050);
+    o.model = MS_SSS_ROTATED;
+    c = built(&k, far_view, &o).texture;
+    CHECK_INT(k.frame_count, 4);
+    CHECK_LE(c, 0.005);
+    o = ms_sss_kernel_defaults();
+    o.model = MS_SSS_PREINTEGRATED;
+    o.placement = MS_SSS_QUADRATIC;
+    quadratic = built(&k, far_view, &o).texture;
+    CHECK_LE(a, quadratic);
+    TEST_NOTE("7 taps R 24: %.2f%% (a_p, quadratic: %.2f%%); 17 taps R 96: %.2f%%; 17 taps R 24 over 4 frames: %.3f%%", 100 * a,
+              100 * quadratic, 100 * b, 100 * c);
+    ms_sss_designer_destroy(near_view);
+    ms_sss_designer_destroy(far_view);
+    ms_sss_profile_destroy(skin);
+}
+
+/* --- kernels against plain convolution --- */
+
+enum { SIDE = 64 };
+
+/* K by midpoint quadrature within each cell: independent of rings, areas and spectra. */
+static double true_cell(const ms_sss_profile *p, double h, int x, int y, int c)
+{
+    double sum = 0, v[3];
+    int i, j;
+    for (i = 0; i < 8; ++i)
+        for (j = 0; j < 8; ++j) {
+            double u = (x + (i + 0.5) / 8 - 0.5) * h, w = (y + (j + 0.5) / 8 - 0.5) * h;
+            ms_sss_profile_value(p, sqrt(u * u + w * w), v);
+            sum += v[c];
+        }
+    return sum * h * h / 64;
+}
+
+static double at_linear(const double *image, double x, double y) /* periodic */
+{
+    int i = (int)floor(x), j = (int)floor(y), i1 = (i + 1) & (SIDE - 1), j1 = (j + 1) & (SIDE - 1);
+    double f = x - i, g = y - j;
+    i &= SIDE - 1;
+    j &= SIDE - 1;
+    return (1 - g) * ((1 - f) * image[j * SIDE + i] + f * image[j * SIDE + i1]) +
+           g * ((1 - f) * image[j1 * SIDE + i] + f * image[j1 * SIDE + i1]);
+}
+
+static void filter_plain(const ms_sss_kernel *k, double cell, const double *in, int c, double turn, double *out)
+{
+    static double pass[SIDE * SIDE];
+    int x, y, i, t;
+    for (y = 0; y < SIDE * SIDE; ++y) out[y] = (double)k->delta[c] * in[y];
+    for (t = 0; t < k->term_count; ++t) {
+        for (y = 0; y < SIDE; ++y)
+            for (x = 0; x < SIDE; ++x) {
+                double sum = 0;
+                for (i = 0; i < k->tap_count; ++i) {
+                    double o = (double)k->offset_mm[i] / cell;
+                    sum += (double)k->weight[t][i][c] * at_linear(in, x + o * cos(turn), y + o * sin(turn));
+                }
+                pass[y * SIDE + x] = sum;
+            }
+        for (y = 0; y < SIDE; ++y)
+            for (x = 0; x < SIDE; ++x) {
+                double sum = 0;
+                for (i = 0; i < k->tap_count; ++i) {
+                    double o = (double)k->offset_mm[i] / cell;
+                    sum += (double)k->weight[t][i][c] * at_linear(pass, x - o * sin(turn), y + o * cos(turn));
+                }
+                out[y * SIDE + x] += (double)k->scale[t][c] * sum;
+            }
+    }
+}
+
+static void convolve_plain(const ms_sss_profile *p, double cell, int reach, const double *in, int c, double *out)
+{
+    static double K[SIDE * SIDE];
+    double total = 0;
+    int x, y, i, j, row = 2 * reach + 1;
+    for (j = -reach; j <= reach; ++j)
+        for (i = -reach; i <= reach; ++i) total += K[(j + reach) * row + i + reach] = true_cell(p, cell, i, j, c);
+    for (y = 0; y < SIDE; ++y)
+        for (x = 0; x < SIDE; ++x) {
+            double sum = 0;
+            for (j = -reach; j <= reach; ++j)
+                for (i = -reach; i <= reach; ++i)
+                    sum += K[(j + reach) * row + i + reach] * in[((y + j) & (SIDE - 1)) * SIDE + ((x + i) & (SIDE - 1))];
+            out[y * SIDE + x] = sum / total;
+        }
+}
+
+/* A smooth profile, so that midpoints are good to 1e-4 of it. */
+static void separable_signals(void)
+{
+    static double in[SIDE * SIDE], right[SIDE * SIDE], ours[SIDE * SIDE];
+    static ms_sss_kernel k;
+    double sigma[2][3] = {{1, 0.8, 0.6}, {2.5, 2, 1.5}}, weight[2][3] = {{0.6, 0.5, 0.4}, {0.4, 0.5, 0.6}}, worst = 0, rest = 0, cell;
+    ms_sss_kernel_options o = dense_model(MS_SSS_PREINTEGRATED, 1);
+    ms_sss_profile *p;
+    ms_sss_designer *d;
+    uint64_t random = test_seed;
+    double e1[SIDE], e2[SIDE];
+    int i, c;
+    CHECK(ms_sss_profile_from_gaussians(&p, 2, (const double(*)[3])sigma, (const double(*)[3])weight, NULL, NULL) == MS_OK);
+    d = designer_for(p, 10);
+    for (i = 0; i < SIDE; ++i) {
+        e1[i] = test_uniform(&random);
+        e2[i] = test_uniform(&random);
+    }
+    for (i = 0; i < SIDE * SIDE; ++i) in[i] = e1[i % SIDE] + e2[i / SIDE];
+    built(&k, d, &o);
+    cell = (double)k.offset_mm[2];
+    for (c = 0; c < 3; ++c) {
+        convolve_plain(p, cell, 10, in, c, right);
+        filter_plain(&k, cell, in, c, 0, ours);
+        for (i = 0; i < SIDE * SIDE; ++i) worst = fmax(worst, fabs(ours[i] - right[i]));
+    }
+    o = dense_model(MS_SSS_RESIDUAL, 4);
+    built(&k, d, &o);
+    for (c = 0; c < 3; ++c) {
+        convolve_plain(p, cell, 10, in, c, right);
+        filter_plain(&k, cell, in, c, 0, ours);
+        for (i = 0; i < SIDE * SIDE; ++i) rest = fmax(rest, fabs(ours[i] - right[i]));
+    }
+    CHECK_LE(worst, 2e-4); /* the midpoint rule of the reference */
+    CHECK_LE(rest, 2e-4);
+    TEST_NOTE("E1(x) + E2(y): a_p within %.1e, with three residual terms %.1e", worst, rest);
+    ms_sss_designer_destroy(d);
+    ms_sss_profile_destroy(p);
+}
+
+/* What ms_sss_kernel_measure says of a dot, against a plain convolution of a dot: the picture is larger than kernels. */
+static void measured_errors(void)
+{
+    static double in[SIDE * SIDE], right[SIDE * SIDE], ours[SIDE * SIDE], sum[SIDE * SIDE];
+    static ms_sss_kernel k;
+    ms_sss_kernel_options o[3];
+    ms_sss_profile *p;
+    ms_sss_designer *d;
+    double sigma[2][3] = {{1, 0.8, 0.6}, {2.5, 2, 1.5}}, weight[2][3] = {{0.6, 0.5, 0.4}, {0.4, 0.5, 0.6}}, cell;
+    int n, c, i, f;
+    CHECK(ms_sss_profile_from_gaussians(&p, 2, (const double(*)[3])sigma, (const double(*)[3])weight, NULL, NULL) == MS_OK);
+    d = designer_for(p, 10);
+    o[0] = dense_model(MS_SSS_PREINTEGRATED, 1);
+    built(&k, d, &o[0]);
+    cell = (double)k.offset_mm[2];
+    o[0] = ms_sss_kernel_defaults();
+    o[1] = o[2] = o[0];
+    o[1].model = MS_SSS_RESIDUAL;
+    o[1].tap_count = 9;
+    o[2].model = MS_SSS_ROTATED;
+    o[2].frame_count = 3;
+    memset(in, 0, sizeof in);
+    in[SIDE / 2 * SIDE + SIDE / 2] = 1;
+    for (n = 0; n < 3; ++n) {
+        ms_sss_errors e = built(&k, d, &o[n]);
+        double square = 0, variance = 0, found;
+        for (c = 0; c < 3; ++c) {
+            convolve_plain(p, cell, 10, in, c, right);
+            memset(sum, 0, sizeof sum);
+            for (f = 0; f < k.frame_count; ++f) {
+                filter_plain(&k, cell, in, c, 0.5 * PI * f / k.frame_count, ours);
+                for (i = 0; i < SIDE * SIDE; ++i) sum[i] += ours[i] / k.frame_count;
+            }
+            for (i = 0; i < SIDE * SIDE; ++i) {
+                square += (sum[i] - right[i]) * (sum[i] - right[i]);
+                variance += right[i] * right[i];
+            }
+            variance -= 1.0 / (512 * 512); /* the mean, of 512 x 512 pixels */
+        }
+        found = sqrt(square / variance);
+        CHECK_NEAR(e.dot, found, 0.01 * found + 1e-4); /* the reference's midpoint rule */
+        TEST_NOTE("dot, kernel %d: %.4f, plain %.4f", n, e.dot, found);
+    }
+    ms_sss_designer_destroy(d);
+    ms_sss_profile_destroy(p);
+}
+
+/* --- properties --- */
+
+static void check_kernel(const ms_sss_kernel *k, ms_sss_model model, const char *what)
+{
+    int c, t, i;
+    for (c = 0; c < 3; ++c) {
+        double energy = (double)k->delta[c];
+        for (t = 0; t < k->term_count; ++t) {
+            double sum = 0;
+            for (i = 0; i < k->tap_count; ++i) sum += (double)k->weight[t][i][c];
+            energy += (double)k->scale[t][c] * sum * sum;
+        }
+        if (model == MS_SSS_SVD) CHECK_LE(energy, 1.1); /* above 1 only where the kernel has negative eigenvalues */
+        else if (!(fabs(energy - 1) < 1e-6)) TEST_FAIL("%s: energy %.9f in channel %d", what, energy, c); /* float weights */
+        if (k->delta[c] < 0 || !(k->delta[c] <= 1)) TEST_FAIL("%s: delta %g", what, (double)k->delta[c]);
+    }
+    if (k->tap_count % 2 == 0 || k->offset_mm[0] != 0) TEST_FAIL("%s: no centre", what);
+    for (i = 1; i < k->tap_count; i += 2) {
+        if (k->offset_mm[i] != -k->offset_mm[i + 1] || !(k->offset_mm[i + 1] > 0)) TEST_FAIL("%s: pair %d", what, i);
+        if (i > 1 && k->offset_mm[i + 1] < k->offset_mm[i - 1]) TEST_FAIL("%s: order of %d", what, i);
+        for (t = 0; t < k->term_count; ++t)
+            for (c = 0; c < 3; ++c)
+                if (k->weight[t][i][c] != k->weight[t][i + 1][c]) TEST_FAIL("%s: not symmetric", what);
+    }
+    if (!(k->radius_mm >= k->offset_mm[k->tap_count - 1])) TEST_FAIL("%s: radius %g", what, (double)k->radius_mm);
+}
+
+/* All models and placements on hard profiles: a channel 45 times as wide as another, an empty channel, poles, noise. */
+static void every_model(void)
+{
+    static ms_sss_kernel k;
+    ms_sss_profile *profile[4];
+    double reflectance[3] = {0.145, 0.0053, 0}, widths[3] = {4, 0.089, 1};
+    int n, m, placement, built_count = 0;
+    profile[0] = skin_profile();
+    CHECK(ms_sss_profile_from_burley(&profile[1], reflectance, widths, NULL, NULL) == MS_OK);
+    profile[2] = rings_of(profile[0], 300, 9, 0.5);
+    profile[3] = gaussian_profile(1e-6);
+    for (n = 0; n < 4; ++n) {
+        ms_sss_designer *d = designer_for(profile[n], n == 1 ? 40 : 12);
+        for (m = 0; m <= (int)MS_SSS_ROTATED; ++m)
+            for (placement = 0; placement < 4; ++placement) {
+                ms_sss_kernel_options o = ms_sss_kernel_defaults();
+                ms_sss_errors e;
+                char what[64];
+                o.model = (ms_sss_model)m;
+                o.guide_k = 1.5;
+                o.term_count = m == MS_SSS_SVD || m == MS_SSS_GAUSSIANS ? 3 : 0;
+                if (placement == 3) o.tap_count = MS_SSS_DENSE; else o.placement = (ms_sss_placement)placement;
+                if (m == MS_SSS_ROTATED && placement > 0) continue;
+                sprintf(what, "profile %d, model %d, placement %d", n, m, placement);
+                e = built(&k, d, &o);
+                check_kernel(&k, o.model, what);
+                if (!(e.texture >= 0 && e.texture < (m == MS_SSS_SVD ? 10 : 1.2))) TEST_FAIL("%s: texture error %g", what, e.texture);
+                if (n == 1 && !(k.weight[0][0][2] == 1 && k.delta[2] == 0)) TEST_FAIL("%s: empty channel is not the identity", what);
+                ++built_count;
+            }
+        ms_sss_designer_destroy(d);
+        ms_sss_profile_destroy(profile[n]);
+    }
+    TEST_NOTE("%d kernels", built_count);
+}
+
+static void radii(void)
+{
+    static const double radius[] = {0.01, 0.5, 1, 3.3, 128, 1e4, 1e9};
+    static ms_sss_kernel k;
+    ms_sss_profile *skin = skin_profile();
+    size_t n;
+    for (n = 0; n < sizeof radius / sizeof radius[0]; ++n) {
+        ms_sss_kernel_options o = ms_sss_kernel_defaults();
+        ms_sss_errors e;
+        ms_sss_designer *d = designer_for(skin, radius[n]);
+        e = built(&k, d, &o);
+        check_kernel(&k, MS_SSS_IMAGE_OPTIMAL, "radius");
+        CHECK(e.texture < (radius[n] <= 3.3 ? 0.02 : 0.2));
+        o.tap_count = MS_SSS_DENSE;
+        built(&k, d, &o);
+        check_kernel(&k, MS_SSS_IMAGE_OPTIMAL, "dense radius");
+        ms_sss_designer_destroy(d);
+    }
+    ms_sss_profile_destroy(skin);
+}
+
+static void dial_and_gaussians(void)
+{
+    static ms_sss_kernel k;
+    ms_sss_profile *skin = skin_profile();
+    ms_sss_designer *d = designer_for(skin, 48);
+    ms_sss_kernel_options o = dense_model(MS_SSS_IMAGE_OPTIMAL, 1);
+    double step = 1e9, texture = 0, sigma[3][3], weight[3][3];
+    int i;
+    for (i = 0; i <= 4; ++i) {
+        ms_sss_errors e;
+        o.dial = 0.25 * i;
+        e = built(&k, d, &o);
+        CHECK(e.vertical_step < step + 1e-9 && e.texture > texture - 1e-4);
+        step = e.vertical_step;
+        texture = e.texture;
+    }
+    CHECK_LE(step, 1e-6); /* at 1 it is a_p: floats */
+    CHECK(ms_sss_fit_gaussians(d, 3, sigma, weight, NULL) == MS_OK);
+    for (i = 0; i < 3; ++i) { /* blue is a sum of three */
+        int n, found = 0;
+        for (n = 0; n < 3; ++n)
+            found |= fabs(sigma[n][2] - sqrt(skin_variance[i == 2 ? 3 : i])) < 1e-3 && fabs(weight[n][2] - skin_weight[i == 2 ? 3 : i][2]) < 2e-3;
+        if (!found) TEST_FAIL("Gaussian %d of blue was not found", i);
+    }
+    ms_sss_designer_destroy(d);
+    ms_sss_profile_destroy(skin);
+}
+
+static void cheapest(void)
+{
+    static ms_sss_kernel k, untouched;
+    ms_sss_profile *skin = skin_profile();
+    ms_sss_designer *d = designer_for(skin, 24);
+    const double tolerance[4] = {0.2, 0.05, 0.02, 0.01};
+    ms_sss_errors e;
+    ms_error error;
+    int n, before = 0;
+    for (n = 0; n < 4; ++n) {
+        CHECK(ms_sss_kernel_choose(&k, &e, d, tolerance[n], 66, &error) == MS_OK);
+        CHECK_LE(e.texture, tolerance[n]);
+        CHECK(k.tap_count * k.term_count >= before);
+        before = k.tap_count * k.term_count;
+        TEST_NOTE("%.0f%%: %d x %d", 100 * tolerance[n], k.term_count, k.tap_count);
+    }
+    CHECK(ms_sss_kernel_choose(&k, &e, d, 1e-6, 7, &error) == MS_NOT_CONVERGED);
+    CHECK(k.tap_count * k.term_count <= 7 && e.texture < 0.05);
+    CHECK(strstr(error.message, "7 taps") != NULL);
+    memset(&untouched, 7, sizeof untouched);
+    k = untouched;
+    CHECK(ms_sss_kernel_choose(&k, &e, d, 0, 7, &error) == MS_INVALID_ARGUMENT);
+    CHECK(ms_sss_kernel_choose(&k, &e, d, 0.1, 2, &error) == MS_INVALID_ARGUMENT);
+    CHECK(memcmp(&k, &untouched, sizeof k) == 0);
+    ms_sss_designer_destroy(d);
+    ms_sss_profile_destroy(skin);
+}
+
+static void refused_options(void)
+{
+    static ms_sss_kernel k, untouched;
+    double edge[2] = {0, 1}, dark[1] = {0};
+    const double *value[3];
+    ms_sss_profile *skin = skin_profile(), *black;
+    ms_sss_designer *d = designer_for(skin, 8), *none = d;
+    ms_sss_kernel_options o[12];
+    const char *const word[12] = {"tap_count", "tap_count", "tap_count", "term_count", "term_count", "dial",
+                                  "dial", "guide_k", "model", "placement", "frame", "artist"};
+    ms_error error;
+    int i;
+    for (i = 0; i < 12; ++i) o[i] = ms_sss_kernel_defaults();
+    o[0].tap_count = 8;
+    o[1].tap_count = 35;
+    o[2].tap_count = -3;
+    o[3].term_count = 7;
+    o[4].term_count = -1;
+    o[5].dial = 1.5;
+    o[6].dial = sqrt(-1.0);
+    o[7].guide_k = 5;
+    o[8].model = (ms_sss_model)10;
+    o[9].placement = (ms_sss_placement)3;
+    o[10].model = MS_SSS_ROTATED;
+    o[10].frame_count = 9;
+    o[11].artist.sigma_far_mm[1] = 1;
+    memset(&untouched, 5, sizeof untouched);
+    k = untouched;
+    for (i = 0; i < 12; ++i) {
+        CHECK(ms_sss_kernel_build(&k, d, &o[i], &error) == MS_INVALID_ARGUMENT);
+        if (strstr(error.message, word[i]) == NULL) TEST_FAIL("options %d: %s", i, error.message);
+    }
+    CHECK(memcmp(&k, &untouched, sizeof k) == 0);
+    ms_sss_designer_destroy(d);
+    CHECK(ms_sss_designer_create(&none, skin, -1, NULL, &error) == MS_INVALID_ARGUMENT && none == NULL);
+    CHECK(ms_sss_designer_create(&none, skin, sqrt(-1.0), NULL, &error) == MS_INVALID_ARGUMENT);
+    value[0] = value[1] = value[2] = dark;
+    CHECK(ms_sss_profile_from_rings(&black, 1, edge, value, 1, NULL, NULL) == MS_OK);
+    CHECK(ms_sss_designer_create(&none, black, 8, NULL, &error) == MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "no light") != NULL);
+    ms_sss_designer_destroy(NULL);
+    ms_sss_profile_destroy(black);
+    ms_sss_profile_destroy(skin);
+}
+
+static ms_status from_csv_with(const ms_allocator *allocator)
+{
+    static ms_sss_kernel k;
+    static const char text[] = "0.5,3,2,1\n1.5,1,1,1\n2.5,0.5,0.2,0.1\n";
+    ms_sss_profile *p;
+    ms_status status = ms_sss_profile_from_csv(&p, text, sizeof text - 1, allocator, NULL);
+    if (status == MS_OK) status = ms_sss_kernel_make(&k, NULL, p, 6, NULL, allocator, NULL);
+    ms_sss_profile_destroy(p);
+    return status;
+}
+
+static ms_status model_with(int model, const ms_allocator *allocator)
+{
+    static ms_sss_kernel k;
+    const double one[3] = {1, 1, 1};
+    ms_sss_kernel_options o = ms_sss_kernel_defaults();
+    ms_sss_profile *p;
+    ms_sss_designer *d = NULL;
+    ms_status status = ms_sss_profile_from_burley(&p, one, one, allocator, NULL);
+    o.model = (ms_sss_model)model;
+    o.tap_count = model == MS_SSS_ROTATED ? 3 : MS_SSS_DENSE;
+    if (status == MS_OK) status = ms_sss_designer_create(&d, p, 4, allocator, NULL);
+    if (status == MS_OK) status = ms_sss_kernel_build(&k, d, &o, NULL);
+    ms_sss_designer_destroy(d);
+    ms_sss_profile_destroy(p);
+    return status;
+}
+
+static void allocations(void)
+{
+    int model;
+    TEST_ALLOCATION_SWEEP(20, status = from_csv_with(&allocator));
+    for (model = 0; model <= (int)MS_SSS_ROTATED; ++model) TEST_ALLOCATION_SWEEP(20, status = model_with(model, &allocator));
+}
+
+static void same_bits(void)
+{
+    static ms_sss_kernel a, b;
+    ms_sss_profile *skin = skin_profile();
+    ms_sss_errors e, f;
+    CHECK(ms_sss_kernel_make(&a, &e, skin, 0, NULL, NULL, NULL) == MS_OK);
+    CHECK(ms_sss_kernel_make(&b, &f, skin, 24, NULL, NULL, NULL) == MS_OK);
+    CHECK(memcmp(&a, &b, sizeof a) == 0 && memcmp(&e, &f, sizeof e) == 0);
+    CHECK_INT(a.tap_count, 7);
+    ms_sss_profile_destroy(skin);
+}
+
+int main(int argc, char **argv)
+{
+    static const test_case cases[] = {{"line of Gaussian rings", line_of_gaussian_rings}, {"exact chords", exact_chords},
+                                      {"line of Burley", line_of_burley}, {"reference profiles", reference_profiles},
+                                      {"samples and noise", samples_and_noise}, {"refused profiles", refused_profiles},
+                                      {"csv files", csv_files}, {"translucency", translucency},
+                                      {"reference kernels", reference_kernels}, {"reference errors", reference_errors},
+                                      {"reference taps", reference_taps}, {"targets", targets},
+                                      {"separable signals", separable_signals}, {"measured errors", measured_errors},
+                                      {"every model", every_model}, {"radii", radii}, {"dial and Gaussians", dial_and_gaussians},
+                                      {"cheapest", cheapest}, {"refused options", refused_options},
+                                      {"allocations", allocations}, {"same bits", same_bits}};
+    return test_main(argc, argv, cases, (int)(sizeof cases / sizeof cases[0]));
+}
