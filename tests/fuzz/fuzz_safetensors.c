@@ -1,0 +1,63 @@
+/* Any bytes as a safetensors file and as a network: refused or run, never a crash, a hang or a large allocation.
+     clang -g -O1 -fsanitize=fuzzer,address,undefined -I. tests/fuzz/fuzz_safetensors.c -o build/fuzz_safetensors -lm
+     build/fuzz_safetensors -max_len=4096 tests/fuzz/corpus_safetensors */
+#define MS_NN_IMPLEMENTATION
+#include "ms_nn.h"
+
+#ifdef __cplusplus
+extern "C"
+#endif
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static int fuzz_count(void *user, const void *bytes, size_t size)
+{
+    (void)bytes;
+    *(size_t *)user += size;
+    return 0;
+}
+
+/* What is listed can be read to its last byte, found by name, and written again. */
+static void fuzz_file(const ms_nn_file *file)
+{
+    size_t n = ms_nn_file_tensor_count(file), i, k, written = 0;
+    unsigned sum = 0;
+    ms_nn_sink sink;
+    ms_nn_tensor copy[16];
+    for (i = 0; i < n; ++i) {
+        const ms_nn_tensor *t = ms_nn_file_tensor(file, i);
+        for (k = 0; k < t->bytes; ++k) sum += ((const unsigned char *)t->data)[k];
+        if (ms_nn_file_find(file, t->name) != t) abort();
+        if (i < 16) copy[i] = *t;
+    }
+    sink.user = &written;
+    sink.write = fuzz_count;
+    if (n <= 16 && ms_nn_file_write(copy, n, NULL, 0, NULL, sink, NULL) != MS_OK) abort();
+    if (sum == 1u && written == 1) abort(); /* keeps the reads */
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    ms_nn_options options = ms_nn_defaults();
+    ms_nn_file *file;
+    ms_nn *nn;
+    ms_error error;
+    options.allow_trailing = size & 1;
+    options.no_folds = size >> 1 & 1;
+    options.max_memory_bytes = 1 << 24;
+    if (ms_nn_file_open(data, size, &options, &file, &error) != MS_OK) return 0;
+    fuzz_file(file);
+    ms_nn_file_close(file);
+    if (ms_nn_load(data, size, &options, &nn, &error) != MS_OK) return 0;
+    {
+        size_t in = ms_nn_input_size(nn), out = ms_nn_output_size(nn), i;
+        if (in < 4096 && out < 4096 && ms_nn_workspace_size(nn, MS_NN_VJP, 1) < 1 << 24) {
+            float *x = (float *)malloc((2 * in + 2 * out + 1) * sizeof(float)), *y = x + in, *g_y = y + out, *g_x = g_y + out;
+            for (i = 0; i < in; ++i) x[i] = (float)i;
+            for (i = 0; i < out; ++i) g_y[i] = 1;
+            ms_nn_vjp(nn, 1, x, g_y, y, g_x, NULL);
+            free(x);
+        }
+    }
+    ms_nn_destroy(nn);
+    return 0;
+}
