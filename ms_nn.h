@@ -4845,9 +4845,9 @@ static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t item0, size_t ite
     }
 }
 
-/* e^x - 1 for x in [-87, 88]: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - 1); e^r - 1 = r + r^2 q(r) with the Taylor
-   coefficients 1/2 to 1/5040, |r| <= 0.347: relative error below 2 ulp. */
-MS_NN__INLINE V MS_NN__FN(expm1)(V x)
+/* e^x - c, c = 0 or 1, for x in [-87, 88]: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c); e^r - 1 = r + r^2 q(r) with the
+   Taylor coefficients 1/2 to 1/5040, |r| <= 0.347: relative error below 2 ulp. */
+MS_NN__INLINE V MS_NN__FN(exp_minus)(V x, float c)
 {
     V r, q, s, t;
     V_INT n;
@@ -4864,7 +4864,7 @@ MS_NN__INLINE V MS_NN__FN(expm1)(V x)
     q = V_MADD(q, r, V_SET(0.5f));
     q = V_MADD(V_MUL(r, r), q, r);
     s = V_POW2(n);
-    return V_MADD(s, q, V_SUB(s, V_SET(1.0f)));
+    return V_MADD(s, q, V_SUB(s, V_SET(c)));
 }
 
 /* ln(1 + e) for e in [0, 1]: 2 artanh(z), z = e / (2 + e) <= 1/3; the series to z^15 leaves 1e-9. */
@@ -4885,14 +4885,14 @@ MS_NN__INLINE V MS_NN__FN(activated)(V x, ms_nn__activation activation, float al
     V zero = V_SET(0.0f), one = V_SET(1.0f), magnitude, e;
     if (activation == MS_NN__RELU) return V_MAX(zero, x);
     if (activation == MS_NN__LEAKY) return V_IF_GREATER(x, zero, x, V_MUL(x, V_SET(alpha)));
-    if (activation == MS_NN__ELU) return V_IF_GREATER(x, zero, x, V_MUL(V_SET(alpha), MS_NN__FN(expm1)(V_MIN(zero, x))));
+    if (activation == MS_NN__ELU) return V_IF_GREATER(x, zero, x, V_MUL(V_SET(alpha), MS_NN__FN(exp_minus)(V_MIN(zero, x), 1.0f)));
     magnitude = V_MAX(V_SUB(zero, x), x);
     if (activation == MS_NN__TANH) { /* (1 - e^-2|x|) / (1 + e^-2|x|) */
-        e = MS_NN__FN(expm1)(V_MUL(V_SET(-2.0f), magnitude));
+        e = MS_NN__FN(exp_minus)(V_MUL(V_SET(-2.0f), magnitude), 1.0f);
         e = V_DIV(V_SUB(zero, e), V_ADD(e, V_SET(2.0f)));
         return V_IF_GREATER(zero, x, V_SUB(zero, e), e);
     }
-    e = V_ADD(MS_NN__FN(expm1)(V_SUB(zero, magnitude)), one); /* e^-|x| */
+    e = MS_NN__FN(exp_minus)(V_SUB(zero, magnitude), 0.0f); /* e^-|x| */
     if (activation == MS_NN__SIGMOID) return V_DIV(V_IF_GREATER(zero, x, e, one), V_ADD(e, one));
     return V_ADD(V_MAX(zero, x), MS_NN__FN(log1p)(e)); /* softplus */
 }
@@ -4906,7 +4906,7 @@ MS_NN__INLINE V MS_NN__FN(slope)(V y, ms_nn__activation activation, float alpha)
     if (activation == MS_NN__ELU) return V_IF_GREATER(y, zero, one, V_ADD(y, V_SET(alpha)));
     if (activation == MS_NN__TANH) return V_MUL(V_SUB(one, y), V_ADD(one, y));
     if (activation == MS_NN__SIGMOID) return V_MUL(y, V_SUB(one, y));
-    return V_SUB(zero, MS_NN__FN(expm1)(V_SUB(zero, y))); /* softplus: 1 - e^-y */
+    return V_SUB(zero, MS_NN__FN(exp_minus)(V_SUB(zero, y), 1.0f)); /* softplus: 1 - e^-y */
 }
 
 /* y = f(y), or g = f'(y) g where y is f's value. */

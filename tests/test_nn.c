@@ -1,0 +1,1377 @@
+/* Networks against naive double-precision loops, finite differences, the reference data, and themselves at every SIMD
+   level, thread count and batch size. */
+#define MS_NN_IMPLEMENTATION
+#include "ms_nn.h"
+#include "json.h"
+#include "test.h"
+
+/* --- the reference: layers as plain loops in double --- */
+
+enum { DENSE, CONV1D, CONV2D, UP1D, UP2D, POOL1D, POOL2D, FLATTEN, ACTIVATION, ADD, DROPOUT };
+
+typedef struct ref_layer {
+    int kind, act, same, last; /* last: channels_last flatten */
+    int out, kernel[2], stride[2], factor[2];
+    double alpha;
+    int from; /* ADD: value index, 0 is the input */
+    int dims[3], in[3];
+    double *w, *b; /* as stored, after rounding to the file's type */
+} ref_layer;
+
+typedef struct ref_net {
+    ref_layer layer[24];
+    int layers, input[3], rank;
+    ms_nn_dtype dtype;
+    unsigned char *file;
+    size_t size, room;
+} ref_net;
+
+static int count_of(const int d[3]) { return d[0] * d[1] * d[2]; }
+
+static double ref_act(int act, double alpha, double x)
+{
+    switch (act) {
+    case 1: return x > 0 ? x : 0;
+    case 2: return x > 0 ? x : alpha * x;
+    case 3: return x > 0 ? x : alpha * expm1(x);
+    case 4: return tanh(x);
+    case 5: return 1 / (1 + exp(-x));
+    case 6: return x > 0 ? x + log1p(exp(-x)) : log1p(exp(x));
+    default: return x;
+    }
+}
+
+static double ref_slope(int act, double alpha, double x)
+{
+    double s;
+    switch (act) {
+    case 1: return x > 0;
+    case 2: return x > 0 ? 1 : alpha;
+    case 3: return x > 0 ? 1 : alpha * exp(x);
+    case 4: s = tanh(x); return 1 - s * s;
+    case 5: s = 1 / (1 + exp(-x)); return s * (1 - s);
+    case 6: return 1 / (1 + exp(-x));
+    default: return 1;
+    }
+}
+
+/* Each layer as a list of terms y[o] += w x[i]: one routine serves forward and backward. For pools the term is the
+   maximum's. */
+typedef struct ref_run {
+    double *value[25], *pre[25]; /* outputs; before the activation */
+} ref_run;
+
+static void ref_linear(const ref_layer *l, const double *x, double *y, const double *g_y, double *g_x)
+{
+    int c, i, j, k, u, v, n = l->in[0], h = l->in[1], w = l->in[2], oh = l->dims[1], ow = l->dims[2];
+    if (l->kind == DENSE) {
+        int cols = count_of(l->in);
+        for (c = 0; c < l->out; ++c) {
+            double sum = l->b[c];
+            for (i = 0; i < cols; ++i) {
+                if (y) sum += l->w[c * cols + i] * x[i];
+                else g_x[i] += l->w[c * cols + i] * g_y[c];
+            }
+            if (y) y[c] = sum;
+        }
+        return;
+    }
+    for (c = 0; c < l->dims[0]; ++c)
+        for (i = 0; i < oh; ++i)
+            for (j = 0; j < ow; ++j) {
+                int at = (c * oh + i) * ow + j, best = -1;
+                double sum = 0;
+                if (l->kind == CONV1D || l->kind == CONV2D) {
+                    int py = l->same ? (l->kernel[0] - 1) / 2 : 0, px = l->same ? (l->kernel[1] - 1) / 2 : 0;
+                    sum = l->b[c];
+                    for (k = 0; k < n; ++k)
+                        for (u = 0; u < l->kernel[0]; ++u)
+                            for (v = 0; v < l->kernel[1]; ++v) {
+                                int yy = i * l->stride[0] + u - py, xx = j * l->stride[1] + v - px;
+                                double f = l->w[((c * n + k) * l->kernel[0] + u) * l->kernel[1] + v];
+                                if (yy < 0 || yy >= h || xx < 0 || xx >= w) continue;
+                                if (y) sum += f * x[(k * h + yy) * w + xx];
+                                else g_x[(k * h + yy) * w + xx] += f * g_y[at];
+                            }
+                    if (y) y[at] = sum;
+                    continue;
+                }
+                if (l->kind == UP1D || l->kind == UP2D) best = (c * h + i / l->factor[0]) * w + j / l->factor[1];
+                if (l->kind == POOL1D || l->kind == POOL2D)
+                    for (u = 0; u < l->kernel[0]; ++u)
+                        for (v = 0; v < l->kernel[1]; ++v) {
+                            int q = (c * h + i * l->stride[0] + u) * w + j * l->stride[1] + v;
+                            if (best < 0 || x[q] > x[best]) best = q;
+                        }
+                if (y) y[at] = x[best];
+                else g_x[best] += g_y[at];
+            }
+}
+
+static void ref_forward(const ref_net *net, const double *x, ref_run *r)
+{
+    int k, i, n = count_of(net->input);
+    r->value[0] = (double *)malloc((size_t)n * sizeof(double));
+    memcpy(r->value[0], x, (size_t)n * sizeof(double));
+    for (k = 0; k < net->layers; ++k) {
+        const ref_layer *l = &net->layer[k];
+        double *in = r->value[k], *pre;
+        n = count_of(l->dims);
+        pre = r->pre[k + 1] = (double *)malloc((size_t)n * sizeof(double));
+        r->value[k + 1] = (double *)malloc((size_t)n * sizeof(double));
+        if (l->kind == FLATTEN) {
+            int c, p, pixels = l->in[1] * l->in[2];
+            for (c = 0; c < l->in[0]; ++c)
+                for (p = 0; p < pixels; ++p) pre[l->last ? p * l->in[0] + c : c * pixels + p] = in[c * pixels + p];
+        } else if (l->kind == ACTIVATION || l->kind == DROPOUT || l->kind == ADD) {
+            for (i = 0; i < n; ++i) pre[i] = in[i] + (l->kind == ADD ? r->value[l->from][i] : 0);
+        } else {
+            ref_linear(l, in, pre, NULL, NULL);
+        }
+        for (i = 0; i < n; ++i) r->value[k + 1][i] = ref_act(l->act, l->alpha, pre[i]);
+    }
+}
+
+static void ref_backward(const ref_net *net, const ref_run *r, const double *g_y, double *g_x)
+{
+    double *g[25];
+    int k, i, n = count_of(net->input);
+    for (k = 0; k <= net->layers; ++k) g[k] = (double *)calloc((size_t)count_of(k ? net->layer[k - 1].dims : net->input), sizeof(double));
+    memcpy(g[net->layers], g_y, (size_t)count_of(net->layer[net->layers - 1].dims) * sizeof(double));
+    for (k = net->layers - 1; k >= 0; --k) {
+        const ref_layer *l = &net->layer[k];
+        double *gy = g[k + 1];
+        int m = count_of(l->dims);
+        for (i = 0; i < m; ++i) gy[i] *= ref_slope(l->act, l->alpha, r->pre[k + 1][i]);
+        if (l->kind == FLATTEN) {
+            int c, p, pixels = l->in[1] * l->in[2];
+            for (c = 0; c < l->in[0]; ++c)
+                for (p = 0; p < pixels; ++p) g[k][c * pixels + p] += gy[l->last ? p * l->in[0] + c : c * pixels + p];
+        } else if (l->kind == ACTIVATION || l->kind == DROPOUT || l->kind == ADD) {
+            for (i = 0; i < m; ++i) g[k][i] += gy[i];
+            for (i = 0; l->kind == ADD && i < m; ++i) g[l->from][i] += gy[i];
+        } else {
+            ref_linear(l, r->value[k], NULL, gy, g[k]);
+        }
+    }
+    for (i = 0; i < n; ++i) g_x[i] = g[0][i];
+    for (k = 0; k <= net->layers; ++k) free(g[k]);
+}
+
+static void ref_free_run(const ref_net *net, ref_run *r)
+{
+    int k;
+    for (k = 0; k <= net->layers; ++k) {
+        free(r->value[k]);
+        if (k) free(r->pre[k]);
+    }
+}
+
+/* --- random networks and their files --- */
+
+static int net_sink(void *user, const void *bytes, size_t size)
+{
+    ref_net *n = (ref_net *)user;
+    if (n->size + size > n->room) {
+        n->room = 2 * (n->size + size);
+        n->file = (unsigned char *)realloc(n->file, n->room);
+    }
+    memcpy(n->file + n->size, bytes, size);
+    n->size += size;
+    return 0;
+}
+
+/* x as a number of the type; its bits at out. Rounding is the test's own: to nearest, ties to even. */
+static double store(ms_nn_dtype dtype, double x, unsigned char *out, double scale)
+{
+    int i, bytes = dtype == MS_NN_F64 ? 8 : dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2;
+    uint64_t bits = 0;
+    if (dtype == MS_NN_F64) {
+        memcpy(&bits, &x, 8);
+    } else if (dtype == MS_NN_I8) {
+        int q = (int)rint(x / scale);
+        bits = (uint64_t)(uint8_t)(q < -127 ? -127 : q > 127 ? 127 : q);
+        x = (double)(int8_t)bits * scale;
+    } else {
+        float f = (float)x;
+        uint32_t u;
+        if (dtype == MS_NN_F16) { /* 11 significant bits, spacing at least 2^-24 */
+            int e;
+            double unit;
+            frexp(x, &e);
+            unit = ldexp(1, e - 11 < -24 ? -24 : e - 11);
+            f = (float)(rint(x / unit) * unit);
+        }
+        if (dtype == MS_NN_BF16) {
+            int e;
+            frexp(x, &e);
+            f = (float)(rint(ldexp(x, 8 - e)) * ldexp(1, e - 8));
+        }
+        memcpy(&u, &f, 4);
+        bits = u;
+        if (dtype == MS_NN_BF16) bits = u >> 16;
+        if (dtype == MS_NN_F16) {
+            double a = fabs((double)f);
+            int e;
+            frexp(a, &e);
+            bits = a == 0 ? 0 : a < ldexp(1, -14) ? (uint64_t)ldexp(a, 24) : ((uint64_t)(e + 14) << 10) + (uint64_t)ldexp(a, 11 - e) - 1024;
+            if (f < 0) bits |= 0x8000;
+        }
+        x = (double)f;
+    }
+    for (i = 0; i < bytes; ++i) out[i] = (unsigned char)(bits >> (8 * i) & 0xff);
+    return x;
+}
+
+static ref_layer *net_layer(ref_net *n, int kind)
+{
+    ref_layer *l = &n->layer[n->layers];
+    memset(l, 0, sizeof *l);
+    memcpy(l->in, n->layers ? n->layer[n->layers - 1].dims : n->input, sizeof l->in);
+    memcpy(l->dims, l->in, sizeof l->dims);
+    l->kind = kind;
+    l->alpha = 1;
+    l->stride[0] = l->stride[1] = l->kernel[0] = l->kernel[1] = l->factor[0] = l->factor[1] = 1;
+    n->layers++;
+    return l;
+}
+
+static void net_begin(ref_net *n, ms_nn_dtype dtype, int rank, int c, int h, int w)
+{
+    memset(n, 0, sizeof *n);
+    n->dtype = dtype;
+    n->rank = rank;
+    n->input[0] = c;
+    n->input[1] = h;
+    n->input[2] = w;
+}
+
+static void net_dense(ref_net *n, int units, int act)
+{
+    ref_layer *l = net_layer(n, DENSE);
+    l->out = l->dims[0] = units;
+    l->dims[1] = l->dims[2] = 1;
+    l->act = act;
+    if (act == 2) l->alpha = 0.25;
+    if (act == 3) l->alpha = 0.75;
+}
+
+static void net_conv(ref_net *n, int kind, int filters, int kh, int kw, int sh, int sw, int same, int act)
+{
+    ref_layer *l = net_layer(n, kind);
+    int d, k[2], s[2];
+    k[0] = kh; k[1] = kw; s[0] = sh; s[1] = sw;
+    l->out = l->dims[0] = filters;
+    for (d = 0; d < 2; ++d) {
+        l->kernel[d] = k[d];
+        l->stride[d] = s[d];
+        l->dims[d + 1] = ((same ? l->in[d + 1] - 1 : l->in[d + 1] - k[d]) / s[d]) + 1;
+    }
+    l->same = same;
+    l->act = act;
+    if (act == 2) l->alpha = 0.125;
+}
+
+static void net_up(ref_net *n, int kind, int fh, int fw)
+{
+    ref_layer *l = net_layer(n, kind);
+    l->factor[0] = fh;
+    l->factor[1] = fw;
+    l->dims[1] *= fh;
+    l->dims[2] *= fw;
+}
+
+static void net_pool(ref_net *n, int kind, int kh, int kw, int sh, int sw)
+{
+    ref_layer *l = net_layer(n, kind);
+    l->kernel[0] = kh; l->kernel[1] = kw; l->stride[0] = sh; l->stride[1] = sw;
+    l->dims[1] = (l->in[1] - kh) / sh + 1;
+    l->dims[2] = (l->in[2] - kw) / sw + 1;
+}
+
+static void net_flatten(ref_net *n, int last)
+{
+    ref_layer *l = net_layer(n, FLATTEN);
+    l->last = last;
+    l->dims[0] = count_of(l->in);
+    l->dims[1] = l->dims[2] = 1;
+}
+
+/* Writes the file with random weights of variance 1 / fan-in. */
+static void net_end(ref_net *n, uint64_t *state)
+{
+    static const char *const kinds[] = {"dense", "conv1d", "conv2d", "upsample1d", "upsample2d", "maxpool1d", "maxpool2d", "flatten",
+                                        "activation", "add", "dropout"};
+    static const char *const acts[] = {"linear", "relu", "leaky_relu", "elu", "tanh", "sigmoid", "softplus"};
+    char layers[6000] = "[", input[60], names[72][24];
+    ms_nn_tensor t[72];
+    size_t shapes[72][4];
+    void *hold[72];
+    ms_nn_entry e[3];
+    ms_nn_sink sink;
+    ms_error error;
+    int k, tensors = 0, i;
+    for (k = 0; k < n->layers; ++k) {
+        ref_layer *l = &n->layer[k];
+        size_t at = strlen(layers), fan = (size_t)(l->kind == DENSE ? count_of(l->in) : l->in[0] * l->kernel[0] * l->kernel[1]), j;
+        at += (size_t)snprintf(layers + at, sizeof layers - at, "%s{\"type\":\"%s\",\"name\":\"l%d\"", k ? "," : "", kinds[l->kind], k);
+        if (l->kind == DENSE) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"units\":%d", l->out);
+        if (l->kind == CONV1D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"filters\":%d,\"kernel\":%d,\"stride\":%d,\"padding\":\"%s\"", l->out, l->kernel[1], l->stride[1], l->same ? "same" : "valid");
+        if (l->kind == CONV2D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"filters\":%d,\"kernel\":[%d,%d],\"stride\":[%d,%d],\"padding\":\"%s\"", l->out, l->kernel[0], l->kernel[1], l->stride[0], l->stride[1], l->same ? "same" : "valid");
+        if (l->kind == UP1D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"factor\":%d", l->factor[1]);
+        if (l->kind == UP2D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"factor\":[%d,%d]", l->factor[0], l->factor[1]);
+        if (l->kind == POOL1D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":%d,\"stride\":%d", l->kernel[1], l->stride[1]);
+        if (l->kind == POOL2D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":[%d,%d],\"stride\":[%d,%d]", l->kernel[0], l->kernel[1], l->stride[0], l->stride[1]);
+        if (l->kind == FLATTEN) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"order\":\"%s\"", l->last ? "channels_last" : "channels_first");
+        if (l->kind == DROPOUT) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"rate\":0.5");
+        if (l->kind == ADD && l->from) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"from\":\"l%d\"", l->from - 1);
+        if (l->kind == ADD && !l->from) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"from\":\"input\"");
+        if (l->kind <= CONV2D || l->kind == ACTIVATION || l->kind == ADD)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"activation\":\"%s\",\"alpha\":%.6f", acts[l->act], l->alpha);
+        snprintf(layers + at, sizeof layers - at, "}");
+        if (l->kind <= CONV2D) {
+            size_t count = (size_t)l->out * fan;
+            double limit = sqrt(3.0 / (double)fan);
+            int width = n->dtype == MS_NN_F64 ? 8 : n->dtype == MS_NN_F32 ? 4 : n->dtype == MS_NN_I8 ? 1 : 2;
+            unsigned char *w = (unsigned char *)malloc(count * 8), *b = (unsigned char *)malloc((size_t)l->out * 8), *s = (unsigned char *)malloc((size_t)l->out * 4);
+            l->w = (double *)malloc(count * sizeof(double));
+            l->b = (double *)malloc((size_t)l->out * sizeof(double));
+            for (i = 0; i < l->out; ++i) {
+                double scale = store(MS_NN_F32, limit / 127 * (0.5 + test_uniform(state)), s + 4 * i, 1);
+                l->b[i] = store(n->dtype == MS_NN_F64 ? MS_NN_F64 : MS_NN_F32, 0.2 * test_uniform(state) - 0.1, b + (n->dtype == MS_NN_F64 ? 8 : 4) * i, 1);
+                for (j = 0; j < fan; ++j)
+                    l->w[(size_t)i * fan + j] = store(n->dtype, limit * (2 * test_uniform(state) - 1), w + (size_t)width * ((size_t)i * fan + j), scale);
+            }
+            for (i = 0; i < 3; ++i) {
+                if (i == 2 && n->dtype != MS_NN_I8) {
+                    free(s);
+                    break;
+                }
+                snprintf(names[tensors], sizeof names[0], "l%d.%s", k, i == 0 ? "weight" : i == 1 ? "bias" : "weight_scale");
+                shapes[tensors][0] = (size_t)l->out;
+                shapes[tensors][1] = (size_t)(l->kind == DENSE ? count_of(l->in) : l->in[0]);
+                shapes[tensors][2] = (size_t)(l->kind == CONV1D ? l->kernel[1] : l->kernel[0]);
+                shapes[tensors][3] = (size_t)l->kernel[1];
+                t[tensors].name = names[tensors];
+                t[tensors].dtype = i == 0 ? n->dtype : i == 1 && n->dtype == MS_NN_F64 ? MS_NN_F64 : MS_NN_F32;
+                t[tensors].rank = i ? 1 : l->kind == DENSE ? 2 : l->kind == CONV1D ? 3 : 4;
+                t[tensors].shape = shapes[tensors];
+                t[tensors].data = hold[tensors] = i == 0 ? w : i == 1 ? b : s;
+                t[tensors].bytes = i == 0 ? count * (size_t)width : (size_t)l->out * (t[tensors].dtype == MS_NN_F64 ? 8 : 4);
+                ++tensors;
+            }
+        }
+    }
+    strcat(layers, "]");
+    if (n->rank == 1) snprintf(input, sizeof input, "[%d]", n->input[0]);
+    if (n->rank == 2) snprintf(input, sizeof input, "[%d,%d]", n->input[0], n->input[2]);
+    if (n->rank == 3) snprintf(input, sizeof input, "[%d,%d,%d]", n->input[0], n->input[1], n->input[2]);
+    e[0].key = "ms_nn_version"; e[0].value = "1";
+    e[1].key = "ms_nn_input"; e[1].value = input;
+    e[2].key = "ms_nn_layers"; e[2].value = layers;
+    sink.user = n;
+    sink.write = net_sink;
+    if (ms_nn_file_write(t, (size_t)tensors, e, 3, NULL, sink, &error) != MS_OK) TEST_FAIL("%s", error.message);
+    for (i = 0; i < tensors; ++i) free(hold[i]);
+}
+
+static void net_free(ref_net *n)
+{
+    int k;
+    for (k = 0; k < n->layers; ++k) {
+        free(n->layer[k].w);
+        free(n->layer[k].b);
+    }
+    free(n->file);
+}
+
+static ms_nn *net_load(const ref_net *n, ms_simd simd, int no_folds)
+{
+    ms_nn_options o = ms_nn_defaults();
+    ms_nn *nn = NULL;
+    ms_error error;
+    o.simd = simd;
+    o.no_folds = no_folds;
+    if (ms_nn_load(n->file, n->size, &o, &nn, &error) != MS_OK) TEST_FAIL("load: %s", error.message);
+    return nn;
+}
+
+/* The networks of the tests, each with another trait. */
+enum { NETS = 16 };
+static const char *net_make(ref_net *n, int which, ms_nn_dtype dtype, uint64_t *state)
+{
+    const char *name = "";
+    int i;
+    switch (which) {
+    case 0: name = "dense chain, all activations"; net_begin(n, dtype, 1, 37, 1, 1);
+        for (i = 0; i < 7; ++i) net_dense(n, i == 3 ? 131 : 20 + 13 * i, i);
+        break;
+    case 1: name = "one to one"; net_begin(n, dtype, 1, 1, 1, 1); net_dense(n, 1, 4); break;
+    case 2: name = "conv2d same 3x3"; net_begin(n, dtype, 3, 3, 21, 53); net_conv(n, CONV2D, 11, 3, 3, 1, 1, 1, 1); break;
+    case 3: name = "conv2d valid 5x2, stride 2x3"; net_begin(n, dtype, 3, 2, 23, 31); net_conv(n, CONV2D, 9, 5, 2, 2, 3, 0, 3); break;
+    case 4: name = "conv2d same, stride 2, even kernel"; net_begin(n, dtype, 3, 4, 17, 40); net_conv(n, CONV2D, 5, 4, 4, 2, 2, 1, 6); break;
+    case 5: name = "1x1 picture"; net_begin(n, dtype, 3, 3, 1, 1); net_conv(n, CONV2D, 8, 3, 3, 1, 1, 1, 1); net_conv(n, CONV2D, 4, 1, 1, 1, 1, 0, 0);
+        net_flatten(n, 1); net_dense(n, 3, 5); break;
+    case 6: name = "odd pools"; net_begin(n, dtype, 3, 5, 15, 37); net_pool(n, POOL2D, 2, 2, 2, 2); net_pool(n, POOL2D, 3, 2, 1, 2); net_flatten(n, 0); net_dense(n, 7, 0); break;
+    case 7: name = "renderer, channels last"; net_begin(n, dtype, 2, 1, 1, 19);
+        for (i = 0; i < 4; ++i) { net_conv(n, CONV1D, 12, 1, 3, 1, 1, 1, 3); net_up(n, UP1D, 1, 2); }
+        net_flatten(n, 1); net_dense(n, 40, 3); net_dense(n, 150, 0); break;
+    case 8: name = "folds: factor 3, kernel 4, valid"; net_begin(n, dtype, 2, 3, 1, 11); net_up(n, UP1D, 1, 3); net_conv(n, CONV1D, 6, 1, 4, 1, 1, 0, 4);
+        net_up(n, UP1D, 1, 4); net_conv(n, CONV1D, 5, 1, 3, 1, 1, 1, 1); net_up(n, UP1D, 1, 2); net_flatten(n, 0); net_dense(n, 9, 0); break;
+    case 9: name = "upsample2d before dense"; net_begin(n, dtype, 3, 3, 4, 5); net_up(n, UP2D, 2, 3); net_flatten(n, 1); net_dense(n, 10, 2); break;
+    case 10: name = "inversion"; net_begin(n, dtype, 3, 3, 30, 30);
+        for (i = 0; i < 2; ++i) { net_conv(n, CONV2D, 8, 3, 3, 1, 1, 1, 1); net_pool(n, POOL2D, 2, 2, 2, 2); }
+        net_flatten(n, 1); net_dense(n, 50, 1); net_layer(n, DROPOUT); net_dense(n, 19, 0); break;
+    case 11: name = "residual adds"; net_begin(n, dtype, 3, 6, 9, 20); net_conv(n, CONV2D, 6, 3, 3, 1, 1, 1, 1); net_conv(n, CONV2D, 6, 3, 3, 1, 1, 1, 0);
+        net_layer(n, ADD)->from = 0; net_layer(n, ADD)->from = 1; n->layer[3].act = 1; net_conv(n, CONV2D, 2, 1, 1, 1, 1, 0, 4); net_flatten(n, 0); net_dense(n, 33, 0);
+        net_dense(n, 33, 3); net_layer(n, ADD)->from = 7; break;
+    case 12: name = "conv1d stride, pool1d"; net_begin(n, dtype, 2, 3, 1, 64); net_conv(n, CONV1D, 7, 1, 5, 1, 2, 1, 1); net_pool(n, POOL1D, 1, 3, 1, 2);
+        net_layer(n, ACTIVATION)->act = 4; net_up(n, UP1D, 1, 3); net_conv(n, CONV1D, 4, 1, 3, 1, 2, 1, 0); break;
+    case 13: name = "only an upsampling"; net_begin(n, dtype, 3, 2, 3, 4); net_up(n, UP2D, 3, 2); break;
+    case 14: name = "only a flatten"; net_begin(n, dtype, 3, 3, 2, 5); net_flatten(n, 1); break;
+    default: name = "wide dense"; net_begin(n, dtype, 1, 9001, 1, 1); net_dense(n, 5, 0); net_dense(n, 6000, 0); break;
+    }
+    net_end(n, state);
+    return name;
+}
+
+/* Largest |a - b| relative to the largest |b|. */
+static double difference(const float *a, const double *b, int n)
+{
+    double most = 0, size = 1e-30;
+    int i;
+    for (i = 0; i < n; ++i) {
+        if (!(fabs((double)a[i] - b[i]) <= most)) most = fabs((double)a[i] - b[i]);
+        if (fabs(b[i]) > size) size = fabs(b[i]);
+    }
+    return most / size;
+}
+
+/* --- cases --- */
+
+/* Every reference network at every level, forward and backward. 1e-5 is what the data's notes ask of floats; these
+   networks have fewer than 5000 terms a sum, whose rounding is about sqrt(5000) 6e-8 = 4e-6 at worst. */
+static void test_reference(void)
+{
+    static const char *const names[] = {"act_elu", "act_sigmoid", "conv1d_k3_same", "conv2d_k3_same", "conv2d_k3_valid", "dense_wide",
+                                        "flatten_dense_channels_first", "flatten_dense_channels_last", "inversion_small_valid_channels_first",
+                                        "maxpool2d_odd", "renderer_f16", "renderer_i8", "renderer_small_channels_last", "upsample1d"};
+    double worst = 0;
+    int i, e, simd;
+    for (i = 0; i < (int)(sizeof names / sizeof names[0]); ++i) {
+        char path[200];
+        json *j, *examples;
+        snprintf(path, sizeof path, "tests/data/nn/%s.json", names[i]);
+        j = json_load(path);
+        examples = json_get(j, "examples");
+        snprintf(path, sizeof path, "tests/data/nn/%s.safetensors", names[i]);
+        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+            ms_nn_options o = ms_nn_defaults();
+            ms_nn *nn = NULL;
+            ms_error error;
+            o.simd = (ms_simd)simd;
+            o.no_folds = simd == MS_SIMD_BASE;
+            if (ms_nn_load_file(path, &o, &nn, &error) != MS_OK) {
+                TEST_FAIL("%s: %s", names[i], error.message);
+                continue;
+            }
+            for (e = 0; e < examples->count; ++e) {
+                int n, m, k, q;
+                double *x = json_numbers(json_get(&examples->child[e], "input"), &n), *y = json_numbers(json_get(&examples->child[e], "output"), &m);
+                double *g_y = json_numbers(json_get(&examples->child[e], "output_gradient"), &q), *g_x = json_numbers(json_get(&examples->child[e], "input_gradient"), &q), d;
+                float *f = (float *)malloc((size_t)(2 * n + 2 * m) * sizeof(float)), *fy = f + n, *fg = fy + m, *fgx = fg + m;
+                CHECK_INT(ms_nn_input_size(nn), n);
+                CHECK_INT(ms_nn_output_size(nn), m);
+                for (k = 0; k < n; ++k) f[k] = (float)x[k];
+                for (k = 0; k < m; ++k) fg[k] = (float)g_y[k];
+                CHECK_INT(ms_nn_forward(nn, 1, f, fy, NULL), MS_OK);
+                d = difference(fy, y, m);
+                if (!(d <= worst)) worst = d;
+                CHECK_LE(d, 1e-5);
+                CHECK_INT(ms_nn_vjp(nn, 1, f, fg, fy, fgx, NULL), MS_OK);
+                CHECK_LE(difference(fy, y, m), 1e-5);
+                d = difference(fgx, g_x, n);
+                if (!(d <= worst)) worst = d;
+                CHECK_LE(d, 1e-5);
+                free(f);
+                free(x);
+                free(y);
+                free(g_y);
+                free(g_x);
+            }
+            ms_nn_destroy(nn);
+        }
+        json_free(j);
+    }
+    TEST_NOTE("largest error %.1e", worst);
+}
+
+/* Random networks of every kind and element type, at every level, against the loops in double. */
+static void test_random(void)
+{
+    static const ms_nn_dtype types[5] = {MS_NN_F64, MS_NN_F32, MS_NN_F16, MS_NN_BF16, MS_NN_I8};
+    uint64_t state = test_seed;
+    double worst = 0;
+    int which, type, simd, folds, i;
+    for (which = 0; which < NETS; ++which)
+        for (type = 0; type < 5; ++type) {
+            ref_net net;
+            ref_run run;
+            const char *name = net_make(&net, which, types[type], &state);
+            int n = count_of(net.input), m = count_of(net.layer[net.layers - 1].dims);
+            double *x = (double *)malloc((size_t)(2 * (n + m)) * sizeof(double)), *g_y = x + n, *g_x = g_y + m;
+            float *f = (float *)malloc((size_t)(2 * (n + m)) * sizeof(float)), *fy = f + n, *fg = fy + m, *fgx = fg + m;
+            for (i = 0; i < n; ++i) x[i] = f[i] = (float)test_normal(&state);
+            for (i = 0; i < m; ++i) g_y[i] = fg[i] = (float)test_normal(&state);
+            ref_forward(&net, x, &run);
+            ref_backward(&net, &run, g_y, g_x);
+            for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd)
+                for (folds = 0; folds < 2; ++folds) {
+                    ms_nn *nn = net_load(&net, (ms_simd)simd, folds);
+                    double a, b;
+                    if (nn == NULL) continue;
+                    CHECK_INT(ms_nn_forward(nn, 1, f, fy, NULL), MS_OK);
+                    a = difference(fy, run.value[net.layers], m);
+                    CHECK_INT(ms_nn_vjp(nn, 1, f, fg, NULL, fgx, NULL), MS_OK);
+                    b = difference(fgx, g_x, n);
+                    /* rounding of at most 9001 terms a sum through at most 12 layers; 1e-5 as above */
+                    if (!(a <= 1e-5) || !(b <= 1e-5)) TEST_FAIL("%s, %s, %s, folds %d: forward %.2e, backward %.2e", name, ms_nn_dtype_string(types[type]), ms_simd_string(ms_nn_simd(nn)), !folds, a, b);
+                    if (a > worst) worst = a;
+                    if (b > worst) worst = b;
+                    ms_nn_destroy(nn);
+                }
+            ref_free_run(&net, &run);
+            free(x);
+            free(f);
+            net_free(&net);
+        }
+    TEST_NOTE("%d networks x 5 types x 4 levels x folds; largest error %.1e", NETS, worst);
+}
+
+/* A sample alone and in batches of any size, with any number of threads: the same bits, forward and backward. */
+static void test_same_bits(void)
+{
+    static const ms_nn_dtype types[3] = {MS_NN_F32, MS_NN_F16, MS_NN_I8};
+    uint64_t state = test_seed + 5;
+    int which, batch, threads, i, simd;
+    long compared = 0;
+    for (which = 0; which < NETS; ++which)
+        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+            ref_net net;
+            ms_nn *one;
+            size_t n, m;
+            float *x, *g, *y1, *g1, *y2, *g2;
+            net_make(&net, which, types[which % 3], &state);
+            one = net_load(&net, (ms_simd)simd, 0);
+            n = ms_nn_input_size(one);
+            m = ms_nn_output_size(one);
+            x = (float *)malloc(7 * 3 * (n + m) * sizeof(float));
+            g = x + 7 * n; y1 = g + 7 * m; g1 = y1 + 7 * m; y2 = g1 + 7 * n; g2 = y2 + 7 * m;
+            for (i = 0; i < 7 * (int)n; ++i) x[i] = (float)test_normal(&state);
+            for (i = 0; i < 7 * (int)m; ++i) g[i] = (float)test_normal(&state);
+            for (i = 0; i < 7; ++i) {
+                ms_nn_forward(one, 1, x + (size_t)i * n, y1 + (size_t)i * m, NULL);
+                ms_nn_vjp(one, 1, x + (size_t)i * n, g + (size_t)i * m, NULL, g1 + (size_t)i * n, NULL);
+            }
+            ms_nn_destroy(one);
+            for (threads = 1; threads <= 7; threads += 3)
+                for (batch = 1; batch <= 7; batch += threads == 1 ? 1 : 3) {
+                    test_pool pool;
+                    ms_nn_options o = ms_nn_defaults();
+                    ms_nn *nn = NULL;
+                    char *workspace, *end;
+                    size_t size;
+                    o.simd = (ms_simd)simd;
+                    if (threads > 1) o.parallel = test_parallel(&pool, threads);
+                    CHECK_INT(ms_nn_load(net.file, net.size, &o, &nn, NULL), MS_OK);
+                    size = ms_nn_workspace_size(nn, MS_NN_FORWARD, batch); /* all of it is used, and nothing behind */
+                    workspace = (char *)malloc(size + 17);
+                    end = workspace + 1 + size;
+                    memset(workspace, 0x7f, size + 17);
+                    CHECK_INT(ms_nn_forward(nn, batch, x, y2, workspace + 1), MS_OK);
+                    for (i = 0; i < 16; ++i) CHECK_INT(end[i], 0x7f);
+                    free(workspace);
+                    CHECK_INT(memcmp(y1, y2, (size_t)batch * m * sizeof(float)), 0);
+                    size = ms_nn_workspace_size(nn, MS_NN_VJP, batch);
+                    workspace = (char *)malloc(size + 17);
+                    end = workspace + 1 + size;
+                    memset(workspace, 0x7f, size + 17);
+                    CHECK_INT(ms_nn_vjp(nn, batch, x, g, y2, g2, workspace + 1), MS_OK);
+                    for (i = 0; i < 16; ++i) CHECK_INT(end[i], 0x7f);
+                    free(workspace);
+                    CHECK_INT(memcmp(y1, y2, (size_t)batch * m * sizeof(float)), 0);
+                    CHECK_INT(memcmp(g1, g2, (size_t)batch * n * sizeof(float)), 0);
+                    compared += batch * (long)(2 * m + n);
+                    ms_nn_destroy(nn);
+                }
+            free(x);
+            net_free(&net);
+        }
+    TEST_NOTE("%ld floats equal", compared);
+}
+
+/* Integer sums: an I8 dense layer gives the same bits at every level. */
+static void test_int8_levels(void)
+{
+    uint64_t state = test_seed + 9;
+    float first[700], y[700], *x;
+    int simd, i, cols;
+    for (cols = 1; cols < 70000; cols = cols * 3 + 1) {
+        ref_net net;
+        net_begin(&net, MS_NN_I8, 1, cols, 1, 1);
+        net_dense(&net, 70, 0);
+        net_end(&net, &state);
+        x = (float *)malloc((size_t)cols * sizeof(float));
+        for (i = 0; i < cols; ++i) x[i] = (float)test_normal(&state);
+        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+            ms_nn *nn = net_load(&net, (ms_simd)simd, 0);
+            CHECK_INT(ms_nn_forward(nn, 1, x, simd == MS_SIMD_SCALAR ? first : y, NULL), MS_OK);
+            if (simd > MS_SIMD_SCALAR) CHECK_INT(memcmp(first, y, 70 * sizeof(float)), 0);
+            ms_nn_destroy(nn);
+        }
+        free(x);
+        net_free(&net);
+    }
+    /* the largest sums: all weights -128 (not symmetric), all digits at their end, more columns than a run of sums */
+    {
+        ref_net net;
+        size_t k;
+        net_begin(&net, MS_NN_I8, 1, 140000, 1, 1);
+        net_dense(&net, 3, 0);
+        net_end(&net, &state);
+        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+            ms_nn *nn = net_load(&net, (ms_simd)simd, 0);
+            const ms_nn_tensor *w = ms_nn_file_find(ms_nn_tensors(nn), "l0.weight"), *s = ms_nn_file_find(ms_nn_tensors(nn), "l0.weight_scale");
+            float scale;
+            memset((void *)(uintptr_t)w->data, 0x80, w->bytes);
+            x = (float *)malloc(140000 * sizeof(float));
+            for (k = 0; k < 140000; ++k) x[k] = 1;
+            CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
+            memcpy(&scale, s->data, 4);
+            CHECK_NEAR(y[0], -128.0 * 140000 * (double)scale + net.layer[0].b[0], 128.0 * 140000 * (double)scale * 1e-7); /* one rounding to float */
+            free(x);
+            ms_nn_destroy(nn);
+        }
+        net_free(&net);
+    }
+}
+
+/* Directions against the transposed product (<g, J d> = <J' g, d>), the Jacobian against both, and finite differences of
+   the double reference. */
+static void test_products(void)
+{
+    uint64_t state = test_seed + 11;
+    double worst = 0;
+    int which, i, k;
+    for (which = 0; which < NETS; ++which) {
+        ref_net net;
+        ref_run low, high;
+        ms_nn *nn;
+        int n, m;
+        float *x, *dx, *y, *dy, *g, *gx, *jacobian = NULL;
+        double *t, step = 1e-6, a = 0, b = 0, size = 0;
+        net_make(&net, which, MS_NN_F32, &state);
+        nn = net_load(&net, MS_SIMD_AUTO, 0);
+        n = (int)ms_nn_input_size(nn);
+        m = (int)ms_nn_output_size(nn);
+        x = (float *)malloc((size_t)(6 * n + 6 * m) * sizeof(float));
+        dx = x + n; y = dx + 3 * n; dy = y + m; g = dy + 3 * m; gx = g + m;
+        t = (double *)malloc((size_t)n * sizeof(double));
+        for (i = 0; i < n; ++i) x[i] = (float)test_normal(&state);
+        for (i = 0; i < 3 * n; ++i) dx[i] = (float)test_normal(&state);
+        for (i = 0; i < m; ++i) g[i] = (float)test_normal(&state);
+        CHECK_INT(ms_nn_jvp(nn, 3, x, dx, y, dy, NULL), MS_OK);
+        CHECK_INT(ms_nn_vjp(nn, 1, x, g, NULL, gx, NULL), MS_OK);
+        for (k = 0; k < 3; ++k) {
+            double forth = 0, back = 0, scale = 0;
+            for (i = 0; i < m; ++i) { forth += (double)g[i] * (double)dy[k * m + i]; scale += fabs((double)g[i] * (double)dy[k * m + i]); }
+            for (i = 0; i < n; ++i) back += (double)gx[i] * (double)dx[k * n + i];
+            CHECK_NEAR(forth, back, 1e-5 * scale); /* as the products themselves */
+        }
+        /* central differences: error about step^2 + 1e-16 / step = 1e-10, kinks aside, which 1e-6 hardly meets */
+        for (i = 0; i < n; ++i) t[i] = (double)x[i] - step * (double)dx[i];
+        ref_forward(&net, t, &low);
+        for (i = 0; i < n; ++i) t[i] = (double)x[i] + step * (double)dx[i];
+        ref_forward(&net, t, &high);
+        for (i = 0; i < m; ++i) {
+            double slope = (high.value[net.layers][i] - low.value[net.layers][i]) / (2 * step), e = fabs(slope - (double)dy[i]);
+            if (e > a) a = e;
+            if (fabs(slope) > size) size = fabs(slope);
+        }
+        CHECK_LE(a / size, 1e-5);
+        if (a / size > worst) worst = a / size;
+        ref_free_run(&net, &low);
+        ref_free_run(&net, &high);
+        if ((double)n * m < 2e6) {
+            size_t bytes = ms_nn_workspace_size(nn, MS_NN_JACOBIAN, 1);
+            char *workspace = (char *)malloc(bytes + 8);
+            memset(workspace, 0x55, bytes + 8);
+            jacobian = (float *)malloc((size_t)n * (size_t)m * sizeof(float));
+            CHECK_INT(ms_nn_jacobian(nn, x, y, jacobian, workspace), MS_OK);
+            for (i = 0; i < 8; ++i) CHECK_INT(workspace[bytes + (size_t)i], 0x55);
+            free(workspace);
+            for (i = 0; i < m; ++i) {
+                double sum = 0, e;
+                for (k = 0; k < n; ++k) sum += (double)jacobian[i * n + k] * (double)dx[k];
+                e = fabs(sum - (double)dy[i]);
+                if (e > b) b = e;
+            }
+            CHECK_LE(b / size, 1e-5);
+            free(jacobian);
+        }
+        free(t);
+        free(x);
+        ms_nn_destroy(nn);
+        net_free(&net);
+    }
+    TEST_NOTE("largest distance from differences %.1e", worst);
+}
+
+/* Relative errors of the activations over their range, and what they do at the ends. */
+static void test_activations(void)
+{
+    static const char *const acts[] = {"linear", "relu", "leaky_relu", "elu", "tanh", "sigmoid", "softplus"};
+    int act, simd, i;
+    double worst = 0;
+    for (act = 0; act < 7; ++act)
+        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+            enum { N = 4003 };
+            static float x[N], y[N], g[N], one[N];
+            char layers[200];
+            ms_nn_entry e[3];
+            ref_net file;
+            ms_nn_sink sink;
+            ms_nn *nn;
+            memset(&file, 0, sizeof file);
+            snprintf(layers, sizeof layers, "[{\"type\":\"activation\",\"activation\":\"%s\",\"alpha\":1.5}]", acts[act]);
+            e[0].key = "ms_nn_version"; e[0].value = "1";
+            e[1].key = "ms_nn_input"; e[1].value = "[4003]";
+            e[2].key = "ms_nn_layers"; e[2].value = layers;
+            sink.user = &file;
+            sink.write = net_sink;
+            ms_nn_file_write(NULL, 0, e, 3, NULL, sink, NULL);
+            nn = net_load(&file, (ms_simd)simd, 0);
+            for (i = 0; i < N; ++i) {
+                x[i] = (float)((i - 2000) * 0.02);
+                one[i] = 1;
+            }
+            x[4000] = -1e30f; x[4001] = 1e30f; x[4002] = -1e-20f;
+            for (i = 0; i < 50; ++i) x[i] = (float)ldexp(-1, -i); /* small values keep their relative precision */
+            CHECK_INT(ms_nn_vjp(nn, 1, x, one, y, g, NULL), MS_OK);
+            for (i = 0; i < N; ++i) {
+                double v = ref_act(act, 1.5, (double)x[i]), s = ref_slope(act, 1.5, (double)x[i]);
+                double d = fabs((double)y[i] - v) / (fabs(v) + 1e-30); /* exponents end at -87 */
+                if (d > worst) worst = d;
+                CHECK_LE(d, 4e-7); /* about 3 ulp */
+                CHECK_NEAR(g[i], s, 4e-7 * (1 + fabs(s))); /* slopes come of y: absolute precision */
+            }
+            x[0] = (float)NAN;
+            x[1] = (float)INFINITY;
+            x[2] = -(float)INFINITY;
+            CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
+            CHECK(y[0] != y[0]);
+            CHECK(act == 4 || act == 5 ? y[1] == 1 : y[1] > 3e38f);
+            CHECK((double)y[2] == (act == 1 || act == 5 || act == 6 ? y[2] : act == 3 ? -1.5 : act == 4 ? -1.0 : (double)-(float)INFINITY) && y[2] <= 1e-30f);
+            ms_nn_destroy(nn);
+            free(file.file);
+        }
+    TEST_NOTE("largest relative error %.1e", worst);
+}
+
+/* Swapping the inputs of red and green swaps the output channels, bit for bit; products as without sharing. */
+static void test_shared(void)
+{
+    static const float red_green[6] = {0, 1, 2, 3, 4, 5};
+    uint64_t state = test_seed + 2;
+    ref_net net, plain;
+    char layers[600];
+    ms_nn_tensor t[6];
+    ms_nn_entry e[3];
+    ms_nn_file *f = NULL;
+    ms_nn_sink sink;
+    ms_nn *nn = NULL, *single;
+    ms_error error;
+    size_t i, k;
+    float x[7], swapped[7], y[3 * 40], z[3 * 40], g[3 * 40], gx[7], dx[2 * 7], dy[2 * 3 * 40], jacobian[3 * 40 * 7], ws_x[3];
+    (void)red_green;
+    net_begin(&plain, MS_NN_F16, 1, 3, 1, 1);
+    net_dense(&plain, 25, 3);
+    net_dense(&plain, 40, 5);
+    net_end(&plain, &state);
+    single = net_load(&plain, MS_SIMD_AUTO, 0);
+    CHECK_INT(ms_nn_file_open(plain.file, plain.size, NULL, &f, NULL), MS_OK);
+    for (i = 0; i < 4; ++i) t[i] = *ms_nn_file_tensor(f, i);
+    snprintf(layers, sizeof layers, "[{\"type\":\"shared_channels\",\"inputs\":[[0,3,6],[1,4,6],[2,5,6]]},%s", ms_nn_file_metadata(f, "ms_nn_layers") + 1);
+    e[0].key = "ms_nn_version"; e[0].value = "1";
+    e[1].key = "ms_nn_input"; e[1].value = "[7]";
+    e[2].key = "ms_nn_layers"; e[2].value = layers;
+    memset(&net, 0, sizeof net);
+    sink.user = &net;
+    sink.write = net_sink;
+    CHECK_INT(ms_nn_file_write(t, 4, e, 3, NULL, sink, NULL), MS_OK);
+    if (ms_nn_load(net.file, net.size, NULL, &nn, &error) != MS_OK) {
+        TEST_FAIL("%s", error.message);
+        return;
+    }
+    CHECK_INT(ms_nn_input_size(nn), 7);
+    CHECK_INT(ms_nn_output_size(nn), 120);
+    CHECK_INT(ms_nn_output_shape(nn).rank, 2);
+    for (i = 0; i < 7; ++i) x[i] = swapped[i] = (float)test_uniform(&state);
+    for (i = 0; i < 120; ++i) g[i] = (float)test_normal(&state);
+    for (i = 0; i < 14; ++i) dx[i] = (float)test_normal(&state);
+    swapped[0] = x[1]; swapped[1] = x[0]; swapped[3] = x[4]; swapped[4] = x[3];
+    CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
+    CHECK_INT(ms_nn_forward(nn, 1, swapped, z, NULL), MS_OK);
+    CHECK(memcmp(y, z + 40, 40 * sizeof(float)) == 0 && memcmp(y + 40, z, 40 * sizeof(float)) == 0 && memcmp(y + 80, z + 80, 40 * sizeof(float)) == 0);
+    for (k = 0; k < 3; ++k) {
+        ws_x[0] = x[k]; ws_x[1] = x[3 + k]; ws_x[2] = x[6];
+        CHECK_INT(ms_nn_forward(single, 1, ws_x, z, NULL), MS_OK);
+        CHECK_INT(memcmp(z, y + 40 * k, 40 * sizeof(float)), 0);
+    }
+    CHECK_INT(ms_nn_vjp(nn, 1, x, g, NULL, gx, NULL), MS_OK);
+    CHECK_INT(ms_nn_jvp(nn, 2, x, dx, y, dy, NULL), MS_OK);
+    CHECK_INT(ms_nn_jacobian(nn, x, NULL, jacobian, NULL), MS_OK);
+    for (i = 0; i < 7; ++i) {
+        double sum = 0;
+        for (k = 0; k < 120; ++k) sum += (double)g[k] * (double)jacobian[k * 7 + i];
+        CHECK_NEAR(gx[i], sum, 1e-5); /* sums of 120 terms below 1 */
+    }
+    for (k = 0; k < 240; ++k) {
+        double sum = 0;
+        for (i = 0; i < 7; ++i) sum += (double)jacobian[k % 120 * 7 + i] * (double)dx[k / 120 * 7 + i];
+        CHECK_NEAR(dy[k], sum, 1e-5);
+    }
+    CHECK(fabs((double)jacobian[1]) <= 0.0 && fabs((double)jacobian[0]) > 0); /* red does not see green */
+    ms_nn_destroy(nn);
+    ms_nn_destroy(single);
+    ms_nn_file_close(f);
+    free(net.file);
+    net_free(&plain);
+}
+
+/* Files whose data lies at any offset of memory, and weights behind an odd number of bytes. */
+static void test_unaligned(void)
+{
+    uint64_t state = test_seed;
+    int type, offset, simd;
+    for (type = (int)MS_NN_F64; type <= (int)MS_NN_I8; ++type)
+        for (offset = 1; offset < 8; offset += 2)
+            for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+                ref_net net;
+                unsigned char *b;
+                ms_nn *nn, *moved = NULL;
+                ms_nn_options o = ms_nn_defaults();
+                float x[37], y[98], z[98], g[37], h[37];
+                int i;
+                net_make(&net, 0, (ms_nn_dtype)type, &state);
+                b = (unsigned char *)malloc(net.size + 8);
+                memcpy(b + offset, net.file, net.size);
+                for (i = 0; i < 37; ++i) x[i] = (float)test_normal(&state);
+                nn = net_load(&net, (ms_simd)simd, 0);
+                o.simd = (ms_simd)simd;
+                CHECK_INT(ms_nn_load(b + offset, net.size, &o, &moved, NULL), MS_OK);
+                CHECK_INT(ms_nn_output_size(nn), 98);
+                ms_nn_forward(nn, 1, x, y, NULL);
+                ms_nn_forward(moved, 1, x, z, NULL);
+                CHECK_INT(memcmp(y, z, sizeof y), 0);
+                ms_nn_vjp(nn, 1, x, y, NULL, g, NULL);
+                ms_nn_vjp(moved, 1, x, y, NULL, h, NULL);
+                CHECK_INT(memcmp(g, h, sizeof g), 0);
+                ms_nn_destroy(nn);
+                ms_nn_destroy(moved);
+                free(b);
+                net_free(&net);
+            }
+}
+
+/* Non-finite weights: reported on request, run otherwise, and kept to their own output. */
+static void test_not_finite(void)
+{
+    static const ms_nn_dtype types[3] = {MS_NN_F32, MS_NN_F16, MS_NN_BF16};
+    uint64_t state = test_seed;
+    int type, simd;
+    for (type = 0; type < 3; ++type)
+        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+            ref_net net;
+            ms_nn *nn;
+            ms_error error;
+            float x[37], y[40];
+            const ms_nn_tensor *w;
+            unsigned char *p;
+            int i;
+            net_begin(&net, types[type], 1, 37, 1, 1);
+            net_dense(&net, 40, 0);
+            net_end(&net, &state);
+            nn = net_load(&net, (ms_simd)simd, 0);
+            CHECK_INT(ms_nn_check_weights(nn, &error), MS_OK);
+            w = ms_nn_file_find(ms_nn_tensors(nn), "l0.weight");
+            p = (unsigned char *)(uintptr_t)w->data;
+            if (type == 0) memcpy(p + 4 * (5 * 37 + 2), "\0\0\xc0\x7f", 4); /* NaN in row 5 */
+            else memcpy(p + 2 * (5 * 37 + 2), type == 1 ? "\0\x7e" : "\xc0\x7f", 2);
+            CHECK_INT(ms_nn_check_weights(nn, &error), MS_BAD_DATA);
+            CHECK_INT(error.position, 5 * 37 + 2);
+            CHECK(strstr(error.message, "l0.weight") != NULL);
+            for (i = 0; i < 37; ++i) x[i] = 1;
+            CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
+            for (i = 0; i < 40; ++i) CHECK((y[i] != y[i]) == (i == 5));
+            ms_nn_destroy(nn);
+            net_free(&net);
+        }
+    /* an input that is not finite, before integer sums and in pools */
+    for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+        ref_net net;
+        ms_nn *nn;
+        float x[5 * 15 * 37], y[7];
+        int i;
+        net_make(&net, 6, MS_NN_I8, &state);
+        nn = net_load(&net, (ms_simd)simd, 0);
+        for (i = 0; i < 5 * 15 * 37; ++i) x[i] = (float)i;
+        x[77] = (float)NAN;
+        CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
+        for (i = 0; i < 7; ++i) CHECK(y[i] != y[i]);
+        ms_nn_destroy(nn);
+        net_free(&net);
+    }
+}
+
+/* Layer lists that must be refused, with what the message speaks of. */
+static void test_refused(void)
+{
+    static const char *const list[][3] = {
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"x\",\"units\":3}]", "missing"},
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"f\",\"units\":8}]", "dimension 0"},
+        {"[4]", "[{\"type\":\"dense\",\"name\":\"f\",\"units\":7}]", "dimension 1"},
+        {"[5]", "[{\"type\":\"dense\",\"units\":7}]", "no name"},
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"f\",\"activation\":\"swish\"}]", "unknown activation"},
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"f\",\"activation\":\"elu\",\"alpha\":-1}]", "negative"},
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"f\",\"bias\":false}]", "bias"},
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"f\",\"units\":7,\"units\":7}]", "twice"},
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"f\",\"stride\":1}]", "does not belong"},
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"f\",\"units\":0}]", "not be 0"},
+        {"[5]", "[{\"type\":\"gru\"}]", "type"},
+        {"[5]", "[{\"name\":\"f\"}]", "type"},
+        {"[5]", "[{\"type\":\"dropout\",\"rate\":1}]", "below 1"},
+        {"[5]", "[{\"type\":\"conv1d\",\"name\":\"f\"}]", "channels, length"},
+        {"[1,5]", "[{\"type\":\"dense\",\"name\":\"f\"}]", "flatten"},
+        {"[1,1]", "[{\"type\":\"maxpool1d\",\"size\":2}]", "takes 2"},
+        {"[3,1,9]", "[{\"type\":\"maxpool2d\",\"size\":2}]", "takes 2"},
+        {"[3,5]", "[{\"type\":\"flatten\",\"order\":\"rows\"}]", "channels_first"},
+        {"[5]", "[{\"type\":\"add\",\"from\":\"nobody\"}]", "nobody"},
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"f\"},{\"type\":\"add\",\"from\":\"input\"}]", "another shape"},
+        {"[5]", "[{\"type\":\"shared_channels\",\"inputs\":[[0],[5]]}]", "names input"},
+        {"[5]", "[{\"type\":\"shared_channels\",\"inputs\":[[0],[1,2]]}]", "equally many"},
+        {"[5]", "[{\"type\":\"dropout\"},{\"type\":\"shared_channels\",\"inputs\":[[0]]}]", "first layer"},
+        {"[5]", "[{\"type\":\"shared_channels\"}]", "belong together"},
+        {"[5]", "[{\"type\":\"upsample1d\",\"factor\":2},]", "object"},
+        {"[5]", "{}", "list"},
+        {"[5]", "[] []", "follows"},
+        {"[0]", "[]", "is 0"},
+        {"[4294967295,4294967295,9]", "[]", "too large"},
+        {"[1,2,3,4]", "[]", "three"},
+        {"[1", "[]", "expected"},
+        {"5", "[]", "list"},
+        {"[2,3]", "[{\"type\":\"upsample1d\",\"factor\":9223372036854775807}]", "too large"},
+        {"[5]", "[{\"type\":\"dropout\",\"rate\":1e99999}]", "negative"},
+        {"[5]", "[{\"type\":\"dropout\",\"rate\":\"x\"}]", "number"}};
+    ms_nn_file *f = NULL;
+    ms_nn_tensor t[2];
+    size_t i;
+    CHECK_INT(ms_nn_file_read("tests/data/nn/act_elu.safetensors", NULL, &f, NULL), MS_OK);
+    t[0] = *ms_nn_file_tensor(f, 0);
+    t[1] = *ms_nn_file_tensor(f, 1);
+    for (i = 0; i < sizeof list / sizeof list[0]; ++i) {
+        ref_net net;
+        ms_nn_entry e[4];
+        ms_nn_sink sink;
+        ms_nn *nn = NULL;
+        ms_error error;
+        ms_status status;
+        memset(&net, 0, sizeof net);
+        memset(&error, 0, sizeof error);
+        e[0].key = "ms_nn_version"; e[0].value = "1";
+        e[1].key = "ms_nn_input"; e[1].value = list[i][0];
+        e[2].key = "ms_nn_layers"; e[2].value = list[i][1];
+        sink.user = &net;
+        sink.write = net_sink;
+        CHECK_INT(ms_nn_file_write(t, 2, e, 3, NULL, sink, NULL), MS_OK);
+        status = ms_nn_load(net.file, net.size, NULL, &nn, &error);
+        if (status != MS_BAD_DATA || nn != NULL || strstr(error.message, list[i][2]) == NULL)
+            TEST_FAIL("%s %s: status %d: %s", list[i][0], list[i][1], (int)status, error.message);
+        ms_nn_destroy(nn);
+        if (i < 2) { /* versions and formats of others */
+            e[0].value = i ? "1" : "2";
+            e[3].key = "format"; e[3].value = i ? "tf" : "pt";
+            net.size = 0;
+            CHECK_INT(ms_nn_file_write(t, 2, e, 4, NULL, sink, NULL), MS_OK);
+            CHECK_INT(ms_nn_load(net.file, net.size, NULL, &nn, &error), MS_UNSUPPORTED);
+        }
+        free(net.file);
+    }
+    ms_nn_file_close(f);
+    TEST_NOTE("%d layer lists", (int)i);
+}
+
+static void test_arguments(void)
+{
+    uint64_t state = 1;
+    ref_net net;
+    ms_nn *nn;
+    float x[37], y[98], g[37];
+    net_make(&net, 0, MS_NN_F32, &state);
+    memset(x, 0, sizeof x);
+    nn = net_load(&net, MS_SIMD_AUTO, 0);
+    CHECK_INT(ms_nn_forward(nn, 0, x, y, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_forward(nn, 1, NULL, y, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_forward(nn, 1, x, NULL, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_vjp(nn, 1, x, y, NULL, NULL, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_jacobian(nn, x, NULL, NULL, NULL), MS_INVALID_ARGUMENT);
+    CHECK(ms_nn_workspace_size(nn, MS_NN_FORWARD, 0) == SIZE_MAX);
+    CHECK(ms_nn_workspace_size(nn, MS_NN_VJP, -3) == SIZE_MAX);
+    ms_nn_destroy(nn);
+    ms_nn_destroy(NULL);
+    TEST_ALLOCATION_SWEEP(80, {
+        ms_nn_options o = ms_nn_defaults();
+        ms_nn *made = NULL;
+        o.allocator = allocator;
+        status = ms_nn_load(net.file, net.size, &o, &made, NULL);
+        if (status == MS_OK) status = ms_nn_vjp(made, 1, x, y, NULL, g, NULL);
+        ms_nn_destroy(made);
+    });
+    net_free(&net);
+    net_make(&net, 8, MS_NN_F16, &state);
+    TEST_ALLOCATION_SWEEP(80, {
+        ms_nn_options o = ms_nn_defaults();
+        ms_nn *made = NULL;
+        o.allocator = allocator;
+        status = ms_nn_load(net.file, net.size, &o, &made, NULL);
+        ms_nn_destroy(made);
+    });
+    net_free(&net);
+}
+
+/* --- collapse and low rank --- */
+
+static double direct_value(const ref_net *net, const ms_nn *nn, const float *x, const float *target, const float *weight)
+{
+    int n = count_of(net->layer[net->layers - 1].in), m = net->layer[net->layers - 1].out, i, k;
+    const ref_layer *l = &net->layer[net->layers - 1];
+    ms_nn trunk = *nn;
+    float *h = (float *)malloc((size_t)n * sizeof(float));
+    double sum = 0;
+    trunk.ops--; /* the features that the collapse sees, so that only its own error is measured */
+    CHECK_INT(ms_nn_forward(&trunk, 1, x, h, NULL), MS_OK);
+    for (i = 0; i < m; ++i) {
+        double r = l->b[i] - (double)target[i];
+        for (k = 0; k < n; ++k) r += l->w[i * n + k] * (double)h[k];
+        sum += r * r * (weight ? (double)weight[i] : 1);
+    }
+    free(h);
+    return sum;
+}
+
+static void test_collapse(void)
+{
+    static const ms_nn_dtype types[3] = {MS_NN_F32, MS_NN_F16, MS_NN_I8};
+    uint64_t state = test_seed + 3;
+    double worst = 0;
+    int type, variant, i, k;
+    for (type = 0; type < 3; ++type)
+        for (variant = 0; variant < 4; ++variant) { /* all ones; weights; a mask up and down; fewer outputs than features */
+            ref_net net;
+            ms_nn *nn;
+            ms_nn_collapse *c = NULL;
+            ms_error error;
+            int m = variant == 3 ? 20 : 900, features = 40;
+            float x[12], best[12], *target = (float *)malloc(900 * sizeof(float)), *weight = (float *)malloc(900 * sizeof(float)), *y = (float *)malloc(900 * sizeof(float));
+            double value, residual[41], jacobian[41 * 12], other[41], scale = 0;
+            net_begin(&net, types[type], 1, 12, 1, 1);
+            net_dense(&net, 30, 4);
+            net_dense(&net, features, 4);
+            net_dense(&net, m, 0);
+            net_end(&net, &state);
+            nn = net_load(&net, MS_SIMD_AUTO, 0);
+            for (i = 0; i < 12; ++i) best[i] = (float)test_uniform(&state);
+            for (i = 0; i < m; ++i) weight[i] = variant == 1 ? (float)test_uniform(&state) : 1;
+            CHECK_INT(ms_nn_collapse_create(nn, variant == 1 ? weight : NULL, &c, &error), MS_OK);
+            CHECK_INT(ms_nn_collapse_features(c), features);
+            if (variant == 2) {
+                size_t index[300];
+                float changed[300];
+                for (k = 0; k < 2; ++k) { /* twice, so that the second change starts from the first */
+                    for (i = 0; i < 300; ++i) {
+                        index[i] = (size_t)(i * 3 + k);
+                        changed[i] = i % 3 == 0 ? 0.0f : i % 3 == 1 ? 0.25f : 3.0f;
+                        weight[index[i]] = changed[i];
+                    }
+                    CHECK_INT(ms_nn_collapse_mask(c, 300, index, changed, &error), MS_OK);
+                    CHECK_INT(ms_nn_collapse_value(c, best, &value, NULL), MS_INVALID_ARGUMENT); /* no target yet */
+                }
+            }
+            ms_nn_forward(nn, 1, best, target, NULL);
+            for (k = 0; k <= 6; k += 2) { /* targets at 1 to 1e-6 of their norm from what the network reaches */
+                double direct, relative = pow(10, -k), spread = 0;
+                for (i = 0; i < m; ++i) y[i] = target[i] + (float)(relative * test_normal(&state));
+                CHECK_INT(ms_nn_collapse_target(c, y, &error), MS_OK);
+                for (i = 0; i < 12; ++i) x[i] = best[i] + (float)(relative * 0.1 * test_normal(&state));
+                CHECK_INT(ms_nn_collapse_value(c, x, &value, NULL), MS_OK);
+                direct = direct_value(&net, nn, x, y, variant == 1 || variant == 2 ? weight : NULL);
+                for (i = 0; i < m; ++i) spread += (double)y[i] * (double)y[i];
+                /* float residuals of 1e-6 have 1e-7 / 1e-6 of noise in both alike; the collapse adds 1e-16 |t|^2 by theory,
+                   with a factor of 1e3 for 900 x 40 sums and their condition */
+                CHECK_NEAR(value, direct, 1e-9 * direct + 1e-13 * spread * relative);
+                if (fabs(value - direct) / direct > worst) worst = fabs(value - direct) / direct;
+                CHECK_INT(ms_nn_collapse_residual(c, x, residual, jacobian, NULL), MS_OK);
+                scale = 0;
+                for (i = 0; i <= features; ++i) scale += residual[i] * residual[i];
+                CHECK_NEAR(scale, value, 1e-12 * value);
+            }
+            /* Jacobian of the residuals against differences of float features: 1e-2 steps leave 1e-4 of curvature and
+               |R| 6e-8 / 1e-2 = 2e-4 of rounding; ten times both */
+            for (k = 0; k < 12; ++k) {
+                double plus[41], size = 0, e = 0;
+                float moved[12];
+                memcpy(moved, x, sizeof moved);
+                moved[k] = x[k] + 0.005f;
+                CHECK_INT(ms_nn_collapse_residual(c, moved, plus, NULL, NULL), MS_OK);
+                moved[k] = x[k] - 0.005f;
+                CHECK_INT(ms_nn_collapse_residual(c, moved, other, NULL, NULL), MS_OK);
+                for (i = 0; i <= features; ++i) {
+                    double d = (plus[i] - other[i]) / 0.01;
+                    if (fabs(d) > size) size = fabs(d);
+                    if (fabs(d - jacobian[i * 12 + k]) > e) e = fabs(d - jacobian[i * 12 + k]);
+                }
+                CHECK_LE(e, 1e-3 * size + 2e-3);
+            }
+            ms_nn_collapse_destroy(c);
+            ms_nn_destroy(nn);
+            net_free(&net);
+            free(target);
+            free(weight);
+            free(y);
+        }
+    TEST_NOTE("largest relative error of the value %.1e", worst);
+}
+
+/* R'R = W'W, the same bits for any number of threads, kept in a file. */
+static void test_collapse_factor(void)
+{
+    uint64_t state = test_seed + 8;
+    ref_net net, stored;
+    ms_nn *nn;
+    ms_nn_collapse *c = NULL, *d = NULL;
+    const double *r;
+    int m = 1500, h = 50, i, j, k;
+    double worst = 0, size = 0, full[50][50];
+    net_begin(&net, MS_NN_F32, 1, h, 1, 1);
+    net_dense(&net, m, 0);
+    net_end(&net, &state);
+    nn = net_load(&net, MS_SIMD_AUTO, 0);
+    CHECK_INT(ms_nn_collapse_create(nn, NULL, &c, NULL), MS_OK);
+    r = ms_nn_collapse_r(c);
+    memset(full, 0, sizeof full);
+    for (i = 0; i < h; ++i)
+        for (k = i; k < h; ++k) full[i][k] = *r++;
+    for (i = 0; i < h; ++i)
+        for (j = 0; j < h; ++j) {
+            double a = 0, b = 0;
+            for (k = 0; k < h; ++k) a += full[k][i] * full[k][j];
+            for (k = 0; k < m; ++k) b += net.layer[0].w[k * h + i] * net.layer[0].w[k * h + j];
+            if (fabs(a - b) > worst) worst = fabs(a - b);
+            if (fabs(b) > size) size = fabs(b);
+        }
+    CHECK_LE(worst / size, 1e-13); /* sums of 1500 doubles */
+    {
+        ms_nn_options o = ms_nn_defaults();
+        ms_nn *two = NULL;
+        test_pool pool;
+        o.parallel = test_parallel(&pool, 3);
+        CHECK_INT(ms_nn_load(net.file, net.size, &o, &two, NULL), MS_OK);
+        CHECK_INT(ms_nn_collapse_create(two, NULL, &d, NULL), MS_OK);
+        CHECK_INT(memcmp(ms_nn_collapse_r(c), ms_nn_collapse_r(d), (size_t)h * (size_t)(h + 1) / 2 * sizeof(double)), 0);
+        ms_nn_collapse_destroy(d);
+        ms_nn_destroy(two);
+    }
+    {
+        ms_nn_file *f = NULL;
+        ms_nn_tensor t[3];
+        ms_nn_entry e[3];
+        ms_nn_sink sink;
+        ms_nn *kept = NULL;
+        size_t shape = (size_t)h * (size_t)(h + 1) / 2;
+        unsigned char *bytes = (unsigned char *)malloc(shape * 8);
+        CHECK_INT(ms_nn_file_open(net.file, net.size, NULL, &f, NULL), MS_OK);
+        for (i = 0; i < 2; ++i) t[i] = *ms_nn_file_tensor(f, (size_t)i);
+        for (i = 0; i < 3; ++i) e[i] = *ms_nn_file_entry(f, (size_t)i);
+        for (i = 0; i < (int)shape; ++i) store(MS_NN_F64, ms_nn_collapse_r(c)[i], bytes + 8 * i, 1);
+        t[2].name = "ms_nn.collapse";
+        t[2].dtype = MS_NN_F64;
+        t[2].rank = 1;
+        t[2].shape = &shape;
+        t[2].data = bytes;
+        t[2].bytes = shape * 8;
+        memset(&stored, 0, sizeof stored);
+        sink.user = &stored;
+        sink.write = net_sink;
+        CHECK_INT(ms_nn_file_write(t, 3, e, 3, NULL, sink, NULL), MS_OK);
+        kept = net_load(&stored, MS_SIMD_AUTO, 0);
+        CHECK_INT(ms_nn_collapse_create(kept, NULL, &d, NULL), MS_OK);
+        CHECK_INT(memcmp(ms_nn_collapse_r(c), ms_nn_collapse_r(d), shape * sizeof(double)), 0);
+        ms_nn_collapse_destroy(d);
+        ms_nn_destroy(kept);
+        ms_nn_file_close(f);
+        free(bytes);
+        free(stored.file);
+    }
+    {
+        float weight[1500], target[1500];
+        ms_error error;
+        size_t index = 1500;
+        for (i = 0; i < m; ++i) weight[i] = target[i] = 1;
+        weight[7] = -1;
+        CHECK_INT(ms_nn_collapse_create(nn, weight, &d, &error), MS_INVALID_ARGUMENT);
+        CHECK_INT(error.position, 7);
+        CHECK_INT(ms_nn_collapse_mask(c, 1, &index, target, &error), MS_INVALID_ARGUMENT);
+        target[9] = (float)NAN;
+        CHECK_INT(ms_nn_collapse_target(c, target, &error), MS_INVALID_ARGUMENT);
+    }
+    ms_nn_collapse_destroy(c);
+    ms_nn_collapse_destroy(NULL);
+    TEST_ALLOCATION_SWEEP(20, {
+        ms_nn_options o = ms_nn_defaults();
+        ms_nn *made = NULL;
+        float t[1500];
+        size_t index = 3;
+        float zero = 0;
+        memset(t, 0, sizeof t);
+        d = NULL;
+        o.allocator = allocator;
+        status = ms_nn_load(net.file, net.size, &o, &made, NULL);
+        if (status == MS_OK) status = ms_nn_collapse_create(made, NULL, &d, NULL);
+        if (status == MS_OK) status = ms_nn_collapse_mask(d, 1, &index, &zero, NULL);
+        if (status == MS_OK) status = ms_nn_collapse_target(d, t, NULL);
+        ms_nn_collapse_destroy(d);
+        ms_nn_destroy(made);
+    });
+    ms_nn_destroy(nn);
+    net_free(&net);
+    net_make(&net, 10, MS_NN_F32, &state);
+    net_free(&net);
+}
+
+/* The predicted PSNR of a rank is the measured one over the samples; plain truncation needs a higher rank. */
+static void test_low_rank(void)
+{
+    enum { IN = 6, H = 60, P = 400, SAMPLES = 300 };
+    uint64_t state = test_seed + 4;
+    ref_net net;
+    ms_nn *nn;
+    ms_nn_collapse *c = NULL;
+    ms_nn_low_rank *l = NULL;
+    ms_error error;
+    float *x = (float *)malloc(SAMPLES * IN * sizeof(float)), y[P], z[P];
+    int i, s, rank, need;
+    double last = -1e9;
+    net_begin(&net, MS_NN_F32, 1, IN, 1, 1);
+    net_dense(&net, 40, 4);
+    net_dense(&net, H, 3);
+    net_dense(&net, P, 0);
+    net_end(&net, &state);
+    nn = net_load(&net, MS_SIMD_AUTO, 0);
+    for (i = 0; i < SAMPLES * IN; ++i) x[i] = (float)test_uniform(&state);
+    CHECK_INT(ms_nn_collapse_create(nn, NULL, &c, NULL), MS_OK);
+    CHECK_INT(ms_nn_low_rank_create(c, SAMPLES, x, 1.0, &l, &error), MS_OK);
+    for (rank = 1; rank <= H; ++rank) {
+        double psnr = ms_nn_low_rank_psnr(l, rank);
+        CHECK(psnr >= last);
+        last = psnr;
+    }
+    need = ms_nn_low_rank_for(l, 50);
+    CHECK(ms_nn_low_rank_psnr(l, need) >= 50 && (need == 1 || ms_nn_low_rank_psnr(l, need - 1) < 50));
+    CHECK(need < H);
+    for (rank = need; rank <= H; rank += (H - need)) {
+        ref_net small;
+        ms_nn_sink sink;
+        ms_nn *lean = NULL;
+        double error_sum = 0, measured;
+        memset(&small, 0, sizeof small);
+        sink.user = &small;
+        sink.write = net_sink;
+        CHECK_INT(ms_nn_low_rank_write(l, rank, MS_NN_F32, sink, &error), MS_OK);
+        if (ms_nn_load(small.file, small.size, NULL, &lean, &error) != MS_OK) {
+            TEST_FAIL("%s", error.message);
+            break;
+        }
+        CHECK_INT(ms_nn_layer_count(lean), 4);
+        CHECK_INT(ms_nn_layer_at(lean, 2).output.size[0], rank);
+        for (s = 0; s < SAMPLES; ++s) {
+            ms_nn_forward(nn, 1, x + s * IN, y, NULL);
+            ms_nn_forward(lean, 1, x + s * IN, z, NULL);
+            for (i = 0; i < P; ++i) error_sum += ((double)y[i] - (double)z[i]) * ((double)y[i] - (double)z[i]);
+        }
+        measured = 10 * log10((double)SAMPLES * P / error_sum);
+        if (rank == need) {
+            CHECK_NEAR(measured, ms_nn_low_rank_psnr(l, rank), 0.01); /* float rounding is 70 dB further down */
+            TEST_NOTE("50 dB at rank %d of %d, measured %.2f dB", need, H, measured);
+        } else {
+            CHECK(measured > 110); /* full rank: rounding of floats */
+        }
+        ms_nn_destroy(lean);
+        small.size = 0;
+        CHECK_INT(ms_nn_low_rank_write(l, rank, MS_NN_F16, sink, &error), MS_OK);
+        CHECK_INT(ms_nn_load(small.file, small.size, NULL, &lean, &error), MS_OK);
+        CHECK_INT(ms_nn_layer_at(lean, 3).dtype, MS_NN_F16);
+        ms_nn_destroy(lean);
+        free(small.file);
+        if (rank == H) break;
+    }
+    CHECK_INT(ms_nn_low_rank_create(c, 0, x, 1.0, &l, &error), MS_INVALID_ARGUMENT);
+    ms_nn_low_rank_destroy(l);
+    ms_nn_low_rank_destroy(NULL);
+    /* one sample: nothing varies, any rank is exact */
+    CHECK_INT(ms_nn_low_rank_create(c, 1, x, 0, &l, &error), MS_OK);
+    CHECK(ms_nn_low_rank_psnr(l, 1) > 1e300);
+    ms_nn_low_rank_destroy(l);
+    ms_nn_collapse_destroy(c);
+    ms_nn_destroy(nn);
+    net_free(&net);
+    free(x);
+}
+
+/* What nn_info prints. */
+static void test_queries(void)
+{
+    ms_nn *nn = NULL;
+    ms_nn_layer l;
+    CHECK_INT(ms_nn_load_file("tests/data/nn/flatten_dense_channels_last.safetensors", NULL, &nn, NULL), MS_OK);
+    CHECK_INT(ms_nn_layer_count(nn), 4);
+    l = ms_nn_layer_at(nn, 0);
+    CHECK(strcmp(l.type, "conv2d") == 0 && strcmp(l.name, "c") == 0 && strcmp(l.activation, "relu") == 0 && l.dtype == MS_NN_F64);
+    CHECK_INT(l.parameters, 4 * 27 + 4);
+    CHECK_INT(l.bytes, 8 * (4 * 27 + 4));
+    CHECK_INT(l.multiply_adds, 4 * 27 * 8 * 10);
+    CHECK_INT(l.output.rank, 3);
+    CHECK(l.output.size[0] == 4 && l.output.size[1] == 8 && l.output.size[2] == 10);
+    l = ms_nn_layer_at(nn, 3);
+    CHECK_INT(l.multiply_adds, 8 * 80);
+    CHECK_INT(ms_nn_input_shape(nn).rank, 3);
+    CHECK_INT(ms_nn_output_shape(nn).rank, 1);
+    CHECK(strcmp(ms_nn_dtype_string(MS_NN_BF16), "BF16") == 0 && strcmp(ms_nn_dtype_string(MS_NN_DTYPE_COUNT), "unknown") == 0);
+    ms_nn_destroy(nn);
+}
+
+static const test_case cases[] = {{"reference networks", test_reference},
+                                  {"random networks", test_random},
+                                  {"same bits", test_same_bits},
+                                  {"int8 levels", test_int8_levels},
+                                  {"products", test_products},
+                                  {"activations", test_activations},
+                                  {"shared channels", test_shared},
+                                  {"unaligned", test_unaligned},
+                                  {"not finite", test_not_finite},
+                                  {"refused", test_refused},
+                                  {"arguments", test_arguments},
+                                  {"collapse", test_collapse},
+                                  {"collapse factor", test_collapse_factor},
+                                  {"low rank", test_low_rank},
+                                  {"queries", test_queries}};
+TEST_MAIN(cases)
