@@ -304,7 +304,7 @@ MS_SSS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel
                                       const ms_sss_designer *designer);
 
 /* The cheapest kernel whose texture error is at most `tolerance`, at most tap_budget taps in all its terms together
-   (each is read once in x and once in y): tries image-optimal kernels by growing tap counts, then residual ones.
+   (each is read once in x and once in y): tries image-optimal and residual kernels by growing cost.
    errors  out, optional
    MS_NOT_CONVERGED: none within the budget; kernel and errors then hold the most accurate one found.
    MS_INVALID_ARGUMENT: tolerance not above 0, tap_budget < 3. MS_OUT_OF_MEMORY. kernel untouched by these. */
@@ -482,7 +482,8 @@ MS_SSS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term,
 #endif
 #endif /* MS_SSS_H */
 
-#if defined(MS_SSS_IMPLEMENTATION) && !defined(MS_SSS__PASS)
+#if defined(MS_SSS_IMPLEMENTATION) && !defined(MS_SSS__PASS) && !defined(MS_SSS_IMPLEMENTED)
+#define MS_SSS_IMPLEMENTED /* included again, it is declarations only */
 /* ms-common-private begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON_PRIVATE
 #define MS_COMMON_PRIVATE
@@ -835,25 +836,31 @@ static int ms_sss__marquardt(const double *H, const double *g, double lambda, in
 }
 
 /* K_0(x) and the Bickley function Ki_1(x), the integral of K_0 from x to infinity: the trapezoidal rule on
-   exp(-x cosh u) and exp(-x cosh u) / cosh u, whose error exp(-pi^2 / step) is below rounding. */
+   exp(-x cosh u) and exp(-x cosh u) / cosh u. Their poles limit its error to exp(-pi^2 / step), their width 1/sqrt(x) to
+   exp(-2 pi^2 / (x step^2)): below rounding for this step. */
+static double ms_sss__bessel_step(double x)
+{
+    return x > 7 ? 0.66 / sqrt(x) : 0.25;
+}
+
 static double ms_sss__bessel_k0(double x)
 {
-    double sum = 0.5 * exp(-x), term;
+    double sum = 0.5 * exp(-x), step = ms_sss__bessel_step(x), term;
     int i;
     if (!(x > 0)) return HUGE_VAL;
-    for (i = 1; (term = exp(-x * cosh(0.25 * i))) > 0 && i < 4000; ++i) sum += term;
-    return 0.25 * sum;
+    for (i = 1; (term = exp(-x * cosh(step * i))) > 1e-18 * sum && i < 4000; ++i) sum += term;
+    return step * sum;
 }
 
 static double ms_sss__bickley_1(double x)
 {
-    double sum = 0.5 * exp(-x), term = 1;
+    double sum = 0.5 * exp(-x), step = ms_sss__bessel_step(x), term = 1;
     int i;
     for (i = 1; term > 1e-18 * sum && i < 4000; ++i) {
-        double c = cosh(0.25 * i);
+        double c = cosh(step * i);
         sum += term = exp(-x * c) / c;
     }
-    return 0.25 * sum;
+    return step * sum;
 }
 
 /* Area that the disc of radius r has in common with [0, x] x [0, y]; odd in x and y. */
@@ -2761,13 +2768,20 @@ MS_SSS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *
     ms_sss_kernel_options options = ms_sss_kernel_defaults();
     ms_sss_errors found;
     ms_sss_kernel trial;
+    ms_status status;
     double least = HUGE_VAL;
     size_t n;
+    int one_term;
     if (kernel == NULL || d == NULL || !(tolerance > 0) || tap_budget < 3)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g, tap_budget %d; above 0 and at least 3 expected",
                         tolerance, tap_budget);
+    options.tap_count = MS_SSS_DENSE; /* the best that any number of taps can do with one term, at the cost of a few taps */
+    status = ms_sss_kernel_build(&trial, d, &options, error);
+    if (status != MS_OK) return status;
+    ms_sss_kernel_measure(&found, &trial, d);
+    one_term = found.texture <= tolerance || tap_budget < 10;
     for (n = 0; n < sizeof candidate / sizeof candidate[0] && least > tolerance; ++n) {
-        ms_status status;
+        if (candidate[n][0] == 1 && !one_term) continue;
         options.term_count = candidate[n][0];
         options.tap_count = candidate[n][1];
         options.model = options.term_count > 1 ? MS_SSS_RESIDUAL : MS_SSS_IMAGE_OPTIMAL;
