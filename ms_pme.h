@@ -344,7 +344,8 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
 #endif
 #endif /* MS_PME_H */
 
-#if defined(MS_PME_IMPLEMENTATION) && !defined(MS_PME__PASS)
+#if defined(MS_PME_IMPLEMENTATION) && !defined(MS_PME__PASS) && !defined(MS_PME_IMPLEMENTED)
+#define MS_PME_IMPLEMENTED /* included again, it is declarations only */
 /* ms-common-private begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON_PRIVATE
 #define MS_COMMON_PRIVATE
