@@ -480,7 +480,7 @@ typedef struct ms_gpr_variant {
    best      the score that counts as 1; 0: the largest on the grid (1 where none is positive)
    variant   [count] out
    x         [count][m] out: their materials
-   The grid is searched, then every maximum is refined by a pattern search to 1/1000 of a cell; all lambdas share what was
+   The grid is searched, then every maximum is refined by a pattern search to 1/64 of a cell; all lambdas share what was
    looked at, so similarity never falls and score never rises as lambda grows. */
 MS_GPR_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
                                      const ms_gpr_grid *grid, const double *lambda, int count, double best, ms_gpr_variant *variant,
@@ -491,7 +491,8 @@ MS_GPR_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *g
 #endif
 #endif /* MS_GPR_H */
 
-#if defined(MS_GPR_IMPLEMENTATION) && !defined(MS_GPR__PASS)
+#if defined(MS_GPR_IMPLEMENTATION) && !defined(MS_GPR__PASS) && !defined(MS_GPR_IMPLEMENTED)
+#define MS_GPR_IMPLEMENTED /* included again, it is declarations only */
 /* ms-common-private begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON_PRIVATE
 #define MS_COMMON_PRIVATE
@@ -1043,7 +1044,7 @@ static void ms_gpr__release_doubles(const ms_allocator *allocator, void *block, 
 /* f(q) and its gradient. 1: defined; 0: not defined here, the search steps back; -1: stop. */
 typedef int (*ms_gpr__objective)(void *context, const double *q, double *value, double *gradient);
 
-#define MS_GPR__MEMORY 10 /* pairs that L-BFGS remembers */
+#define MS_GPR__MEMORY 20 /* pairs that L-BFGS remembers; more gained nothing, 10 cost a fifth more evaluations */
 
 typedef struct ms_gpr__minimum {
     double value;     /* of the last q; HUGE_VAL: not even the start is defined */
@@ -2232,7 +2233,7 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit, ms_gpr__search *s, c
     int alive = starts, budget = s->evaluations, i, j, polish;
     for (i = 0; i < starts; ++i) order[i] = i;
     while (alive > 1) {
-        s->evaluations = budget < 16 ? budget : 16;
+        s->evaluations = budget < 24 ? budget : 24;
         for (i = 0; i < alive; ++i) {
             int start = order[i];
             found = ms_gpr__minimize(s, q + (size_t)start * row, work);
@@ -2342,7 +2343,7 @@ MS_GPR_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, 
     s.count = m + 2;
     s.low = low;
     s.high = high;
-    s.step = 2;
+    s.step = 4;
     s.tolerance = 1e-4;
     s.evaluations = o.evaluations;
     found = ms_gpr__fit_search(&fit, &s, &o, starts, q, high + 4 * row, (int *)(void *)(high + 4 * row + starts), work, &r);
@@ -3067,9 +3068,9 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
 {
     if (options != NULL) *o = *options;
     else memset(o, 0, sizeof *o);
-    if (!(o->tau < 0 || o->tau > 0)) o->tau = 0.6;
-    if (!(o->climb_size < 0 || o->climb_size > 0)) o->climb_size = 0.1;
-    if (!(o->max_candidates < 0 || o->max_candidates > 0)) o->max_candidates = 1e7;
+    if (o->tau == 0) o->tau = 0.6;
+    if (o->climb_size == 0) o->climb_size = 0.1;
+    if (o->max_candidates == 0) o->max_candidates = 1e7;
     if (o->rounds == 0) o->rounds = 2;
     if (o->climb_steps == 0) o->climb_steps = 20;
     if (!(o->tau > 0 && o->tau <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tau is %g: expected a number in (0, 1]", o->tau);
@@ -4177,8 +4178,8 @@ MS_GPR_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *prefer
 
 /* --- automatic variants --- */
 
-#define MS_GPR__MOVES 40    /* of a pattern search, at most */
-#define MS_GPR__HALVINGS 10 /* of its step: from a cell to a thousandth */
+#define MS_GPR__MOVES 40   /* of a pattern search, at most */
+#define MS_GPR__HALVINGS 6 /* of its step: from a cell to a 64th */
 
 /* Every point of the plane that was looked at, with its similarity and score. */
 typedef struct ms_gpr__looks {

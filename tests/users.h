@@ -86,6 +86,7 @@ static TEST_UNUSED user user_make(uint64_t seed, int m, double liking)
         user_class *k_class = &u.liked[c];
         k_class->gates = m < 4 ? 1 : 2 + (int)(2 * test_uniform(&state));
         k_class->tastes = m < 4 ? m - 1 : 2 + (int)(2 * test_uniform(&state));
+        if (k_class->tastes > m - k_class->gates) k_class->tastes = m - k_class->gates;
         for (t = 0; t < k_class->gates + k_class->tastes; ++t) {
             int fresh;
             do {

@@ -1,0 +1,1232 @@
+/* Tests of ms_gpr.h: recommendations, galleries, latent space, maps and variants. */
+#define MS_GPR_IMPLEMENTATION
+#include "ms_gpr.h"
+#include "test.h"
+#include "json.h"
+#include "users.h"
+
+/* --- help --- */
+
+static double largest(const double *x, int n)
+{
+    double v = 0;
+    int i;
+    for (i = 0; i < n; ++i) v = fabs(x[i]) > v ? fabs(x[i]) : v;
+    return v;
+}
+
+static double largest_difference(const double *a, const double *b, int n)
+{
+    double v = 0;
+    int i;
+    for (i = 0; i < n; ++i) v = !(fabs(a[i] - b[i]) <= v) ? fabs(a[i] - b[i]) : v;
+    return v;
+}
+
+/* Numbers of a JSON array of numbers or of arrays of numbers; caller frees. */
+static double *numbers(const json *object, const char *key, int *count)
+{
+    const json *a = json_get(object, key);
+    double *out;
+    int i, k, n = 0;
+    for (i = 0; i < a->count; ++i) n += a->child[i].kind == 'a' ? a->child[i].count : 1;
+    out = (double *)malloc(((size_t)n + 1) * sizeof *out);
+    if (count) *count = n;
+    for (i = 0, n = 0; i < a->count; ++i) {
+        if (a->child[i].kind != 'a') out[n++] = a->child[i].number;
+        else
+            for (k = 0; k < a->child[i].count; ++k) out[n++] = a->child[i].child[k].number;
+    }
+    return out;
+}
+
+/* Kolmogorov-Smirnov distance of two samples; sorts both. */
+static double two_sample(double *a, int n, double *b, int m)
+{
+    double worst = 0;
+    int i = 0, j = 0;
+    qsort(a, (size_t)n, sizeof *a, user__compare);
+    qsort(b, (size_t)m, sizeof *b, user__compare);
+    while (i < n && j < m) {
+        double d;
+        if (a[i] <= b[j]) ++i;
+        else ++j;
+        d = fabs((double)i / n - (double)j / m);
+        if (d > worst) worst = d;
+    }
+    return worst;
+}
+
+/* The score of a KS distance of samples of n and m that chance exceeds with probability 1e-4 (Smirnov's limit). */
+static double two_sample_limit(int n, int m)
+{
+    return sqrt(-0.5 * log(0.5e-4)) * sqrt((n + m) / ((double)n * m));
+}
+
+/* A user's 250 scores and a model of them: lengths from the user's own terms stand in for a fit. */
+typedef struct taste {
+    user u;
+    int n, m;
+    double *x, *y;
+    double theta[USER_DIMENSIONS_MAX + 2];
+    ms_gpr *gp;
+} taste;
+
+static taste taste_make(uint64_t seed, int n, int m, double liking, const ms_gpr_options *options)
+{
+    taste t;
+    uint64_t state = seed + 1000 * test_seed;
+    int c, k;
+    memset(&t, 0, sizeof t);
+    t.u = user_make(seed + 1000 * test_seed, m, liking);
+    t.n = n;
+    t.m = m;
+    t.x = (double *)malloc((size_t)n * (size_t)m * sizeof(double));
+    t.y = (double *)malloc((size_t)n * sizeof(double));
+    user_gallery(&t.u, n, t.x, t.y, &state);
+    for (k = 0; k < m; ++k) t.theta[k] = log(30.0);
+    for (c = 0; c < t.u.classes; ++c)
+        for (k = 0; k < t.u.liked[c].gates + t.u.liked[c].tastes; ++k)
+            t.theta[t.u.liked[c].dimension[k]] = k < t.u.liked[c].gates ? log(0.4) : log(0.8);
+    t.theta[m] = log(3.0);
+    t.theta[m + 1] = log(0.7);
+    CHECK_INT(ms_gpr_create(t.x, t.y, n, m, t.theta, options, &t.gp, NULL), MS_OK);
+    return t;
+}
+
+static void taste_free(taste *t)
+{
+    ms_gpr_destroy(t->gp);
+    free(t->x);
+    free(t->y);
+}
+
+static ms_gpr_recommend_options recommend_options(void)
+{
+    ms_gpr_recommend_options o;
+    memset(&o, 0, sizeof o);
+    o.seed = test_seed;
+    return o;
+}
+
+/* --- recommendation --- */
+
+/* One score of 1 at the centre: u = exp(-d^2 / 2) up to a factor, and {u >= tau best} is a ball of radius
+   r = l sqrt(-2 log tau). The m-th power of distance / r is uniform on [0, 1] for uniform points. */
+static void test_ball(void)
+{
+    enum { M = 3, N = 2000 };
+    double x[M] = {0.5, 0.5, 0.5}, y = 1, theta[M + 2], *r, *p, *even;
+    double radius = 0.1 * sqrt(-2 * log(0.5));
+    ms_gpr *gp;
+    int search, i, k;
+    for (k = 0; k < M; ++k) theta[k] = log(0.1);
+    theta[M] = 0;
+    theta[M + 1] = log(1e-3);
+    r = (double *)malloc(N * M * sizeof *r);
+    p = (double *)malloc(N * sizeof *p);
+    even = (double *)malloc(N * sizeof *even);
+    CHECK_INT(ms_gpr_create(x, &y, 1, M, theta, NULL, &gp, NULL), MS_OK);
+    for (search = MS_GPR_SEARCH_REJECTION; search <= MS_GPR_SEARCH_WALK; ++search) {
+        ms_gpr_recommend_options o = recommend_options();
+        ms_gpr_recommend_report report;
+        double d, middle[M] = {0, 0, 0};
+        o.tau = 0.5;
+        o.search = (ms_gpr_search)search;
+        CHECK_INT(ms_gpr_recommend(gp, &o, N, r, NULL, NULL, &report, NULL), MS_OK);
+        CHECK_INT(report.found, N);
+        CHECK_INT(report.search, search);
+        /* best is the score itself less the noise's 1e-6 */
+        CHECK_NEAR(report.best, 1, 2e-6);
+        CHECK_NEAR(report.threshold, 0.5, 1e-6);
+        for (i = 0; i < N; ++i) {
+            double d2 = 0;
+            for (k = 0; k < M; ++k) {
+                d2 += (r[i * M + k] - 0.5) * (r[i * M + k] - 0.5);
+                middle[k] += r[i * M + k] / N;
+            }
+            p[i] = pow(sqrt(d2) / radius, M);
+            even[i] = (i + 0.5) / N;
+        }
+        CHECK_LE(largest(p, N), 1);
+        d = two_sample(p, N, even, N);
+        TEST_NOTE("%s: KS %.3f", search == MS_GPR_SEARCH_WALK ? "walk" : "rejection", d);
+        CHECK_LE(d, sqrt(-0.5 * log(0.5e-4)) / sqrt((double)N)); /* one sample against a distribution: chance 1e-4 */
+        for (k = 0; k < M; ++k) CHECK_NEAR(middle[k], 0.5, 4.5 * radius / sqrt(5.0 * N)); /* variance r^2 / 5 in 3D; 4.5 sigma */
+        if (search == MS_GPR_SEARCH_REJECTION) { /* volume of the ball; 4.5 binomial sigma */
+            double volume = 4.0 / 3 * 3.141592653589793 * radius * radius * radius;
+            CHECK_NEAR(report.acceptance, volume, 4.5 * volume / sqrt((double)N));
+        }
+    }
+    ms_gpr_destroy(gp);
+    free(r);
+    free(p);
+    free(even);
+}
+
+/* On scarce users the walk gives what rejection gives: same scores, same coordinates. */
+static void test_walk_like_rejection(void)
+{
+    enum { N = 400 };
+    int seed, i, k, compared = 0;
+    for (seed = 1; compared < (test_full ? 6 : 2); ++seed) {
+        taste t = taste_make((uint64_t)seed, 250, 19, 0.10, NULL);
+        double *walk = (double *)malloc(N * 19 * sizeof *walk), *reject = (double *)malloc(N * 19 * sizeof *reject);
+        double mean_walk[N], mean_reject[N], a[N], b[N], worst = 0, d;
+        ms_gpr_recommend_options o = recommend_options();
+        ms_gpr_recommend_report report;
+        o.tau = 0.5;
+        o.search = MS_GPR_SEARCH_WALK;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, N, walk, mean_walk, NULL, &report, NULL), MS_OK);
+        o.search = MS_GPR_SEARCH_REJECTION;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, N, reject, mean_reject, NULL, &report, NULL), MS_OK);
+        for (i = 0; i < N; ++i) {
+            CHECK(mean_walk[i] >= report.threshold);
+            CHECK(mean_reject[i] >= report.threshold);
+        }
+        if (t.u.classes == 1 && ++compared) { /* the walk does not promise the shares of separate classes */
+            for (k = 0; k < 19; ++k) {
+                for (i = 0; i < N; ++i) {
+                    a[i] = walk[i * 19 + k];
+                    b[i] = reject[i * 19 + k];
+                }
+                d = two_sample(a, N, b, N);
+                if (d > worst) worst = d;
+            }
+            CHECK_LE(worst, two_sample_limit(N, N));
+            d = two_sample(mean_walk, N, mean_reject, N);
+            CHECK_LE(d, two_sample_limit(N, N));
+            TEST_NOTE("coordinates KS %.3f, scores %.3f", worst, d);
+        }
+        free(walk);
+        free(reject);
+        taste_free(&t);
+    }
+}
+
+/* Every search at every level reaches what it promises, and the report says what was done. */
+static void test_searches(void)
+{
+    int level, search, i;
+    for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+        ms_gpr_options options;
+        taste t;
+        memset(&options, 0, sizeof options);
+        options.simd = (ms_simd)level;
+        t = taste_make(3, 200, 19, 0.10, &options);
+        for (search = MS_GPR_SEARCH_AUTO; search <= MS_GPR_SEARCH_CLIMB; ++search) {
+            double x[100 * 19], mean[100], sigma[100], again[100], variance[100];
+            ms_gpr_recommend_options o = recommend_options();
+            ms_gpr_recommend_report report;
+            o.search = (ms_gpr_search)search;
+            CHECK_INT(ms_gpr_recommend(t.gp, &o, 100, x, mean, sigma, &report, NULL), MS_OK);
+            CHECK_INT(report.found, 100);
+            CHECK(report.search != MS_GPR_SEARCH_AUTO);
+            CHECK_NEAR(report.threshold, 0.6 * report.best, 1e-12 * report.best);
+            CHECK(report.acceptance >= 0 && report.acceptance < 0.3);
+            CHECK(report.candidates >= 8192 && report.spread > 0.05);
+            ms_gpr_predict(t.gp, x, 100, again, variance, NULL);
+            for (i = 0; i < 100; ++i) {
+                CHECK(mean[i] >= report.threshold);
+                CHECK(mean[i] == again[i] && sigma[i] == sqrt(variance[i]));
+            }
+            for (i = 0; i < 1900; ++i) CHECK(x[i] >= 0 && x[i] <= 1);
+        }
+        taste_free(&t);
+    }
+}
+
+/* The largest mean is one: nothing in a large random sample, nor any training point, is above it. */
+static void test_best(void)
+{
+    int seed, i;
+    for (seed = 1; seed <= 4; ++seed) {
+        taste t = taste_make((uint64_t)seed, 150, 8, 0.1, NULL);
+        enum { N = 50000 };
+        double *x = (double *)malloc(N * 8 * sizeof *x), *mean = (double *)malloc(N * sizeof *mean), r[8], top = -1e300;
+        uint64_t state = 77 + test_seed;
+        ms_gpr_recommend_options o = recommend_options();
+        ms_gpr_recommend_report report;
+        for (i = 0; i < N * 8; ++i) x[i] = test_uniform(&state);
+        ms_gpr_predict(t.gp, x, N, mean, NULL, NULL);
+        for (i = 0; i < N; ++i) top = mean[i] > top ? mean[i] : top;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, 1, r, NULL, NULL, &report, NULL), MS_OK);
+        TEST_NOTE("best %.3f, of 50000 %.3f", report.best, top);
+        CHECK(report.best >= top);
+        free(x);
+        free(mean);
+        taste_free(&t);
+    }
+}
+
+/* More tau: higher scores, less spread. Caution and distance keep their promises. */
+static void test_controls(void)
+{
+    taste t = taste_make(5, 250, 19, 0.15, NULL);
+    double x[150 * 19], mean[150], sigma[150], before = 0, spread = 1;
+    int step, search, i, j, k;
+    for (step = 0; step < 3; ++step) {
+        ms_gpr_recommend_options o = recommend_options();
+        ms_gpr_recommend_report report;
+        double sum = 0;
+        o.tau = 0.4 + 0.25 * step;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, 150, x, mean, NULL, &report, NULL), MS_OK);
+        for (i = 0; i < 150; ++i) sum += mean[i] / 150;
+        CHECK(sum > before);
+        CHECK(report.spread < spread);
+        before = sum;
+        spread = report.spread;
+    }
+    for (search = MS_GPR_SEARCH_REJECTION; search <= MS_GPR_SEARCH_CLIMB; ++search) {
+        ms_gpr_recommend_options o = recommend_options();
+        ms_gpr_recommend_report report;
+        double least = 1e300;
+        o.search = (ms_gpr_search)search;
+        o.tau = 0.4;
+        o.caution = 1;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, 60, x, mean, sigma, &report, NULL), MS_OK);
+        for (i = 0; i < 60; ++i) CHECK(mean[i] - sigma[i] >= report.threshold);
+        o.caution = 0;
+        o.min_distance = 0.25;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, 60, x, mean, NULL, &report, NULL), MS_OK);
+        for (i = 0; i < 60; ++i)
+            for (j = 0; j < i; ++j) {
+                double d2 = 0;
+                for (k = 0; k < 19; ++k) d2 += (x[i * 19 + k] - x[j * 19 + k]) * (x[i * 19 + k] - x[j * 19 + k]);
+                if (sqrt(d2 / 19) < least) least = sqrt(d2 / 19);
+            }
+        CHECK(least >= 0.25);
+        CHECK(report.spread >= 0.25);
+    }
+    taste_free(&t);
+}
+
+/* A box of its own: fixed parameters stay fixed to the bit; dropped dimensions are drawn uniformly. */
+static void test_box(void)
+{
+    enum { N = 300 };
+    taste t = taste_make(2, 200, 10, 0.2, NULL);
+    double low[10], high[10], x[N * 10], even[N], a[N];
+    int search, i, k, kept;
+    ms_error error;
+    CHECK_INT(ms_gpr_simplify(t.gp, 0.2, &kept, NULL), MS_OK);
+    CHECK(kept < 10);
+    for (k = 0; k < 10; ++k) {
+        low[k] = 0.1;
+        high[k] = 0.9;
+    }
+    low[4] = high[4] = 1.0 / 3;
+    for (search = MS_GPR_SEARCH_REJECTION; search <= MS_GPR_SEARCH_CLIMB; ++search) {
+        ms_gpr_recommend_options o = recommend_options();
+        o.search = (ms_gpr_search)search;
+        o.low = low;
+        o.high = high;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, N, x, NULL, NULL, NULL, NULL), MS_OK);
+        for (i = 0; i < N; ++i)
+            for (k = 0; k < 10; ++k) {
+                CHECK(x[i * 10 + k] >= low[k] && x[i * 10 + k] <= high[k]);
+                if (k == 4) CHECK(x[i * 10 + k] == low[4]);
+            }
+        for (k = 0; k < 10 && search != MS_GPR_SEARCH_CLIMB; ++k) { /* a climb piles up on the box's faces */
+            if (ms_gpr_theta(t.gp)[k] < 700 || k == 4) continue;
+            for (i = 0; i < N; ++i) {
+                a[i] = x[i * 10 + k];
+                even[i] = 0.1 + 0.8 * (i + 0.5) / N;
+            }
+            CHECK_LE(two_sample(a, N, even, N), sqrt(-0.5 * log(0.5e-5) / N)); /* chance 1e-5 a dimension */
+        }
+    }
+    {
+        ms_gpr_recommend_options o = recommend_options();
+        o.low = low;
+        o.high = high;
+        low[7] = 2;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+        CHECK(strstr(error.message, "dimension 7") != NULL);
+        low[7] = (double)NAN;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    }
+    taste_free(&t);
+}
+
+/* Bits do not depend on threads. */
+static void test_threads(void)
+{
+    static double reference[3][200 * 19], x[200 * 19];
+    int threads[] = {1, 2, 7}, i, search;
+    for (i = 0; i < 3; ++i) {
+        test_pool pool;
+        ms_gpr_options options;
+        taste t;
+        memset(&options, 0, sizeof options);
+        options.parallel = test_parallel(&pool, threads[i]);
+        t = taste_make(4, 120, 19, 0.15, &options);
+        for (search = MS_GPR_SEARCH_REJECTION; search <= MS_GPR_SEARCH_CLIMB; ++search) {
+            ms_gpr_recommend_options o = recommend_options();
+            o.search = (ms_gpr_search)search;
+            CHECK_INT(ms_gpr_recommend(t.gp, &o, 200, i ? x : reference[search - 1], NULL, NULL, NULL, NULL), MS_OK);
+            if (i) CHECK(memcmp(x, reference[search - 1], sizeof x) == 0);
+        }
+        for (search = 0; search < 5; ++search) {
+            static double gallery[5][40 * 19];
+            ms_gpr_gallery_options g;
+            memset(&g, 0, sizeof g);
+            g.kind = (ms_gpr_gallery_kind)search;
+            g.pool = 512;
+            CHECK_INT(ms_gpr_gallery(t.gp, &g, 40, i ? x : gallery[search], NULL), MS_OK);
+            if (i) CHECK(memcmp(x, gallery[search], sizeof gallery[search]) == 0);
+        }
+        taste_free(&t);
+    }
+}
+
+static int stop_at(void *user, double fraction)
+{
+    return fraction >= *(double *)user;
+}
+
+static void test_recommend_refusals(void)
+{
+    taste t = taste_make(1, 60, 5, 0.3, NULL);
+    double x[50 * 5], zero[60], stop = 0;
+    ms_gpr_recommend_options o = recommend_options();
+    ms_gpr_recommend_report report;
+    ms_error error;
+    ms_gpr *gp;
+    int i;
+    memset(zero, 0, sizeof zero);
+    CHECK_INT(ms_gpr_recommend(NULL, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_gpr_recommend(t.gp, &o, 0, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    o.tau = 1.5;
+    CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "tau is 1.5") != NULL);
+    o.tau = (double)NAN;
+    CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    o = recommend_options();
+    o.caution = -1;
+    CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    o = recommend_options();
+    o.search = (ms_gpr_search)9;
+    CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    o = recommend_options();
+    o.best = 1e6; /* nobody reaches 60% of that */
+    CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, &report, &error), MS_NOT_CONVERGED);
+    CHECK(strstr(error.message, "600000") != NULL);
+    CHECK_INT(report.found, 0);
+    o = recommend_options();
+    o.min_distance = 0.6; /* five dimensions have no room for 50 such */
+    o.max_candidates = 1e5;
+    for (i = 1; i <= 3; ++i) {
+        o.search = (ms_gpr_search)i;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, 50, x, NULL, NULL, &report, &error), MS_NOT_CONVERGED);
+        CHECK(report.found >= 1 && report.found < 50);
+        CHECK(strstr(error.message, "gave up") != NULL);
+    }
+    o = recommend_options();
+    o.progress.user = &stop;
+    o.progress.report = stop_at;
+    o.search = MS_GPR_SEARCH_WALK;
+    o.min_distance = 0.6;
+    CHECK_INT(ms_gpr_recommend(t.gp, &o, 50, x, NULL, NULL, &report, &error), MS_CANCELLED);
+    o = recommend_options();
+    o.tau = 1; /* the best alone */
+    CHECK_INT(ms_gpr_recommend(t.gp, &o, 3, x, NULL, NULL, &report, &error), MS_OK);
+    /* all zero, and no score at all */
+    CHECK_INT(ms_gpr_create(t.x, zero, 60, 5, t.theta, NULL, &gp, NULL), MS_OK);
+    o = recommend_options();
+    CHECK_INT(ms_gpr_recommend(gp, &o, 5, x, NULL, NULL, NULL, &error), MS_NOT_CONVERGED);
+    CHECK(strstr(error.message, "above 0") != NULL);
+    ms_gpr_destroy(gp);
+    CHECK_INT(ms_gpr_create(NULL, NULL, 0, 5, t.theta, NULL, &gp, NULL), MS_OK);
+    CHECK_INT(ms_gpr_recommend(gp, &o, 5, x, NULL, NULL, NULL, &error), MS_NOT_CONVERGED);
+    ms_gpr_destroy(gp);
+    taste_free(&t);
+}
+
+/* One and two scores, duplicates that disagree, near-duplicates, tiny noise, constant scores, scores of 1e6 and 1e-6 and below
+   zero, inputs of 1e4 with an offset of 1e8, one and 200 dimensions, long lengths. */
+static void test_recommend_hard(void)
+{
+    enum { N = 40 };
+    static double x[N * 200], y[N], theta[202], low[200], high[200], r[30 * 200], mean[30];
+    int problem, search, i, k;
+    for (problem = 0; problem < 12; ++problem) {
+        uint64_t state = (uint64_t)problem + 9;
+        int n = problem == 0 ? 1 : problem == 1 ? 2 : N, m = problem == 8 ? 1 : problem == 9 ? 200 : 6;
+        double inputs = problem == 7 ? 1e4 : 1, offset = problem == 7 ? 1e8 : 0, scores = problem == 5 ? 1e6 : problem == 6 ? 1e-6 : 1;
+        double length = problem == 10 ? 1e3 : problem == 9 ? 3 : 0.5, shift = problem == 11 ? -5 : 0;
+        ms_gpr *gp;
+        for (i = 0; i < n; ++i) {
+            double s = 0;
+            for (k = 0; k < m; ++k) {
+                double v = test_uniform(&state);
+                if (problem == 2 && i > 0) v = (x[k] - offset) / inputs;                   /* duplicates */
+                if (problem == 3 && i > 0) v = (x[k] - offset) / inputs + 1e-9 * v;        /* near-duplicates */
+                x[i * m + k] = offset + inputs * v;
+                if (k < 3) s += v;
+            }
+            y[i] = scores * (problem == 4 ? 7 : problem == 2 || problem == 3 ? i % 5 : s * 3 + shift);
+        }
+        for (k = 0; k < m; ++k) {
+            theta[k] = log(length * inputs);
+            low[k] = offset;
+            high[k] = offset + inputs;
+        }
+        theta[m] = log(3 * scores);
+        theta[m + 1] = log((problem == 3 ? 1e-16 : 0.1) * scores);
+        CHECK_INT(ms_gpr_create(x, y, n, m, theta, NULL, &gp, NULL), MS_OK);
+        for (search = MS_GPR_SEARCH_AUTO; search <= MS_GPR_SEARCH_WALK; ++search) {
+            ms_gpr_recommend_options o = recommend_options();
+            ms_gpr_recommend_report report;
+            ms_error error;
+            ms_status status;
+            o.search = (ms_gpr_search)search;
+            o.low = low;
+            o.high = high;
+            o.max_candidates = 2e5;
+            error.message[0] = 0;
+            status = ms_gpr_recommend(gp, &o, 30, r, mean, NULL, &report, &error);
+            if (status != MS_OK && search != MS_GPR_SEARCH_REJECTION)
+                TEST_FAIL("problem %d: %s", problem, error.message);
+            for (i = 0; i < report.found; ++i) {
+                CHECK(mean[i] >= report.threshold);
+                for (k = 0; k < m; ++k) CHECK(r[i * m + k] >= low[k] && r[i * m + k] <= high[k]);
+            }
+        }
+        ms_gpr_destroy(gp);
+    }
+}
+
+/* Users as scarce as 10%: what is recommended is liked far more often than a uniform material. */
+static void test_precision(void)
+{
+    int seed, i, users = test_full ? 8 : 3;
+    double precision = 0, base = 0;
+    for (seed = 1; seed <= users; ++seed) {
+        taste t = taste_make((uint64_t)seed + 20, 250, 19, 0.10, NULL);
+        double x[300 * 19];
+        uint64_t state = (uint64_t)seed;
+        ms_gpr_recommend_options o = recommend_options();
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, 300, x, NULL, NULL, NULL, NULL), MS_OK);
+        for (i = 0; i < 300; ++i) {
+            double y[1], p[19];
+            precision += (user_true(&t.u, x + i * 19) >= 4) / (300.0 * users);
+            user_gallery(&t.u, 1, p, y, &state);
+            base += (user_true(&t.u, p) >= 4) / (300.0 * users);
+        }
+        taste_free(&t);
+    }
+    TEST_NOTE("truly >= 4 of 10: %.0f%%, uniform %.1f%%", 100 * precision, 100 * base);
+    CHECK(precision > 0.6); /* with lengths that are right; measured 0.8 to 0.95 */
+    CHECK(base < 0.1);
+}
+
+static void test_recommend_memory(void)
+{
+    double x[10 * 4], y[10], theta[6] = {-0.7, -0.7, -0.7, -0.7, 1, -2}, r[20 * 4], mean[20], sigma[20];
+    uint64_t state = 5;
+    int i;
+    for (i = 0; i < 40; ++i) x[i] = test_uniform(&state);
+    for (i = 0; i < 10; ++i) y[i] = 10 * x[4 * i];
+    TEST_ALLOCATION_SWEEP(20, {
+        ms_gpr *gp;
+        ms_gpr_options options;
+        ms_gpr_gallery_options g;
+        memset(&options, 0, sizeof options);
+        options.allocator = allocator;
+        status = ms_gpr_create(x, y, 10, 4, theta, &options, &gp, NULL);
+        if (status == MS_OK) status = ms_gpr_recommend(gp, NULL, 20, r, mean, sigma, NULL, NULL);
+        memset(&g, 0, sizeof g);
+        g.pool = 100;
+        if (status == MS_OK) status = ms_gpr_gallery(gp, &g, 20, r, NULL);
+        ms_gpr_destroy(gp);
+    });
+}
+
+/* --- galleries --- */
+
+/* P(u > 0) sigma of x under a model. */
+static double promise(const ms_gpr *gp, const double *x)
+{
+    double mean, variance;
+    ms_gpr_predict(gp, x, 1, &mean, &variance, NULL);
+    return sqrt(variance) * 0.5 * erfc(-mean / sqrt(2 * variance));
+}
+
+/* Each choice of a gallery must be at least as good as all that follow, once the model has seen those before it: here by
+   appending them with their own mean, which changes no mean. */
+static void test_gallery_greedy(void)
+{
+    enum { Q = 25 };
+    int kind, q, r;
+    for (kind = 0; kind <= 2; kind += 2) {
+        taste t = taste_make(3, 60, 8, 0.2, NULL);
+        ms_gpr_gallery_options g;
+        double x[Q * 8];
+        memset(&g, 0, sizeof g);
+        g.kind = (ms_gpr_gallery_kind)kind;
+        g.pool = 640;
+        CHECK_INT(ms_gpr_gallery(t.gp, &g, Q, x, NULL), MS_OK);
+        for (q = 0; q < Q; ++q) {
+            double here, mean, variance;
+            ms_gpr_predict(t.gp, x + q * 8, 1, &mean, &variance, NULL);
+            here = kind == 0 ? promise(t.gp, x + q * 8) : sqrt(variance);
+            for (r = q + 1; r < Q; ++r) {
+                double other, m2;
+                ms_gpr_predict(t.gp, x + r * 8, 1, &m2, &other, NULL);
+                other = kind == 0 ? promise(t.gp, x + r * 8) : sqrt(other);
+                CHECK_LE(other, here + 1e-7); /* both ways lose about half the digits in a difference of variances */
+            }
+            CHECK_INT(ms_gpr_append(t.gp, x + q * 8, mean, NULL), MS_OK);
+        }
+        taste_free(&t);
+    }
+}
+
+/* Draws from the intermediate distribution have mean score E[u+^2] / E[u+]. */
+static void test_gallery_intermediate(void)
+{
+    enum { N = 20000, Q = 300 };
+    taste t = taste_make(6, 150, 8, 0.25, NULL);
+    double *x = (double *)malloc(N * 8 * sizeof *x), *u = (double *)malloc(N * sizeof *u), one = 0, two = 0, mean = 0, square = 0;
+    ms_gpr_gallery_options g;
+    uint64_t state = 3;
+    int i;
+    memset(&g, 0, sizeof g);
+    g.kind = MS_GPR_GALLERY_INTERMEDIATE;
+    g.pool = N; /* much more than Q, or without replacement would differ */
+    for (i = 0; i < N * 8; ++i) x[i] = test_uniform(&state);
+    ms_gpr_predict(t.gp, x, N, u, NULL, NULL);
+    for (i = 0; i < N; ++i) {
+        double v = u[i] > 0 ? u[i] : 0;
+        one += v / N;
+        two += v * v / N;
+    }
+    CHECK_INT(ms_gpr_gallery(t.gp, &g, Q, x, NULL), MS_OK);
+    ms_gpr_predict(t.gp, x, Q, u, NULL, NULL);
+    for (i = 0; i < Q; ++i) {
+        CHECK(u[i] > 0);
+        mean += u[i] / Q;
+        square += u[i] * u[i] / Q;
+    }
+    TEST_NOTE("mean score %.3f, expected %.3f", mean, two / one);
+    CHECK_NEAR(mean, two / one, 4.5 * sqrt((square - mean * mean) / Q) + 0.03 * mean); /* 4.5 sigma; 3%: the tail runs out */
+    free(x);
+    free(u);
+    taste_free(&t);
+}
+
+/* All kinds stay in the box and differ; novelty keeps away from what was seen; a model without scores gives galleries as well. */
+static void test_gallery_kinds(void)
+{
+    enum { Q = 40 };
+    double nearest[5];
+    int kind, q, i, k, n;
+    for (n = 0; n <= 80; n += 80) {
+        taste t = taste_make(8, 80, 6, 0.3, NULL);
+        ms_gpr *gp;
+        double low[6] = {0, 0, 0, 0, 0, 0.5}, high[6] = {1, 1, 1, 1, 1, 0.5};
+        CHECK_INT(ms_gpr_create(t.x, t.y, n, 6, t.theta, NULL, &gp, NULL), MS_OK);
+        for (kind = 0; kind < 5; ++kind) {
+            double x[Q * 6];
+            ms_gpr_gallery_options g;
+            memset(&g, 0, sizeof g);
+            g.kind = (ms_gpr_gallery_kind)kind;
+            g.low = low;
+            g.high = high;
+            g.seed = test_seed;
+            CHECK_INT(ms_gpr_gallery(gp, &g, Q, x, NULL), MS_OK);
+            nearest[kind] = 0;
+            for (q = 0; q < Q; ++q) {
+                double least = 1e300;
+                for (k = 0; k < 6; ++k) CHECK(x[q * 6 + k] >= low[k] && x[q * 6 + k] <= high[k]);
+                for (i = 0; i < n + q; ++i) {
+                    const double *other = i < n ? t.x + i * 6 : x + (i - n) * 6;
+                    double d2 = 0;
+                    for (k = 0; k < 6; ++k) {
+                        double d = (other[k] - x[q * 6 + k]) / exp(t.theta[k]);
+                        d2 += d * d;
+                    }
+                    if (d2 < least) least = d2;
+                }
+                CHECK(least > 0);
+                if (n + q > 0) nearest[kind] += sqrt(least) / Q;
+            }
+        }
+        CHECK(nearest[MS_GPR_GALLERY_NOVEL] > 1.3 * nearest[MS_GPR_GALLERY_UNIFORM]);
+        CHECK(nearest[MS_GPR_GALLERY_UNCERTAIN] > nearest[MS_GPR_GALLERY_UNIFORM]);
+        ms_gpr_destroy(gp);
+        taste_free(&t);
+    }
+    {
+        taste t = taste_make(8, 10, 6, 0.3, NULL);
+        ms_gpr_gallery_options g;
+        ms_error error;
+        double x[6];
+        memset(&g, 0, sizeof g);
+        CHECK_INT(ms_gpr_gallery(NULL, &g, 1, x, &error), MS_INVALID_ARGUMENT);
+        CHECK_INT(ms_gpr_gallery(t.gp, &g, 0, x, &error), MS_INVALID_ARGUMENT);
+        g.kind = (ms_gpr_gallery_kind)5;
+        CHECK_INT(ms_gpr_gallery(t.gp, &g, 1, x, &error), MS_INVALID_ARGUMENT);
+        g.kind = MS_GPR_GALLERY_PROMISING;
+        g.pool = 1; /* raised to what is needed */
+        CHECK_INT(ms_gpr_gallery(t.gp, &g, 1, x, &error), MS_OK);
+        taste_free(&t);
+    }
+}
+
+/* --- latent space --- */
+
+/* Reference values computed with 113-bit floats. */
+static void test_latent_reference(void)
+{
+    json *problems = json_load("tests/data/gplvm_problems.json");
+    int i, level, k;
+    double worst = 0;
+    for (i = 0; i < problems->count; ++i) {
+        const json *p = &problems->child[i], *rounding = json_get(p, "f64_err");
+        int z = (int)json_number(json_get(p, "z")), m = (int)json_number(json_get(p, "d")), count, n;
+        double *x = numbers(p, "X", NULL), *latent = numbers(p, "L", NULL), *theta = numbers(p, "theta", NULL);
+        double *gradient = numbers(p, "grad", NULL), *slopes = numbers(p, "grad_latent", &n), *places = numbers(p, "Ls", &count);
+        double *mean = numbers(p, "mean", NULL), *variance = numbers(p, "var", NULL);
+        double ll = json_number(json_get(p, "ll"));
+        count /= 2;
+        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+            ms_gpr_latent_options o;
+            ms_gpr_latent *plane;
+            double value, g[4], *s = (double *)malloc((size_t)n * sizeof *s), got[10 * 19], v[10], tolerance, e;
+            memset(&o, 0, sizeof o);
+            o.simd = (ms_simd)level;
+            CHECK_INT(ms_gpr_latent_create(x, z, m, latent, theta, &o, &plane, NULL), MS_OK);
+            CHECK_INT(ms_gpr_latent_likelihood(plane, &value, g, s, NULL), MS_OK);
+            /* 20 times what double precision with direct differences loses, as data/README.md says */
+            tolerance = 20 * json_number(json_get(rounding, "ll"));
+            CHECK_NEAR(value, ll, (tolerance > 1e-12 ? tolerance : 1e-12) * fabs(ll));
+            tolerance = 20 * json_number(json_get(rounding, "grad"));
+            e = largest_difference(g, gradient, 4) / largest(gradient, 4);
+            CHECK_LE(e, tolerance > 1e-12 ? tolerance : 1e-12);
+            tolerance = 20 * json_number(json_get(rounding, "grad_latent"));
+            e = largest_difference(s, slopes, n) / largest(slopes, n);
+            CHECK_LE(e, tolerance > 1e-12 ? tolerance : 1e-12);
+            CHECK_INT(ms_gpr_latent_map(plane, places, count, got, v, NULL), MS_OK);
+            /* the mapping has the gradient's condition: its rounding bounds that of the map */
+            e = largest_difference(got, mean, count * m) / largest(mean, count * m);
+            CHECK_LE(e, tolerance > 1e-12 ? tolerance : 1e-12);
+            e = largest_difference(v, variance, count) / exp(2 * theta[2]);
+            CHECK_LE(e, tolerance > 1e-12 ? tolerance : 1e-12);
+            if (e > worst) worst = e;
+            for (k = 0; k < count; ++k) CHECK(v[k] >= 0);
+            CHECK(ms_gpr_latent_jitter(plane) <= 0);
+            CHECK_INT(ms_gpr_latent_count(plane), z);
+            ms_gpr_latent_destroy(plane);
+            free(s);
+        }
+        free(x), free(latent), free(theta), free(gradient), free(slopes), free(places), free(mean), free(variance);
+    }
+    TEST_NOTE("%d problems, variance within %.1e sf^2", problems->count, worst);
+    json_free(problems);
+}
+
+/* Fits reach at least the likelihoods of the references, and what L-BFGS-B of SciPy reached as the best of 20 starts (two kinds
+   of components at 5 scales, 2 noises): 434.790, 2506.779, 1992.102. */
+static void test_latent_likelihood(void)
+{
+    json *problems = json_load("tests/data/gplvm_problems.json"), *data = json_load("tests/data/gplvm_data.json");
+    const char *name[] = {"clusters16", "circle60", "clusters48"};
+    double best[] = {434.790, 2506.779, 1992.102};
+    int i, level;
+    for (i = 0; i < problems->count; ++i) {
+        const json *p = &problems->child[i];
+        int z = (int)json_number(json_get(p, "z")), m = (int)json_number(json_get(p, "d"));
+        double *x = numbers(p, "X", NULL);
+        ms_gpr_latent *plane;
+        ms_gpr_latent_report report;
+        CHECK_INT(ms_gpr_latent_fit(x, z, m, NULL, &plane, &report, NULL), MS_OK);
+        CHECK(report.likelihood >= json_number(json_get(p, "ll")));
+        ms_gpr_latent_destroy(plane);
+        free(x);
+    }
+    for (i = 0; i < 3; ++i) {
+        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+            int z = i == 0 ? 16 : i == 1 ? 60 : 48;
+            double *x = i == 0 ? numbers(&problems->child[0], "X", NULL) : numbers(json_get(data, name[i]), "X", NULL), value;
+            ms_gpr_latent_options o;
+            ms_gpr_latent *plane;
+            ms_gpr_latent_report report;
+            memset(&o, 0, sizeof o);
+            o.simd = (ms_simd)level;
+            CHECK_INT(ms_gpr_latent_fit(x, z, 19, &o, &plane, &report, NULL), MS_OK);
+            CHECK(report.likelihood >= best[i] - 0.5); /* other rounding takes other paths; 0.5 in 2000 shows in no picture */
+            CHECK_INT(ms_gpr_latent_likelihood(plane, &value, NULL, NULL, NULL), MS_OK);
+            CHECK_NEAR(value, report.likelihood, 1e-9 * fabs(value)); /* center and scale differ by rounding */
+            CHECK(report.error < 0.05 && report.evaluations > 0 && report.evaluations <= 2000);
+            if (level == MS_SIMD_AVX2) TEST_NOTE("%s %.3f in %d", name[i], report.likelihood, report.evaluations);
+            ms_gpr_latent_destroy(plane);
+            free(x);
+        }
+    }
+    json_free(problems);
+    json_free(data);
+}
+
+/* Known structure comes out: the nearest latent of a clusters48 material is of its own cluster; neighbours on the circle stay
+   neighbours. */
+static void test_latent_structure(void)
+{
+    json *data = json_load("tests/data/gplvm_data.json");
+    const char *name[] = {"clusters48", "circle60"};
+    int set, i, j;
+    for (set = 0; set < 2; ++set) {
+        const json *d = json_get(data, name[set]);
+        double *x = numbers(d, "X", NULL), *label = numbers(d, "label", NULL), *where = numbers(d, "true", NULL);
+        int z = set ? 60 : 48, right = 0;
+        ms_gpr_latent *plane;
+        const double *l;
+        CHECK_INT(ms_gpr_latent_fit(x, z, 19, NULL, &plane, NULL, NULL), MS_OK);
+        l = ms_gpr_latent_points(plane);
+        for (i = 0; i < z; ++i) {
+            int nearest = -1;
+            double least = 1e300;
+            for (j = 0; j < z; ++j) {
+                double a = l[2 * i] - l[2 * j], b = l[2 * i + 1] - l[2 * j + 1];
+                if (j == i || !(a * a + b * b < least)) continue;
+                least = a * a + b * b;
+                nearest = j;
+            }
+            if (set == 0) right += fabs(label[i] - label[nearest]) < 0.5;
+            else right += hypot(where[2 * i] - where[2 * nearest], where[2 * i + 1] - where[2 * nearest + 1]) < 0.35; /* of radius 1 */
+        }
+        TEST_NOTE("%s %d of %d", name[set], right, z);
+        CHECK(right >= z - 1);
+        ms_gpr_latent_destroy(plane);
+        free(x), free(label), free(where);
+    }
+    json_free(data);
+}
+
+/* There and back: the nearest latent of a material of the plane gives that material again; off the plane nothing on a fine grid is
+   nearer. With variance. */
+static void test_latent_find(void)
+{
+    json *data = json_load("tests/data/gplvm_data.json");
+    double *x = numbers(json_get(data, "clusters48"), "X", NULL), worst = 0, at[2], back[2], material[19], again[19], distance, variance, v;
+    uint64_t state = test_seed;
+    ms_gpr_latent *plane;
+    ms_gpr_grid grid;
+    int i, k, column, row;
+    CHECK_INT(ms_gpr_latent_fit(x, 48, 19, NULL, &plane, NULL, NULL), MS_OK);
+    for (i = 0; i < 100; ++i) {
+        const double *a = ms_gpr_latent_points(plane) + 2 * (i % 48);
+        for (k = 0; k < 2; ++k) at[k] = a[k] + 0.3 * test_normal(&state); /* 0.3 length scales */
+        CHECK_INT(ms_gpr_latent_map(plane, at, 1, material, NULL, NULL), MS_OK);
+        CHECK_INT(ms_gpr_latent_find(plane, material, back, &distance, &variance, NULL), MS_OK);
+        CHECK_INT(ms_gpr_latent_map(plane, back, 1, again, &v, NULL), MS_OK);
+        CHECK_NEAR(variance, v, 0);
+        CHECK_LE(largest_difference(material, again, 19), 20 * distance + 1e-300); /* distance is what it says */
+        if (distance > worst) worst = distance;
+    }
+    TEST_NOTE("farthest %.1e", worst);
+    CHECK_LE(worst, 1e-5); /* materials span 1; the search ends at 1e-10 sf times a root of the condition of the map */
+    grid = ms_gpr_grid_around(plane, 60);
+    for (i = 0; i < 10; ++i) {
+        double least = 1e300;
+        for (k = 0; k < 19; ++k) material[k] = x[i * 4 * 19 + k] + 0.05 * test_normal(&state);
+        CHECK_INT(ms_gpr_latent_find(plane, material, back, &distance, NULL, NULL), MS_OK);
+        for (row = 0; row < 60; ++row)
+            for (column = 0; column < 60; ++column) {
+                double d2 = 0;
+                ms_gpr_grid_point(&grid, column, row, at);
+                ms_gpr_latent_map(plane, at, 1, again, NULL, NULL);
+                for (k = 0; k < 19; ++k) d2 += (again[k] - material[k]) * (again[k] - material[k]) / 19;
+                if (sqrt(d2) < least) least = sqrt(d2);
+            }
+        CHECK_LE(distance, least);
+    }
+    ms_gpr_latent_destroy(plane);
+    free(x);
+    json_free(data);
+}
+
+/* With a prior, the optimum balances it: dlogp/dL = prior L. And the latents draw together. */
+static void test_latent_prior(void)
+{
+    json *problems = json_load("tests/data/gplvm_problems.json");
+    double *x = numbers(&problems->child[0], "X", NULL), gradient[32], norm[3];
+    int step, i;
+    for (step = 0; step < 3; ++step) {
+        ms_gpr_latent_options o;
+        ms_gpr_latent *plane;
+        const double *l;
+        memset(&o, 0, sizeof o);
+        o.prior = step == 0 ? 0 : step == 1 ? 1 : 30;
+        o.evaluations = 20000;
+        CHECK_INT(ms_gpr_latent_fit(x, 16, 19, &o, &plane, NULL, NULL), MS_OK);
+        l = ms_gpr_latent_points(plane);
+        CHECK_INT(ms_gpr_latent_likelihood(plane, NULL, NULL, gradient, NULL), MS_OK);
+        for (i = 0, norm[step] = 0; i < 32; ++i) norm[step] += l[i] * l[i];
+        /* the fit ends where slopes of logp / 304 are about 3e-5 */
+        for (i = 0; i < 32; ++i) CHECK_NEAR(gradient[i], o.prior * l[i], 0.1);
+        ms_gpr_latent_destroy(plane);
+    }
+    CHECK(norm[1] < norm[0] && norm[2] < norm[1]);
+    free(x);
+    json_free(problems);
+}
+
+static int stop_now(void *user, double fraction)
+{
+    (void)fraction;
+    return --*(int *)user < 0;
+}
+
+/* Two and three materials, equal rows, a constant column, one and 200 columns, offsets of 1e8, scales of 1e4 and 1e-6; refusals. */
+static void test_latent_hard(void)
+{
+    static double x[30 * 200];
+    double latent[60], theta[4] = {0, 0, 0, -36.8}; /* noise 1e-16 */
+    ms_gpr_latent *plane;
+    ms_gpr_latent_report report;
+    ms_gpr_latent_options o;
+    ms_error error;
+    int problem, i, k, left;
+    for (problem = 0; problem < 10; ++problem) {
+        uint64_t state = (uint64_t)problem + 5;
+        int z = problem == 0 ? 2 : problem == 1 ? 3 : 30, m = problem == 4 ? 1 : problem == 5 ? 200 : 12;
+        double scale = problem == 7 ? 1e4 : problem == 8 ? 1e-6 : 1, offset = problem == 6 ? 1e8 : 0, back, norm = 0;
+        memset(&o, 0, sizeof o);
+        o.dimensions = problem == 9 ? 3 : problem == 4 ? 1 : 2;
+        for (i = 0; i < z; ++i) {
+            double a = test_uniform(&state), b = test_uniform(&state);
+            for (k = 0; k < m; ++k) {
+                double v = sin(3 * a + k) + cos(2 * b * k) + 0.05 * test_normal(&state);
+                if (problem == 2 && i % 3 == 1) v = x[(i - 1) * m + k] / scale; /* equal rows */
+                if (problem == 3 && k == 5) v = 0.25;
+                x[i * m + k] = offset + scale * v;
+                norm = fabs(scale * v) > norm ? fabs(scale * v) : norm;
+            }
+        }
+        CHECK_INT(ms_gpr_latent_fit(x, z, m, &o, &plane, &report, &error), MS_OK);
+        if (plane == NULL) continue;
+        CHECK(ms__finite(report.likelihood));
+        CHECK(report.error < 0.5 * norm);
+        for (i = 0; i < z * (o.dimensions); ++i) CHECK(ms__finite(ms_gpr_latent_points(plane)[i]));
+        if (problem == 2) { /* equal materials lie together */
+            const double *l = ms_gpr_latent_points(plane);
+            for (i = 0; i + 1 < z; i += 3) CHECK_LE(hypot(l[2 * i] - l[2 * i + 2], l[2 * i + 1] - l[2 * i + 3]), 0.05);
+        }
+        CHECK_INT(ms_gpr_latent_find(plane, x, latent, &back, NULL, NULL), MS_OK);
+        CHECK(back <= 0.5 * norm);
+        ms_gpr_latent_destroy(plane);
+    }
+    /* equal latents without noise: jitter is reported, and results are finite */
+    for (i = 0; i < 60; ++i) latent[i] = i % 4;
+    CHECK_INT(ms_gpr_latent_create(x, 30, 12, latent, theta, NULL, &plane, NULL), MS_OK);
+    CHECK(ms_gpr_latent_jitter(plane) > 0 && ms_gpr_latent_jitter(plane) <= 1e-6);
+    CHECK_INT(ms_gpr_latent_likelihood(plane, &report.likelihood, NULL, latent, NULL), MS_OK);
+    CHECK(ms__finite(report.likelihood));
+    ms_gpr_latent_destroy(plane);
+    /* refusals */
+    CHECK_INT(ms_gpr_latent_fit(x, 1, 12, NULL, &plane, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK(plane == NULL);
+    memset(&o, 0, sizeof o);
+    o.dimensions = 4;
+    CHECK_INT(ms_gpr_latent_fit(x, 30, 12, &o, &plane, NULL, &error), MS_INVALID_ARGUMENT);
+    memset(&o, 0, sizeof o);
+    o.prior = -1;
+    CHECK_INT(ms_gpr_latent_fit(x, 30, 12, &o, &plane, NULL, &error), MS_INVALID_ARGUMENT);
+    memset(&o, 0, sizeof o);
+    left = 150;
+    o.progress.user = &left;
+    o.progress.report = stop_now;
+    CHECK_INT(ms_gpr_latent_fit(x, 30, 12, &o, &plane, NULL, &error), MS_CANCELLED);
+    x[7 * 12 + 3] = (double)NAN;
+    CHECK_INT(ms_gpr_latent_fit(x, 30, 12, NULL, &plane, NULL, &error), MS_BAD_DATA);
+    CHECK_INT(error.position, 8);
+    x[7 * 12 + 3] = (double)INFINITY;
+    CHECK_INT(ms_gpr_latent_create(x, 30, 12, latent, theta, NULL, &plane, &error), MS_BAD_DATA);
+    for (i = 0; i < 360; ++i) x[i] = 1e8 + 0.1 * (i % 12);
+    CHECK_INT(ms_gpr_latent_fit(x, 30, 12, NULL, &plane, NULL, &error), MS_BAD_DATA);
+    CHECK(strstr(error.message, "equal") != NULL);
+    ms_gpr_latent_destroy(NULL);
+}
+
+static void test_latent_memory(void)
+{
+    double x[8 * 4], at[2] = {0, 0}, material[4], map[9], theta[6] = {0, 0, 0, 0, 0, -2}, lambda = 0.5;
+    uint64_t state = 2;
+    int i;
+    for (i = 0; i < 32; ++i) x[i] = test_uniform(&state);
+    TEST_ALLOCATION_SWEEP(1000, {
+        ms_gpr_latent_options o;
+        ms_gpr_latent *plane;
+        ms_gpr *gp = NULL;
+        ms_gpr_options options;
+        memset(&o, 0, sizeof o);
+        memset(&options, 0, sizeof options);
+        o.evaluations = 30;
+        o.allocator = options.allocator = allocator;
+        status = ms_gpr_latent_fit(x, 8, 4, &o, &plane, NULL, NULL);
+        if (status == MS_OK) status = ms_gpr_create(x, x, 8, 4, theta, &options, &gp, NULL);
+        if (status == MS_OK) status = ms_gpr_latent_likelihood(plane, at, NULL, NULL, NULL);
+        if (status == MS_OK) status = ms_gpr_latent_map(plane, at, 1, material, NULL, NULL);
+        if (status == MS_OK) status = ms_gpr_latent_find(plane, x, at, NULL, NULL, NULL);
+        if (status == MS_OK) {
+            ms_gpr_grid grid = ms_gpr_grid_around(plane, 3);
+            ms_gpr_similarity s;
+            ms_gpr_variant v;
+            memset(&s, 0, sizeof s);
+            s.x = x;
+            status = ms_gpr_map_preference(plane, gp, &grid, map, NULL, NULL);
+            if (status == MS_OK) status = ms_gpr_map_confidence(plane, &grid, map, NULL);
+            if (status == MS_OK) status = ms_gpr_map_similarity(plane, &s, &grid, map, NULL);
+            if (status == MS_OK) status = ms_gpr_variants(plane, gp, &s, &grid, &lambda, 1, 0, &v, material, NULL);
+        }
+        ms_gpr_destroy(gp);
+        ms_gpr_latent_destroy(plane);
+    });
+}
+
+/* --- maps --- */
+
+typedef struct plane_of_taste {
+    taste t;
+    double *liked; /* [z][m] */
+    int z;
+    ms_gpr_latent *plane;
+    ms_gpr_grid grid;
+} plane_of_taste;
+
+static plane_of_taste plane_make(int resolution)
+{
+    plane_of_taste p;
+    ms_gpr_recommend_options o = recommend_options();
+    p.t = taste_make(2, 200, 12, 0.2, NULL);
+    p.z = 24;
+    p.liked = (double *)malloc(24 * 12 * sizeof(double));
+    CHECK_INT(ms_gpr_recommend(p.t.gp, &o, p.z, p.liked, NULL, NULL, NULL, NULL), MS_OK);
+    CHECK_INT(ms_gpr_latent_fit(p.liked, p.z, 12, NULL, &p.plane, NULL, NULL), MS_OK);
+    p.grid = ms_gpr_grid_around(p.plane, resolution);
+    return p;
+}
+
+static void plane_free(plane_of_taste *p)
+{
+    ms_gpr_latent_destroy(p->plane);
+    free(p->liked);
+    taste_free(&p->t);
+}
+
+/* A picture of 8 x 8 pixels: smooth in the parameters. */
+static ms_status draw(void *user, const double *x, float *picture)
+{
+    int i;
+    ++*(int *)user;
+    for (i = 0; i < 64; ++i) picture[i] = (float)(0.5 + 0.5 * sin(3 * x[i % 12] + x[(i * 7) % 12] + 0.1 * i));
+    return MS_OK;
+}
+
+static ms_status draw_nan(void *user, const double *x, float *picture)
+{
+    draw(user, x, picture);
+    if (*(int *)user == 5) picture[3] = (float)NAN;
+    return *(int *)user == 9 ? MS_UNSUPPORTED : MS_OK;
+}
+
+/* Each map is what its definition says, point by point. */
+static void test_maps(void)
+{
+    enum { R = 21 };
+    plane_of_taste p = plane_make(R);
+    double mean[R * R], sigma[R * R], confidence[R * R], similarity[R * R], product[R * R], coarse[7 * 7], sf2;
+    ms_gpr_grid small = p.grid;
+    ms_gpr_similarity s;
+    int calls = 0, row, column, i, k;
+    sf2 = exp(2 * ms_gpr_latent_theta(p.plane)[2]);
+    memset(&s, 0, sizeof s);
+    s.x = p.liked + 3 * 12;
+    s.pixels = 64;
+    s.render = draw;
+    s.user = &calls;
+    s.scale = 0.2;
+    small.columns = small.rows = 7;
+    CHECK_INT(ms_gpr_map_preference(p.plane, p.t.gp, &p.grid, mean, sigma, NULL), MS_OK);
+    CHECK_INT(ms_gpr_map_confidence(p.plane, &p.grid, confidence, NULL), MS_OK);
+    CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &p.grid, similarity, NULL), MS_OK);
+    CHECK_INT(calls, R * R + 1);
+    CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &small, coarse, NULL), MS_OK);
+    ms_gpr_map_product(&p.grid, mean, &small, coarse, product);
+    for (row = 0; row < R; ++row)
+        for (column = 0; column < R; ++column) {
+            double at[2], x[12], v, u, u2, d2 = 0;
+            float a[64], b[64];
+            i = row * R + column;
+            ms_gpr_grid_point(&p.grid, column, row, at);
+            ms_gpr_latent_map(p.plane, at, 1, x, &v, NULL);
+            ms_gpr_predict(p.t.gp, x, 1, &u, &u2, NULL);
+            CHECK_NEAR(mean[i], u, 1e-9); /* scores up to 10; the product of two exponentials against one of a sum */
+            CHECK_NEAR(sigma[i] * sigma[i], u2, 1e-8);
+            CHECK_NEAR(confidence[i], 1 - v / sf2, 1e-12);
+            draw(&calls, s.x, a);
+            draw(&calls, x, b);
+            for (k = 0; k < 64; ++k) d2 += ((double)a[k] - (double)b[k]) * ((double)a[k] - (double)b[k]) / 64;
+            CHECK_NEAR(similarity[i], exp(-d2 / (2 * 0.04)), 1e-6); /* float pictures */
+            CHECK_NEAR(product[i], (u > 0 ? u : 0) * ms_gpr_grid_value(&small, coarse, at[0], at[1]), 1e-8);
+        }
+    /* training latents are well known, far corners are not */
+    for (i = 0; i < p.z; ++i) {
+        const double *l = ms_gpr_latent_points(p.plane) + 2 * i;
+        CHECK(l[0] > p.grid.x0 && l[0] < p.grid.x1 && l[1] > p.grid.y0 && l[1] < p.grid.y1);
+        CHECK(ms_gpr_grid_value(&p.grid, confidence, l[0], l[1]) > 0.5);
+    }
+    /* without pictures: between the parameters; equal to 1 where the plane passes through the reference */
+    s.pixels = 0;
+    s.scale = 0;
+    CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &p.grid, similarity, NULL), MS_OK);
+    for (i = 0; i < R * R; ++i) CHECK(similarity[i] >= 0 && similarity[i] <= 1);
+    plane_free(&p);
+}
+
+static void test_grid_value(void)
+{
+    ms_gpr_grid g;
+    double map[3 * 4], at[2], x, y;
+    uint64_t state = test_seed;
+    int row, column, i;
+    g.x0 = -2;
+    g.x1 = 4;
+    g.y0 = 1;
+    g.y1 = 3;
+    g.columns = 4;
+    g.rows = 3;
+    for (row = 0; row < 3; ++row)
+        for (column = 0; column < 4; ++column) {
+            ms_gpr_grid_point(&g, column, row, at);
+            map[row * 4 + column] = 1 + 2 * at[0] - 3 * at[1] + 0.5 * at[0] * at[1];
+        }
+    for (i = 0; i < 1000; ++i) { /* a bilinear function comes back */
+        x = -2 + 6 * test_uniform(&state);
+        y = 1 + 2 * test_uniform(&state);
+        CHECK_NEAR(ms_gpr_grid_value(&g, map, x, y), 1 + 2 * x - 3 * y + 0.5 * x * y, 1e-13);
+    }
+    CHECK_NEAR(ms_gpr_grid_value(&g, map, -9, 9), map[2 * 4], 1e-14); /* clamped; corners are the grid's own */
+    CHECK_NEAR(ms_gpr_grid_value(&g, map, 4, 3), map[11], 1e-14);
+    CHECK_NEAR(ms_gpr_grid_value(&g, map, (double)INFINITY, 1), map[3], 1e-14);
+    CHECK_NEAR(ms_gpr_grid_value(&g, map, (double)NAN, (double)NAN), map[0], 1e-14);
+}
+
+static void test_map_refusals(void)
+{
+    plane_of_taste p = plane_make(4);
+    double map[16], lambda = 2;
+    ms_gpr_similarity s;
+    ms_gpr_variant v;
+    ms_error error;
+    ms_gpr_grid bad = p.grid;
+    int calls = 0;
+    bad.columns = 1;
+    memset(&s, 0, sizeof s);
+    s.x = p.liked;
+    s.pixels = 64;
+    s.render = draw_nan;
+    s.user = &calls;
+    CHECK_INT(ms_gpr_map_preference(p.plane, p.t.gp, &bad, map, NULL, &error), MS_INVALID_ARGUMENT);
+    bad = p.grid;
+    bad.x1 = bad.x0;
+    CHECK_INT(ms_gpr_map_confidence(p.plane, &bad, map, &error), MS_INVALID_ARGUMENT);
+    bad.x1 = (double)NAN;
+    CHECK_INT(ms_gpr_map_confidence(p.plane, &bad, map, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &p.grid, map, &error), MS_UNSUPPORTED); /* the ninth picture fails */
+    CHECK(strstr(error.message, "render") != NULL);
+    CHECK(map[3] <= 0); /* the fifth picture is the fourth point's, and has a NaN */
+    CHECK(map[2] > 0);
+    s.render = NULL;
+    CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &p.grid, map, &error), MS_INVALID_ARGUMENT);
+    s.pixels = 0;
+    CHECK_INT(ms_gpr_variants(p.plane, p.t.gp, &s, &p.grid, &lambda, 1, 0, &v, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "lambda[0] is 2") != NULL);
+    {
+        taste other = taste_make(1, 20, 5, 0.5, NULL);
+        CHECK_INT(ms_gpr_map_preference(p.plane, other.gp, &p.grid, map, NULL, &error), MS_INVALID_ARGUMENT);
+        taste_free(&other);
+    }
+    plane_free(&p);
+}
+
+/* Variants: the largest value of their lambda over a fine grid; similarity grows and the score falls with lambda. */
+static void test_variants(void)
+{
+    enum { L = 9, FINE = 61 };
+    plane_of_taste p = plane_make(20);
+    double lambda[L], x[L * 12], at[2], *score = (double *)malloc(FINE * FINE * sizeof *score),
+           *similar = (double *)malloc(FINE * FINE * sizeof *similar), best;
+    ms_gpr_variant v[L];
+    ms_gpr_similarity s;
+    ms_gpr_grid fine = p.grid;
+    int calls = 0, i, k;
+    memset(&s, 0, sizeof s);
+    s.x = p.liked + 5 * 12;
+    s.pixels = 64;
+    s.render = draw;
+    s.user = &calls;
+    for (i = 0; i < L; ++i) lambda[i] = i / (L - 1.0);
+    fine.columns = fine.rows = FINE;
+    CHECK_INT(ms_gpr_map_preference(p.plane, p.t.gp, &fine, score, NULL, NULL), MS_OK);
+    CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &fine, similar, NULL), MS_OK);
+    calls = 0;
+    CHECK_INT(ms_gpr_variants(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, v, x, NULL), MS_OK);
+    TEST_NOTE("%d pictures for %d variants", calls, L);
+    CHECK_LE(calls, 20 * 20 + 2 + L * 160);
+    for (i = 0; i < L; ++i) {
+        double top = -1e300, again[12], u;
+        CHECK_NEAR(v[i].value, lambda[i] * v[i].similarity + (1 - lambda[i]) * v[i].score / 10, 1e-12);
+        if (i) CHECK(v[i].similarity >= v[i - 1].similarity && v[i].score <= v[i - 1].score);
+        for (k = 0; k < FINE * FINE; ++k) {
+            double value = lambda[i] * similar[k] + (1 - lambda[i]) * score[k] / 10;
+            if (value > top) top = value;
+        }
+        CHECK(v[i].value >= top - 1e-3); /* a fine grid of three times the resolution finds hardly better */
+        at[0] = v[i].latent[0];
+        at[1] = v[i].latent[1];
+        ms_gpr_latent_map(p.plane, at, 1, again, NULL, NULL);
+        CHECK_LE(largest_difference(again, x + i * 12, 12), 1e-15);
+        ms_gpr_predict(p.t.gp, again, 1, &u, NULL, NULL);
+        CHECK_NEAR(u, v[i].score, 1e-12);
+    }
+    CHECK(v[L - 1].similarity > 0.9); /* the reference is a training material of the plane */
+    best = v[0].score;
+    CHECK_INT(ms_gpr_variants(p.plane, p.t.gp, &s, &p.grid, lambda, 1, 0, v, NULL, NULL), MS_OK);
+    CHECK_NEAR(v[0].score, best, 1e-9); /* lambda 0 does not depend on the unit of scores */
+    free(score);
+    free(similar);
+    plane_free(&p);
+}
+
+static const test_case cases[] = {
+    {"recommend uniform over a ball", test_ball},
+    {"recommend walk like rejection", test_walk_like_rejection},
+    {"recommend every search and level", test_searches},
+    {"recommend best", test_best},
+    {"recommend controls", test_controls},
+    {"recommend box", test_box},
+    {"recommend threads", test_threads},
+    {"recommend refusals", test_recommend_refusals},
+    {"recommend hard cases", test_recommend_hard},
+    {"recommend precision", test_precision},
+    {"recommend memory", test_recommend_memory},
+    {"gallery greedy choices", test_gallery_greedy},
+    {"gallery intermediate distribution", test_gallery_intermediate},
+    {"gallery kinds", test_gallery_kinds},
+    {"latent reference", test_latent_reference},
+    {"latent likelihood", test_latent_likelihood},
+    {"latent structure", test_latent_structure},
+    {"latent find", test_latent_find},
+    {"latent prior", test_latent_prior},
+    {"latent hard cases", test_latent_hard},
+    {"latent memory", test_latent_memory},
+    {"maps", test_maps},
+    {"maps bilinear", test_grid_value},
+    {"maps refusals", test_map_refusals},
+    {"variants", test_variants},
+};
+
+TEST_MAIN(cases)
