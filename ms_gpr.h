@@ -4221,18 +4221,22 @@ static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lamb
     return chosen;
 }
 
-/* Pattern search from the best so far: the four neighbours at a step, which is halved where none is better. */
-static ms_status ms_gpr__looks_refine(ms_gpr__looks *looks, double lambda, double step_x, double step_y, ms_error *error)
+static double ms_gpr__into(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
+
+/* Pattern search from the best so far, inside the grid: the four neighbours at a step, which is halved where none is better. */
+static ms_status ms_gpr__looks_refine(ms_gpr__looks *looks, const ms_gpr_grid *grid, double lambda, ms_error *error)
 {
     ms_gpr_variant at = ms_gpr__looks_best(looks, lambda);
+    double step_x = (grid->x1 - grid->x0) / (grid->columns - 1), step_y = (grid->y1 - grid->y0) / (grid->rows - 1);
     int halvings, moves, side;
     for (halvings = 0, moves = 0; halvings < MS_GPR__HALVINGS && moves < MS_GPR__MOVES; ++moves) {
         double before = at.value;
         ms_gpr_variant center = at;
         for (side = 0; side < 4; ++side) {
             double sign = side % 2 ? -1 : 1;
-            ms_status status = ms_gpr__look(looks, center.latent[0] + (side < 2 ? sign * step_x : 0),
-                                            center.latent[1] + (side < 2 ? 0 : sign * step_y), error);
+            double a = ms_gpr__into(center.latent[0] + (side < 2 ? sign * step_x : 0), grid->x0, grid->x1);
+            double b = ms_gpr__into(center.latent[1] + (side < 2 ? 0 : sign * step_y), grid->y0, grid->y1);
+            ms_status status = ms_gpr__look(looks, a, b, error);
             if (status != MS_OK) return status;
         }
         at = ms_gpr__looks_best(looks, lambda);
@@ -4284,8 +4288,7 @@ MS_GPR_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *g
         for (i = 0; !(best > 0) && i < looks.count; ++i)
             if (i == 0 ? looks.seen[i].score > 0 : looks.seen[i].score > looks.best) looks.best = looks.seen[i].score;
         for (i = 0; i < count && status == MS_OK; ++i)
-            status = ms_gpr__looks_refine(&looks, lambda[i], (grid->x1 - grid->x0) / (grid->columns - 1),
-                                          (grid->y1 - grid->y0) / (grid->rows - 1), error);
+            status = ms_gpr__looks_refine(&looks, grid, lambda[i], error);
         for (i = 0; i < count && status == MS_OK; ++i) {
             variant[i] = ms_gpr__looks_best(&looks, lambda[i]);
             if (x) status = ms_gpr_latent_map(plane, variant[i].latent, 1, x + (size_t)i * (size_t)plane->m, NULL, error);

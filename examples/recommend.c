@@ -1,0 +1,101 @@
+/* Learns a taste from scored materials and recommends new ones.
+
+     build/recommend SCORES.csv [--count 300] [--tau 0.6] [--seed S] [--out FILE]
+
+   SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. The recommendations go to FILE, or to standard output,
+   as x0 .. x{m-1}, mean, sigma: predicted score and standard deviation. Parameters stay in [0, 1], or in the range of the
+   scored materials where those leave it. */
+#define MS_GPR_IMPLEMENTATION
+#include "ms_gpr.h"
+#include "scores.h"
+
+static int usage(void)
+{
+    fprintf(stderr, "usage: recommend SCORES.csv [--count 300] [--tau 0.6] [--seed S] [--out FILE]\n");
+    return 2;
+}
+
+/* The value behind an option; ends the program where it is no number. */
+static double number(const char *text)
+{
+    char *end;
+    double v = strtod(text, &end);
+    if (end == text || *end) exit(usage());
+    return v;
+}
+
+static int write_csv(FILE *f, const double *x, const double *mean, const double *sigma, int count, int m)
+{
+    int i, k;
+    for (k = 0; k < m; ++k) fprintf(f, "x%d,", k);
+    fprintf(f, "mean,sigma\n");
+    for (i = 0; i < count; ++i) {
+        for (k = 0; k < m; ++k) fprintf(f, "%.9g,", x[(size_t)i * (size_t)m + (size_t)k]);
+        fprintf(f, "%.6g,%.6g\n", mean[i], sigma[i]);
+    }
+    return !ferror(f);
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const search[] = {"", "rejection", "the walk", "hill climbing"};
+    const char *in = NULL, *out = NULL, *problem;
+    double count = 300, *x, *mean, *sigma, *low, *high;
+    ms_gpr_recommend_options options;
+    ms_gpr_recommend_report report;
+    ms_gpr_fit_report fitted;
+    ms_status status;
+    ms_error error;
+    ms_gpr *gp;
+    scores s;
+    FILE *f = stdout;
+    int i, n;
+    memset(&options, 0, sizeof options);
+    for (i = 1; i < argc; ++i) {
+        if (argv[i][0] != '-' && in == NULL) in = argv[i];
+        else if (argv[i][0] != '-' || i + 1 == argc) return usage();
+        else if (strcmp(argv[i], "--count") == 0) count = number(argv[++i]);
+        else if (strcmp(argv[i], "--tau") == 0) options.tau = number(argv[++i]);
+        else if (strcmp(argv[i], "--seed") == 0) options.seed = (uint64_t)number(argv[++i]);
+        else if (strcmp(argv[i], "--out") == 0) out = argv[++i];
+        else return usage();
+    }
+    if (in == NULL || !(count >= 1 && count <= 1e6) || count > floor(count)) return usage();
+    problem = scores_read(in, &s);
+    if (problem) {
+        fprintf(stderr, "recommend: %s: %s (line %d)\n", in, problem, s.line);
+        return 1;
+    }
+    n = (int)count;
+    x = (double *)malloc((size_t)n * (size_t)s.m * sizeof *x);
+    mean = (double *)malloc((size_t)n * sizeof *mean);
+    sigma = (double *)malloc((size_t)n * sizeof *sigma);
+    low = (double *)malloc((size_t)s.m * sizeof *low);
+    high = (double *)malloc((size_t)s.m * sizeof *high);
+    if (!x || !mean || !sigma || !low || !high) return 1;
+    scores_box(&s, low, high);
+    options.low = low;
+    options.high = high;
+    status = ms_gpr_fit(s.x, s.y, s.n, s.m, NULL, &gp, &fitted, &error);
+    if (status == MS_OK) status = ms_gpr_recommend(gp, &options, n, x, mean, sigma, &report, &error);
+    if (status != MS_OK) {
+        fprintf(stderr, "recommend: %s\n", error.message);
+        return 1;
+    }
+    if (out && (f = fopen(out, "w")) == NULL) {
+        fprintf(stderr, "recommend: %s cannot be written\n", out);
+        return 1;
+    }
+    if (!write_csv(f, x, mean, sigma, report.found, s.m) | (f != stdout && fclose(f) != 0)) {
+        fprintf(stderr, "recommend: writing failed\n");
+        return 1;
+    }
+    fprintf(stderr, "%d scores of %d parameters; best predicted score %.3g; %d recommendations of at least %.3g by %s;\n"
+                    "one uniform material in %.0f would do; mean distance to the nearest other %.3f\n",
+            s.n, s.m, report.best, report.found, report.threshold, search[report.search],
+            report.acceptance > 0 ? 1 / report.acceptance : (double)INFINITY, report.spread);
+    ms_gpr_destroy(gp);
+    scores_free(&s);
+    free(x), free(mean), free(sigma), free(low), free(high);
+    return 0;
+}

@@ -1,0 +1,98 @@
+/* Reads scored materials for the examples: a CSV of m + 1 numbers a line, the score last; a header line is optional.
+
+     scores s;
+     const char *problem = scores_read("gallery.csv", &s);   NULL: fine; otherwise a sentence (static text)
+     ... s.x[i * s.m + k], s.y[i] ...
+     scores_free(&s); */
+#ifndef EXAMPLES_SCORES_H
+#define EXAMPLES_SCORES_H
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct scores {
+    int n, m, line; /* line: where reading stopped */
+    double *x;      /* [n][m] */
+    double *y;      /* [n] */
+} scores;
+
+static void scores_free(scores *s)
+{
+    free(s->x);
+    free(s->y);
+    memset(s, 0, sizeof *s);
+}
+
+/* Numbers of a line into value[limit]; how many, or -1 where something else stands there. */
+static int scores__line(const char *text, double *value, int limit)
+{
+    int count = 0;
+    for (;;) {
+        char *end;
+        double v = strtod(text, &end);
+        if (end == text || !(v - v == 0) || count == limit) return -1;
+        value[count++] = v;
+        end += strspn(end, " \t\r\n");
+        if (*end == 0) return count;
+        if (*end != ',' && *end != ';') return -1;
+        text = end + 1;
+    }
+}
+
+static const char *scores_read(const char *path, scores *s)
+{
+    enum { LIMIT = 1001, TEXT = 32768 };
+    static char text[TEXT];
+    static double value[LIMIT];
+    const char *problem = NULL;
+    int room = 0, count;
+    FILE *f = fopen(path, "r");
+    memset(s, 0, sizeof *s);
+    if (f == NULL) return "cannot be opened";
+    while (problem == NULL && fgets(text, TEXT, f)) {
+        ++s->line;
+        if (strlen(text) == TEXT - 1) problem = "a line is too long";
+        else if (text[strspn(text, " \t\r\n")] == 0) continue; /* empty */
+        else if ((count = scores__line(text, value, LIMIT)) < 2) {
+            char *end;
+            (void)strtod(text, &end);
+            if (s->line > 1 || end != text) problem = "a line is not a list of at least two finite numbers";
+        } else if (s->n > 0 && count != s->m + 1) {
+            problem = "a line has another number of columns than the first";
+        } else {
+            s->m = count - 1;
+            if (s->n == room) {
+                double *x, *y;
+                room = room ? 2 * room : 256;
+                x = (double *)realloc(s->x, (size_t)room * (size_t)s->m * sizeof *x);
+                if (x) s->x = x;
+                y = (double *)realloc(s->y, (size_t)room * sizeof *y);
+                if (y) s->y = y;
+                if (x == NULL || y == NULL) { problem = "too large for memory"; continue; }
+            }
+            memcpy(s->x + (size_t)s->n * (size_t)s->m, value, (size_t)s->m * sizeof *value);
+            s->y[s->n++] = value[s->m];
+        }
+    }
+    if (problem == NULL && ferror(f)) problem = "cannot be read";
+    if (problem == NULL && s->n == 0) problem = "holds no scores";
+    fclose(f);
+    return problem;
+}
+
+/* The box of allowed parameters: 0 to 1, or what the materials span in a dimension where they leave that. */
+static inline void scores_box(const scores *s, double *low, double *high)
+{
+    int i, k;
+    for (k = 0; k < s->m; ++k) {
+        low[k] = high[k] = s->x[k];
+        for (i = 0; i < s->n; ++i) {
+            double v = s->x[(size_t)i * (size_t)s->m + (size_t)k];
+            if (v < low[k]) low[k] = v;
+            if (v > high[k]) high[k] = v;
+        }
+        if (low[k] >= 0 && high[k] <= 1) { low[k] = 0; high[k] = 1; }
+    }
+}
+#endif
