@@ -147,7 +147,7 @@ typedef struct ms_mcml_options {
     uint64_t photons;          /* that ms_mcml_simulate runs; 0: 1000000; at most 2^32 in one tally */
     uint64_t seed;
     double target_error;       /* > 0: ms_mcml_simulate stops when one standard error of Rd + Tt is at most this part of it */
-    double roulette_weight;    /* photons of less weight play roulette; 0: 0.01, at most 0.1. MCML has 1e-4 */
+    double roulette_weight;    /* photons of less weight play roulette; 0: 0.03, at most 1. MCML: 1e-4 */
     int no_absorption;         /* not 0: neither A_rz nor A_z: faster, and no memory for them; A_l remains */
     int absorption_error;      /* not 0: standard errors of A_rz, A_z and phi_rz: 64 times their memory */
     int fluence;               /* not 0: phi_rz by the collision estimator, which also works where mu_a = 0 */
@@ -225,8 +225,8 @@ typedef struct ms_mcml_result {
     ms_allocator allocator;
 } ms_mcml_result;
 
-/* Results so far. Errors of Rd and Tt come from the squares of single photons, those of A and phi from the spread of 64
-   groups of photons (good to 9%). MS_INVALID_ARGUMENT: an empty tally. MS_OUT_OF_MEMORY. *result is untouched then. */
+/* Results so far. Errors of Rd and Tt come from the squares of single photons, those of A and phi from the spread of up
+   to 64 groups of 1024 photons (64 groups: good to 9%). An error that cannot be known (one photon, one group) is infinite. MS_INVALID_ARGUMENT: an empty tally. MS_OUT_OF_MEMORY. *result is untouched then. */
 MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, ms_error *error);
 
 /* NULL and a zeroed result are fine. */
@@ -396,7 +396,7 @@ typedef struct ms_mcml_white_options {
     int rings;              /* with edge_mfp: 1 to 65535 */
     ms_simd simd;
     ms_parallel parallel;
-    ms_progress progress;   /* asked after every 2^18 photons */
+    ms_progress progress;   /* asked after every 2^18 photons: half a second on one AVX2 core */
     ms_allocator allocator;
 } ms_mcml_white_options;
 
@@ -478,7 +478,8 @@ MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile);
 #endif
 #endif /* MS_MCML_H */
 
-#if defined(MS_MCML_IMPLEMENTATION) && !defined(MS_MCML__PASS)
+#if defined(MS_MCML_IMPLEMENTATION) && !defined(MS_MCML__PASS) && !defined(MS_MCML_IMPLEMENTED)
+#define MS_MCML_IMPLEMENTED /* included again, it is declarations only */
 /* ms-common-private begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON_PRIVATE
 #define MS_COMMON_PRIVATE
@@ -855,7 +856,8 @@ static ms_status ms_mcml__check_tissue(const ms_mcml_tissue *tissue, ms_error *e
 #define MS_MCML__PHOTONS_MAX ((uint64_t)1 << 32)
 #define MS_MCML__CHANCE 0.1f         /* of surviving roulette */
 #define MS_MCML__HALVING_EVENTS 4096 /* then every fourfold: half of the photons end and the others count double */
-#define MS_MCML__GROUPS 64           /* photon i is in group i / 64 mod 64, for errors by spread */
+#define MS_MCML__GROUPS 64           /* for errors by spread: photon i is in group i / BLOCK mod GROUPS */
+#define MS_MCML__BLOCK 1024
 #define MS_MCML__STRETCH 65536          /* photons between two looks at the progress callback */
 #define MS_MCML__TASKS 16
 #define MS_MCML__LANES_MAX 16
@@ -897,7 +899,7 @@ struct ms_mcml {
     size_t size;
 };
 
-/* Up to 16 photons on their way, in arrays of one lane each. */
+/* Up to 16 photons on their way, a lane each; one bit a lane in alive. */
 typedef struct ms_mcml__tracer {
     float x[MS_MCML__LANES_MAX], y[MS_MCML__LANES_MAX], z[MS_MCML__LANES_MAX]; /* cm; z from the top of the layer */
     float ux[MS_MCML__LANES_MAX], uy[MS_MCML__LANES_MAX], uz[MS_MCML__LANES_MAX];
@@ -906,16 +908,17 @@ typedef struct ms_mcml__tracer {
     float path[MS_MCML__LANES_MAX]; /* optical path in cm */
     float depth[MS_MCML__LANES_MAX], top[MS_MCML__LANES_MAX], mfp[MS_MCML__LANES_MAX], absorbed[MS_MCML__LANES_MAX];
     float g[MS_MCML__LANES_MAX], n[MS_MCML__LANES_MAX], ratio_up[MS_MCML__LANES_MAX], ratio_down[MS_MCML__LANES_MAX];
-    float cos_t[MS_MCML__LANES_MAX], units[MS_MCML__LANES_MAX];
+    float cos_t[MS_MCML__LANES_MAX], units_a[MS_MCML__LANES_MAX], units_phi[MS_MCML__LANES_MAX];
     uint32_t s[4][MS_MCML__LANES_MAX], word[MS_MCML__LANES_MAX];
     uint32_t events[MS_MCML__LANES_MAX], limit[MS_MCML__LANES_MAX];
-    uint32_t ring[MS_MCML__LANES_MAX], slab[MS_MCML__LANES_MAX];
+    uint32_t cell[MS_MCML__LANES_MAX];
     int layer[MS_MCML__LANES_MAX], group[MS_MCML__LANES_MAX];
-    size_t offset[MS_MCML__LANES_MAX]; /* of the group in a and phi */
-    int alive, crossing, ended, halving; /* a bit a lane */
+    int64_t *bins_a[MS_MCML__LANES_MAX], *bins_phi[MS_MCML__LANES_MAX]; /* of the photon's group; NULL if not wanted */
+    unsigned alive;
+    int volume_a, volume_phi;
     float low_weight, inverse_dr, inverse_dz, last_r, last_z, phi_units;
-    size_t nz;
-    int64_t *sum, *sum_a, *sum_phi; /* sum_a, sum_phi: NULL if not wanted */
+    uint32_t nz;
+    int64_t *sum;
     const ms_mcml *tally;
     uint64_t next, end;
 } ms_mcml__tracer;
@@ -939,10 +942,15 @@ static void ms_mcml__enter(ms_mcml__tracer *t, int i, int layer, int from_above)
 /* The next photon into lane i, or none. */
 static void ms_mcml__launch(ms_mcml__tracer *t, int i)
 {
-    const int bit = 1 << i;
+    const unsigned bit = 1u << i;
     const uint64_t photon = t->next;
     const uint64_t seed = t->tally->options.seed;
     uint32_t counter[4], key[2], state[4];
+    size_t group;
+    if (t->volume_a && t->bins_a[i]) t->bins_a[i][t->cell[i]] += (int64_t)t->units_a[i];
+    if (t->volume_phi && t->bins_phi[i]) t->bins_phi[i][t->cell[i]] += (int64_t)t->units_phi[i];
+    t->units_a[i] = t->units_phi[i] = 0;
+    t->cell[i] = 0;
     t->x[i] = t->y[i] = t->ux[i] = t->uy[i] = 0;
     t->uz[i] = 1;
     t->events[i] = 0;
@@ -951,8 +959,10 @@ static void ms_mcml__launch(ms_mcml__tracer *t, int i)
     ms_mcml__enter(t, i, t->tally->first_layer, 1);
     t->w[i] = photon < t->end ? 1.0f : 0.0f;
     t->alive = photon < t->end ? t->alive | bit : t->alive & ~bit;
-    t->group[i] = (int)((photon / 64) % MS_MCML__GROUPS);
-    t->offset[i] = t->tally->groups > 1 ? (size_t)t->group[i] * (size_t)t->tally->grid.nr * t->nz : 0;
+    t->group[i] = (int)(photon / MS_MCML__BLOCK % MS_MCML__GROUPS);
+    group = t->tally->groups > 1 ? (size_t)t->group[i] * (size_t)t->tally->grid.nr * t->nz : 0;
+    t->bins_a[i] = t->tally->options.no_absorption ? NULL : t->sum + t->tally->at.a + group;
+    t->bins_phi[i] = t->tally->options.fluence ? t->sum + t->tally->at.phi + group : NULL;
     t->next += photon < t->end;
 
     counter[0] = (uint32_t)photon;
@@ -981,7 +991,7 @@ static void ms_mcml__leave(ms_mcml__tracer *t, int i, int down)
     const ms_mcml *m = t->tally;
     const double w = (double)t->w[i], r = sqrt((double)t->x[i] * (double)t->x[i] + (double)t->y[i] * (double)t->y[i]);
     const double cosine = (double)t->cos_t[i] < 1 ? (double)t->cos_t[i] : 1, ring = r / m->grid.dr_cm;
-    const double angle = acos(cosine) * m->grid.na / 1.5707963267948966;
+    const double angle = m->grid.na > 1 ? acos(cosine) * m->grid.na / 1.5707963267948966 : 0;
     const int64_t s = (int64_t)(w * (double)MS_MCML__UNITS + 0.5), q = (int64_t)(w * w * (double)MS_MCML__UNITS + 0.5);
     const size_t ir = (size_t)(ring < m->grid.nr - 1 ? (int)ring : m->grid.nr - 1);
     const size_t ia = (size_t)(angle < m->grid.na - 1 ? (int)angle : m->grid.na - 1);
@@ -999,9 +1009,9 @@ static void ms_mcml__leave(ms_mcml__tracer *t, int i, int down)
 }
 
 /* What happens seldom to lane i: it changes layers or leaves, has no weight left, or has had very many events. */
-static void ms_mcml__rare(ms_mcml__tracer *t, int i)
+static void ms_mcml__rare(ms_mcml__tracer *t, int i, unsigned crossing, unsigned halving)
 {
-    if ((t->crossing >> i) & 1) {
+    if (crossing) {
         const int down = t->uz[i] > 0, layer = t->layer[i] + (down ? 1 : -1);
         const float ratio = down ? t->ratio_down[i] : t->ratio_up[i];
         ms_mcml__keep(t, i);
@@ -1015,7 +1025,7 @@ static void ms_mcml__rare(ms_mcml__tracer *t, int i)
         t->uz[i] = down ? t->cos_t[i] : -t->cos_t[i];
         ms_mcml__enter(t, i, layer, down);
     }
-    if ((t->halving >> i) & 1) {
+    if (halving) {
         t->limit[i] *= 4;
         t->w[i] *= (t->word[i] & 128) ? 2.0f : 0.0f;
     }
@@ -1034,8 +1044,8 @@ static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint6
     ms_mcml__tracer t;
     uint64_t i;
     for (i = first; i < end;) { /* photons of each group */
-        const uint64_t next = (i / 64 + 1) * 64 < end ? (i / 64 + 1) * 64 : end;
-        sum[m->at.photons + (size_t)((i / 64) % MS_MCML__GROUPS)] += (int64_t)(next - i);
+        const uint64_t next = (i / MS_MCML__BLOCK + 1) * MS_MCML__BLOCK < end ? (i / MS_MCML__BLOCK + 1) * MS_MCML__BLOCK : end;
+        sum[m->at.photons + (size_t)(i / MS_MCML__BLOCK % MS_MCML__GROUPS)] += (int64_t)(next - i);
         i = next;
     }
     if (m->first_layer == m->tissue.layer_count) { /* clear throughout: all that enters leaves below, at r = 0 */
@@ -1054,10 +1064,10 @@ static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint6
     t.last_r = (float)(m->grid.nr - 1);
     t.last_z = (float)(m->grid.nz - 1);
     t.phi_units = (float)((double)MS_MCML__PHI_UNITS / m->mfp_max_cm);
-    t.nz = (size_t)m->grid.nz;
+    t.nz = (uint32_t)m->grid.nz;
     t.sum = sum;
-    t.sum_a = m->options.no_absorption ? NULL : sum + m->at.a;
-    t.sum_phi = m->options.fluence ? sum + m->at.phi : NULL;
+    t.volume_a = !m->options.no_absorption;
+    t.volume_phi = m->options.fluence != 0;
     t.next = first;
     t.end = end;
     ms_mcml__trace_kernel(m->simd)(&t);
@@ -1140,8 +1150,8 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
     if (tissue == NULL || grid == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tissue or grid is NULL");
     if ((status = ms_mcml__check_tissue(tissue, error)) != MS_OK) return status;
     if ((status = ms_mcml__check_grid(grid, error)) != MS_OK) return status;
-    if (!ms_mcml__between(o.roulette_weight, 0, 0.1))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "roulette_weight is %g, expected 0 to 0.1", o.roulette_weight);
+    if (!ms_mcml__between(o.roulette_weight, 0, 1))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "roulette_weight is %g, expected 0 to 1", o.roulette_weight);
     if (!ms_mcml__between(o.target_error, 0, 1e300))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "target_error is %g, expected 0 or more", o.target_error);
     if (o.photons > MS_MCML__PHOTONS_MAX)
@@ -1153,13 +1163,15 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
     slab_size = (size_t)tissue->layer_count * sizeof(ms_mcml__slab);
     size = ms__size_add(sizeof *m + 8 + layer_size + slab_size, sums);
     all = o.parallel.run ? ms__size_mul(size, MS_MCML__TASKS + 1) : size;
+    if (ms__size_mul((size_t)grid->nr, (size_t)grid->nz) > 0x7fffffffu)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "%d by %d cells, expected fewer than 2^31", grid->nr, grid->nz);
     if (all > limit)
         return ms__fail(error, MS_UNSUPPORTED, 0, "the tallies take %z bytes, more than memory_limit, %z", all, limit);
     m = (ms_mcml *)ms__alloc(&o.allocator, size);
     if (m == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tally", size);
     memset(m, 0, size);
     m->options = o;
-    if (!(o.roulette_weight > 0)) m->options.roulette_weight = 0.01;
+    if (!(o.roulette_weight > 0)) m->options.roulette_weight = 0.03;
     m->grid = *grid;
     m->at = at;
     m->size = size;
@@ -1429,7 +1441,7 @@ static void ms_mcml__moments(double s, double q, double n, double scale, double 
 {
     const double unit = (double)MS_MCML__UNITS, m = s / unit / n, v = q / unit / n - m * m;
     *mean = m * scale;
-    *error = n > 1 && v > 0 ? sqrt(v / (n - 1)) * scale : 0;
+    *error = n > 1 ? (v > 0 ? sqrt(v / (n - 1)) * scale : 0) : HUGE_VAL;
 }
 
 /* The same from the sums of the groups, whose sizes differ: the spread of sum_g - mean n_g. */
@@ -1446,7 +1458,7 @@ static void ms_mcml__spread(const ms_mcml *m, const double *sum, double unit, do
         square += d * d;
     }
     *mean = total / unit / n * scale;
-    *error = used > 1 ? sqrt(square * used / (used - 1)) / unit / n * scale : 0;
+    *error = used > 1 ? sqrt(square * used / (used - 1)) / unit / n * scale : HUGE_VAL;
 }
 
 /* Solid angle of bin ia of na, 2 pi (cos a_ia - cos a_ia+1), and its mean cosine. */
@@ -2962,8 +2974,8 @@ static int ms_mcml__ring_of(const double *square, int rings, double r2)
     return low;
 }
 
-/* Photons in waves of 16 batches, each wave tallied in the order of its photons on the calling thread. */
-#define MS_MCML__WAVE 16
+/* Photons in waves of 8 batches, each wave tallied in the order of its photons on the calling thread. */
+#define MS_MCML__WAVE 8
 
 typedef struct ms_mcml__white_wave {
     ms_mcml__white_batch batch[MS_MCML__WAVE];
@@ -3547,6 +3559,7 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define V_SIGN(a) (ms_mcml__float_bits(a) >> 31 ? -1.0f : 1.0f)
 #define V_TO_INT(a) ((uint32_t)(int32_t)(a))
 #define U_ROTATE(a, n) (((a) << (n)) | ((a) >> (32 - (n))))
+#define U_MUL(a, b) ((a) * (b))
 #define M_BITS(m) ((unsigned)(m))
 
 #elif MS_MCML__ISA == 2 && defined(MS__X64)
@@ -3592,6 +3605,9 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define V_SIGN(a) _mm_or_ps(_mm_and_ps(a, _mm_set1_ps(-0.0f)), _mm_set1_ps(1.0f))
 #define V_TO_INT(a) _mm_cvttps_epi32(a)
 #define U_ROTATE(a, n) _mm_or_si128(_mm_slli_epi32(a, n), _mm_srli_epi32(a, 32 - (n)))
+#define U_MUL(a, b) \
+    _mm_unpacklo_epi32(_mm_shuffle_epi32(_mm_mul_epu32(a, b), 0x08), \
+                       _mm_shuffle_epi32(_mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32)), 0x08))
 #define M_BITS(m) ((unsigned)_mm_movemask_ps(m))
 
 #elif MS_MCML__ISA == 2
@@ -3637,6 +3653,7 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define V_SIGN(a) vbslq_f32(vdupq_n_u32(0x80000000u), a, vdupq_n_f32(1.0f))
 #define V_TO_INT(a) vreinterpretq_u32_s32(vcvtq_s32_f32(a))
 #define U_ROTATE(a, n) vorrq_u32(vshlq_n_u32(a, n), vshrq_n_u32(a, 32 - (n)))
+#define U_MUL(a, b) vmulq_u32(a, b)
 #define M_BITS(m) ms_mcml__neon_bits(m)
 
 #elif MS_MCML__ISA == 3
@@ -3681,6 +3698,7 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define V_SIGN(a) _mm256_or_ps(_mm256_and_ps(a, _mm256_set1_ps(-0.0f)), _mm256_set1_ps(1.0f))
 #define V_TO_INT(a) _mm256_cvttps_epi32(a)
 #define U_ROTATE(a, n) _mm256_or_si256(_mm256_slli_epi32(a, n), _mm256_srli_epi32(a, 32 - (n)))
+#define U_MUL(a, b) _mm256_mullo_epi32(a, b)
 #define M_BITS(m) ((unsigned)_mm256_movemask_ps(m))
 
 #elif MS_MCML__ISA == 4
@@ -3697,7 +3715,7 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define V_DIV(a, b) _mm512_div_ps(a, b)
 #define V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
 #define V_SQRT(a) _mm512_sqrt_ps(a)
-#define V_MAX(a, b) _mm512_max_ps(a, b)
+#define V_MAX(a, b) _mm512_maskz_max_ps((__mmask16)0xffff, a, b)
 #define V_LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
 #define V_SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
 #define V_FROM_INT(a) _mm512_cvtepi32_ps(a)
@@ -3714,13 +3732,14 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define U_LEFT(a, n) _mm512_slli_epi32(a, n)
 #define U_IS_ZERO(a) _mm512_testn_epi32_mask(a, a)
 #define V_NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
-#define V_MIN(a, b) _mm512_min_ps(a, b)
+#define V_MIN(a, b) _mm512_maskz_min_ps((__mmask16)0xffff, a, b)
 #define V_ABS(a) _mm512_castsi512_ps(_mm512_and_si512(_mm512_castps_si512(a), _mm512_set1_epi32(0x7fffffff)))
 #define V_SIGN(a) \
     _mm512_castsi512_ps(_mm512_ternarylogic_epi32(_mm512_castps_si512(a), _mm512_set1_epi32((int)0x80000000u), \
                                                   _mm512_set1_epi32(0x3f800000), 0xEA))
 #define V_TO_INT(a) _mm512_cvttps_epi32(a)
 #define U_ROTATE(a, n) _mm512_rol_epi32(a, n)
+#define U_MUL(a, b) _mm512_mullo_epi32(a, b)
 #define M_BITS(m) ((unsigned)(m))
 
 #endif
@@ -3762,20 +3781,17 @@ static inline V MS_MCML__FN(uniform)(U word)
         s3 = U_ROTATE(s3, 11); \
     } while (0)
 
-/* Traces the photons of t. One event of every lane a turn: a flight that ends in a collision or at a boundary. Four words
-   are drawn for each event, so that a photon's path does not depend on its neighbours. What is rare goes lane by lane
-   through ms_mcml__rare. */
+/* Traces the photons of t. A turn of the loop is one event of every lane: a flight that ends in a collision or at a
+   boundary. Four words are drawn for each event, so that a photon's path does not depend on its neighbours. What is rare
+   goes lane by lane through ms_mcml__rare. Absorption is added to its bins one turn late, when the units and the cell
+   are long known: 25% faster than to wait for them. */
 static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 {
     const V zero = V_SET(0.0f), one = V_SET(1.0f), two = V_SET(2.0f), half = V_SET(0.5f);
-    const V low_weight = V_SET(t->low_weight), chance = V_SET(MS_MCML__CHANCE);
-    const V inverse_chance = V_SET(1 / MS_MCML__CHANCE);
-    const V inverse_dr = V_SET(t->inverse_dr), inverse_dz = V_SET(t->inverse_dz);
-    const V last_r = V_SET(t->last_r), last_z = V_SET(t->last_z);
+    const unsigned all = (2u << (L - 1)) - 1;
     U s0, s1, s2, s3;
     int i;
 
-    t->alive = 0;
     for (i = 0; i < L; ++i) ms_mcml__launch(t, i);
     s0 = U_LOAD(t->s[0]);
     s1 = U_LOAD(t->s[1]);
@@ -3787,8 +3803,13 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         V ux = V_LOAD(t->ux), uy = V_LOAD(t->uy), uz = V_LOAD(t->uz);
         V w = V_LOAD(t->w), u, flight, steep, gap, step, lost;
         const V depth = V_LOAD(t->depth), mfp = V_LOAD(t->mfp), g = V_LOAD(t->g);
+        unsigned boundary, crossing = 0, ended, halving;
         M hit, up;
-        int boundary, rare;
+
+        if (t->volume_a)
+            for (i = 0; i < L; ++i) t->bins_a[i][t->cell[i]] += (int64_t)t->units_a[i];
+        if (t->volume_phi)
+            for (i = 0; i < L; ++i) t->bins_phi[i][t->cell[i]] += (int64_t)t->units_phi[i];
 
         MS_MCML__DRAW(word_flight);
         MS_MCML__DRAW(word_cosine);
@@ -3802,7 +3823,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         gap = V_MAX(V_SELECT(up, z, V_SUB(depth, z)), zero);
         steep = V_MAX(V_ABS(uz), V_SET(1e-9f));
         hit = V_LESS(gap, V_MUL(flight, steep));
-        boundary = (int)M_BITS(hit) & t->alive;
+        boundary = M_BITS(hit) & t->alive;
         step = V_SELECT(hit, V_DIV(gap, steep), flight);
         x = V_MADD(step, ux, x);
         y = V_MADD(step, uy, y);
@@ -3811,61 +3832,48 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 
         /* absorption at a collision, in units of 2^-30, rounded up with a chance equal to the remainder */
         lost = V_SELECT(hit, zero, V_MUL(w, V_LOAD(t->absorbed)));
-        if (t->sum_a || t->sum_phi) {
-            const V r = V_SQRT(V_MADD(x, x, V_MUL(y, y)));
-            const V ring = V_MAX(V_MIN(V_MUL(r, inverse_dr), last_r), zero);
-            const V slab = V_MUL(V_ADD(z, V_LOAD(t->top)), inverse_dz);
-            U_STORE(t->ring, V_TO_INT(ring));
-            U_STORE(t->slab, V_TO_INT(V_MAX(V_MIN(slab, last_z), zero)));
-            if (t->sum_a) {
-                V_STORE(t->units, V_MADD(lost, V_SET(MS_MCML__UNITS), u));
-                for (i = 0; i < L; ++i)
-                    t->sum_a[t->offset[i] + (size_t)t->ring[i] * t->nz + t->slab[i]] += (int64_t)t->units[i];
-            }
-            if (t->sum_phi) {
-                const V length = V_MUL(V_MUL(w, mfp), V_SET(t->phi_units));
-                V_STORE(t->units, V_SELECT(hit, zero, V_ADD(length, u)));
-                for (i = 0; i < L; ++i)
-                    t->sum_phi[t->offset[i] + (size_t)t->ring[i] * t->nz + t->slab[i]] += (int64_t)t->units[i];
-            }
+        if (t->volume_a || t->volume_phi) {
+            const V r = V_SQRT(V_MADD(x, x, V_MUL(y, y))), ring = V_MIN(V_MUL(r, V_SET(t->inverse_dr)), V_SET(t->last_r));
+            const V slab = V_MUL(V_ADD(z, V_LOAD(t->top)), V_SET(t->inverse_dz));
+            const U row = U_MUL(V_TO_INT(V_MAX(ring, zero)), U_SET(t->nz));
+            const V column = V_MAX(V_MIN(slab, V_SET(t->last_z)), zero);
+            U_STORE(t->cell, U_ADD(row, V_TO_INT(column)));
+            V_STORE(t->units_a, V_MADD(lost, V_SET(MS_MCML__UNITS), u));
+            V_STORE(t->units_phi, V_SELECT(hit, zero, V_MADD(V_MUL(w, mfp), V_SET(t->phi_units), u)));
         }
         w = V_SUB(w, lost);
         V_STORE(t->kept, V_ADD(lost, V_LOAD(t->kept)));
-        w = V_SELECT(V_LESS(V_SELECT(hit, one, w), low_weight),
-                            V_SELECT(V_LESS(u, chance), V_MUL(w, inverse_chance), zero), w);
+        w = V_SELECT(V_LESS(V_SELECT(hit, one, w), V_SET(t->low_weight)),
+                     V_SELECT(V_LESS(u, V_SET(MS_MCML__CHANCE)), V_MUL(w, V_SET(1 / MS_MCML__CHANCE)), zero), w);
 
-        {   /* Henyey-Greenstein, v = 2 xi - 1:
+        if (M_BITS(hit) != all) {
+            /* Henyey-Greenstein, v = 2 xi - 1:
                1 - cos = (1 - g)^2 (1 - v) (2 + g + g v) / (2 (1 + g v)^2), 1 + cos the same with -g and -v */
-            const V xi = MS_MCML__FN(uniform)(word_cosine);
-            const V gv = V_MUL(g, V_MADD(two, xi, V_SET(-1.0f)));
-            const V q = V_DIV(one, V_ADD(one, gv)), less = V_MUL(V_SUB(one, g), q);
-            const V more = V_MUL(V_ADD(one, g), q), middle = V_ADD(two, gv);
-            const V below =
-                V_MUL(V_MUL(V_MUL(less, less), V_SUB(one, xi)), V_ADD(middle, g));
+            const V xi = MS_MCML__FN(uniform)(word_cosine), gv = V_MUL(g, V_MADD(two, xi, V_SET(-1.0f)));
+            const V q = V_DIV(one, V_ADD(one, gv)), middle = V_ADD(two, gv);
+            const V less = V_MUL(V_SUB(one, g), q), more = V_MUL(V_ADD(one, g), q);
+            const V below = V_MUL(V_MUL(V_MUL(less, less), V_SUB(one, xi)), V_ADD(middle, g));
             const V above = V_MUL(V_MUL(V_MUL(more, more), xi), V_SUB(middle, g));
             const V cosine = V_SUB(one, below), sine = V_SQRT(V_MUL(below, above));
-            /* azimuth 2 pi t, t in [-1/2, 1/2), by the half angle */
-            const V tau = V_SUB(MS_MCML__FN(uniform)(word_azimuth), half), t2 = V_MUL(tau, tau);
-            V sh = V_SET(0.0776594074f), ch = V_SET(0.219696795f);
-            V sc, ss, sign, a, b, scale, vx, vy, vz;
-            sh = V_MADD(sh, t2, V_SET(-0.598292159f));
-            sh = V_MADD(sh, t2, V_SET(2.55007766f));
-            sh = V_MADD(sh, t2, V_SET(-5.16771009f));
-            sh = V_MUL(V_MADD(sh, t2, V_SET(3.14159264f)), tau);
-            ch = V_MADD(ch, t2, V_SET(-1.33188016f));
-            ch = V_MADD(ch, t2, V_SET(4.05841191f));
-            ch = V_MADD(ch, t2, V_SET(-4.93479286f));
-            ch = V_MADD(ch, t2, V_SET(0.999999953f));
-            sc = V_MUL(sine, V_NMADD(V_MUL(two, sh), sh, one));
-            ss = V_MUL(sine, V_MUL(V_MUL(two, sh), ch));
+            /* azimuth 2 pi tau, tau in [-1/2, 1/2), from sin and cos of pi tau */
+            const V tau = V_SUB(MS_MCML__FN(uniform)(word_azimuth), half), square = V_MUL(tau, tau);
+            V sh = V_SET(0.0776594074f), ch = V_SET(0.219696795f), sc, ss, sign, a, b, vx, vy, vz, scale;
+            sh = V_MADD(sh, square, V_SET(-0.598292159f));
+            sh = V_MADD(sh, square, V_SET(2.55007766f));
+            sh = V_MADD(sh, square, V_SET(-5.16771009f));
+            sh = V_MUL(V_MADD(sh, square, V_SET(3.14159264f)), tau);
+            ch = V_MADD(ch, square, V_SET(-1.33188016f));
+            ch = V_MADD(ch, square, V_SET(4.05841191f));
+            ch = V_MADD(ch, square, V_SET(-4.93479286f));
+            ch = V_MADD(ch, square, V_SET(0.999999953f));
+            sc = V_MUL(sine, V_NMADD(V_ADD(sh, sh), sh, one));
+            ss = V_MUL(sine, V_MUL(V_ADD(sh, sh), ch));
             /* an orthonormal basis around u without a branch (Duff et al. 2017), and one Newton step to length 1 */
             sign = V_SIGN(uz);
             a = V_DIV(V_SET(-1.0f), V_ADD(sign, uz));
             b = V_MUL(V_MUL(ux, uy), a);
-            vx = V_MADD(sc, V_MADD(V_MUL(sign, ux), V_MUL(ux, a), one),
-                               V_MADD(ss, b, V_MUL(cosine, ux)));
-            vy = V_MADD(sc, V_MUL(sign, b),
-                               V_MADD(ss, V_MADD(V_MUL(uy, uy), a, sign), V_MUL(cosine, uy)));
+            vx = V_MADD(sc, V_MADD(V_MUL(sign, ux), V_MUL(ux, a), one), V_MADD(ss, b, V_MUL(cosine, ux)));
+            vy = V_MADD(sc, V_MUL(sign, b), V_MADD(ss, V_MADD(V_MUL(uy, uy), a, sign), V_MUL(cosine, uy)));
             vz = V_NMADD(V_MUL(sc, sign), ux, V_NMADD(ss, uy, V_MUL(cosine, uz)));
             scale = V_MADD(vx, vx, V_MADD(vy, vy, V_MUL(vz, vz)));
             scale = V_NMADD(half, scale, V_SET(1.5f));
@@ -3874,19 +3882,16 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
             uz = V_SELECT(hit, uz, V_MUL(vz, scale));
         }
 
-        t->crossing = 0;
         if (boundary) { /* Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0, and R = 1 by itself */
             const V ratio = V_SELECT(up, V_LOAD(t->ratio_up), V_LOAD(t->ratio_down));
             const V sin2_i = V_MAX(V_NMADD(steep, steep, one), zero);
-            const V cos2_t = V_NMADD(V_MUL(ratio, ratio), sin2_i, one);
-            const V cos_t = V_SQRT(V_MAX(cos2_t, zero));
+            const V cos_t = V_SQRT(V_MAX(V_NMADD(V_MUL(ratio, ratio), sin2_i, one), zero));
             const V si = V_MUL(ratio, steep), pt = V_MUL(ratio, cos_t);
-            const V rs = V_DIV(V_SUB(si, cos_t), V_ADD(si, cos_t));
-            const V rp = V_DIV(V_SUB(pt, steep), V_ADD(pt, steep));
+            const V rs = V_DIV(V_SUB(si, cos_t), V_ADD(si, cos_t)), rp = V_DIV(V_SUB(pt, steep), V_ADD(pt, steep));
             const M back = V_LESS(u, V_MUL(half, V_MADD(rs, rs, V_MUL(rp, rp))));
             uz = V_SELECT(hit, V_SELECT(back, V_SUB(zero, uz), uz), uz);
             V_STORE(t->cos_t, cos_t);
-            t->crossing = boundary & ~(int)M_BITS(back);
+            crossing = boundary & ~M_BITS(back);
         }
 
         V_STORE(t->x, x);
@@ -3898,17 +3903,16 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         V_STORE(t->w, w);
         events = U_ADD(U_LOAD(t->events), U_SET(1u));
         U_STORE(t->events, events);
-        t->ended = t->alive & ~(t->alive & (int)M_BITS(V_LESS(zero, w)));
-        t->halving = (int)M_BITS(U_IS_ZERO(U_XOR(events, U_LOAD(t->limit)))) & t->alive;
-        rare = t->crossing | t->ended | t->halving;
-        if (rare) {
+        ended = t->alive & ~(t->alive & M_BITS(V_LESS(zero, w)));
+        halving = t->alive & M_BITS(U_IS_ZERO(U_XOR(events, U_LOAD(t->limit))));
+        if (crossing | ended | halving) {
             U_STORE(t->word, word_chance);
             U_STORE(t->s[0], s0);
             U_STORE(t->s[1], s1);
             U_STORE(t->s[2], s2);
             U_STORE(t->s[3], s3);
-            for (i = 0; rare >> i; ++i)
-                if ((rare >> i) & 1) ms_mcml__rare(t, i);
+            for (i = 0; (crossing | ended | halving) >> i; ++i)
+                if ((crossing | ended | halving) >> i & 1) ms_mcml__rare(t, i, crossing >> i & 1, halving >> i & 1);
             s0 = U_LOAD(t->s[0]);
             s1 = U_LOAD(t->s[1]);
             s2 = U_LOAD(t->s[2]);
@@ -3916,6 +3920,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         }
     }
 }
+
 #if MS_MCML__ISA < 4
 /* A photon a lane; a lane whose photon ended takes the next one of the batch. An iteration is collision j (0: the entry)
    and the flight from there. */
@@ -4063,6 +4068,7 @@ static void MS_MCML__FN(white)(const ms_mcml__white_batch *batch)
 #undef U_IS_ZERO
 #undef U_LEFT
 #undef U_LOAD
+#undef U_MUL
 #undef U_RIGHT
 #undef U_ROTATE
 #undef U_SET
