@@ -4386,7 +4386,7 @@ MS_NN__INLINE float MS_NN__FN(sum)(V v)
     a = _mm_add_ps(a, _mm_movehl_ps(a, a));
     return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
 }
-#else
+#else /* maskz_ forms: the plain ones of GCC 12 warn in C++ */
 #define L 16
 #define BLOCK 8
 #define TILE 3
@@ -4402,27 +4402,28 @@ MS_NN__INLINE float MS_NN__FN(sum)(V v)
 #define V_MUL(a, b) _mm512_mul_ps(a, b)
 #define V_DIV(a, b) _mm512_div_ps(a, b)
 #define V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define V_MAX(a, b) _mm512_max_ps(a, b)
-#define V_MIN(a, b) _mm512_min_ps(a, b)
+#define V_MAX(a, b) _mm512_maskz_max_ps(0xFFFF, a, b)
+#define V_MIN(a, b) _mm512_maskz_min_ps(0xFFFF, a, b)
 #define V_IF_GREATER(a, b, x, y) _mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ), y, x)
 #define V_SUM(a) MS_NN__FN(sum)(a)
-#define V_MAX_NAN(a, b) _mm512_mask_mov_ps(_mm512_max_ps(a, b), _mm512_cmp_ps_mask(a, a, _CMP_UNORD_Q), a)
+#define V_MAX_NAN(a, b) _mm512_mask_mov_ps(_mm512_maskz_max_ps(0xFFFF, a, b), _mm512_cmp_ps_mask(a, a, _CMP_UNORD_Q), a)
 #define V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
 #define V_INT __m512i
-#define V_ROUND(a) _mm512_cvtps_epi32(a)
-#define V_FROM_INT(i) _mm512_cvtepi32_ps(i)
-#define V_POW2(i) _mm512_castsi512_ps(_mm512_slli_epi32(_mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
-#define W_HALF(p) _mm512_cvtph_ps(_mm256_loadu_si256((const __m256i *)(const void *)(p)))
-#define W_BRAIN(p) _mm512_castsi512_ps(_mm512_slli_epi32(_mm512_cvtepu16_epi32(_mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
-#define W_INT8(p) _mm512_cvtepi32_ps(_mm512_cvtepi8_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))))
+#define V_ROUND(a) _mm512_maskz_cvtps_epi32(0xFFFF, a)
+#define V_FROM_INT(i) _mm512_maskz_cvtepi32_ps(0xFFFF, i)
+#define V_POW2(i) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
+#define W_HALF(p) _mm512_maskz_cvtph_ps(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
+#define W_BRAIN(p) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
+#define W_INT8(p) _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
 MS_NN__INLINE V MS_NN__FN(pair_max)(V a, V b)
 {
     V even = _mm512_shuffle_ps(a, b, 0x88), odd = _mm512_shuffle_ps(a, b, 0xDD);
-    return _mm512_castpd_ps(_mm512_permutexvar_pd(_mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(V_MAX_NAN(even, odd))));
+    return _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xFF, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(V_MAX_NAN(even, odd))));
 }
 MS_NN__INLINE float MS_NN__FN(sum)(V v)
 {
-    __m256 b = _mm256_add_ps(_mm512_castps512_ps256(v), _mm512_extractf32x8_ps(v, 1));
+    __m512d w = _mm512_castps_pd(v);
+    __m256 b = _mm256_add_ps(_mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 0)), _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 1)));
     __m128 a = _mm_add_ps(_mm256_castps256_ps128(b), _mm256_extractf128_ps(b, 1));
     a = _mm_add_ps(a, _mm_movehl_ps(a, a));
     return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
@@ -4539,14 +4540,13 @@ MS_NN__INLINE void MS_NN__FN(dense_typed)(const ms_nn__dense *job, size_t row0, 
 #define B_LOAD(p) _mm512_loadu_si512(p)
 #define B_PART(p, n) _mm512_maskz_loadu_epi8(((__mmask64)1 << (n)) - 1, p)
 #define B_FLIP(u) _mm512_xor_si512(u, _mm512_set1_epi8((char)-128))
-#define B_SUM(s) _mm512_reduce_add_epi32(s)
 #define B_SUM4(out, a, b, c, d) MS_NN__FN(int_sum4)(out, a, b, c, d)
 MS_NN__INLINE void MS_NN__FN(int_sum4)(int32_t *out, B a, B b, B c, B d)
 {
-    B ab = _mm512_add_epi32(_mm512_unpacklo_epi32(a, b), _mm512_unpackhi_epi32(a, b));
-    B cd = _mm512_add_epi32(_mm512_unpacklo_epi32(c, d), _mm512_unpackhi_epi32(c, d));
-    B abcd = _mm512_add_epi32(_mm512_unpacklo_epi64(ab, cd), _mm512_unpackhi_epi64(ab, cd));
-    __m256i half = _mm256_add_epi32(_mm512_castsi512_si256(abcd), _mm512_extracti64x4_epi64(abcd, 1));
+    B ab = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, a, b), _mm512_maskz_unpackhi_epi32(0xFFFF, a, b));
+    B cd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, c, d), _mm512_maskz_unpackhi_epi32(0xFFFF, c, d));
+    B abcd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi64(0xFF, ab, cd), _mm512_maskz_unpackhi_epi64(0xFF, ab, cd));
+    __m256i half = _mm256_add_epi32(_mm512_maskz_extracti64x4_epi64(0xF, abcd, 0), _mm512_maskz_extracti64x4_epi64(0xF, abcd, 1));
     _mm_storeu_si128((__m128i *)(void *)out, _mm_add_epi32(_mm256_castsi256_si128(half), _mm256_extracti128_si256(half, 1)));
 }
 #if MS_NN__ISA == 5
