@@ -97,7 +97,7 @@ static void line_of_gaussian_rings(void)
 /* A uniform disc and a uniform ring: chords by Pythagoras. */
 static void exact_chords(void)
 {
-    double edge[3] = {0.5, 2, 3}, rd[2], x, v[3], worst = 0, strip = 0, sum = 0, before = 0;
+    double edge[3] = {0.5, 2, 3}, rd[2], x, v[3], worst = 0, strip = 0, before = 0;
     const double *value[3];
     ms_sss_profile *p;
     rd[0] = 0;
@@ -116,7 +116,6 @@ static void exact_chords(void)
         ms_sss_profile_line(p, x + 0.005, m);
         ms_sss_profile_line(p, x + 0.01, b);
         ms_sss_profile_strip(p, x + 0.01, s);
-        sum += 2 * 0.01 / 6 * (a[0] + 4 * m[0] + b[0]);
         if (x < 1.98) strip = fmax(strip, fabs((s[0] - before) - 2 * 0.01 / 6 * (a[0] + 4 * m[0] + b[0])));
         before = s[0];
     }
