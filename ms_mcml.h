@@ -424,10 +424,10 @@ MS_API void ms_mcml_white_destroy(ms_mcml_white *white);
 /* --- diffusion profiles ------------------------------------------------------------------------------------ */
 
 typedef enum ms_mcml_method {
-    MS_MCML_AUTO = 0,          /* photons = 0: deterministic; else white where every g is 0 and direct where not */
-    MS_MCML_DETERMINISTIC = 1, /* no noise; exact for g = 0, similarity for other g */
+    MS_MCML_AUTO = 0,          /* photons = 0: deterministic; else direct, or white for edge_mm and for next to no absorption */
+    MS_MCML_DETERMINISTIC = 1, /* no noise, milliseconds a channel; exact for g = 0, similarity for other g */
     MS_MCML_WHITE = 2,         /* Monte Carlo, one run for all channels; g = 0 and one eta only */
-    MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g */
+    MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g; rings of equal width; mu_a > 1e-10 mu_s */
 } ms_mcml_method;
 
 typedef struct ms_mcml_profile_options {
@@ -464,9 +464,10 @@ typedef struct ms_mcml_profile {
 
 /* The profile of media[0 .. channels - 1]. options may be NULL. Without rings in the options: equal width, a twentieth
    of the shortest mean free path, up to that path; from there each 4% wider than the one before, out to where every
-   channel has 1e-5 of its energy left. Release with ms_mcml_profile_destroy.
-   The same bits for any thread count. MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED, MS_UNSUPPORTED (white with
-   g or several eta): *profile is zeroed. */
+   channel has 1e-5 of its energy left; for direct Monte Carlo all equal, out to 32 of the longest paths. Release with
+   ms_mcml_profile_destroy. The same bits for any thread count.
+   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED, MS_UNSUPPORTED (a method whose conditions above are
+   not met): *profile is zeroed. */
 MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_medium *media, int channels,
                                       const ms_mcml_profile_options *options, ms_error *error);
 
@@ -3277,6 +3278,21 @@ static int ms_mcml__profile_rings(const ms_mcml_halfspace *solution, int channel
     return n;
 }
 
+/* Section 5.9: a twentieth of the shortest mean free path, out to 32 of the longest. */
+static void ms_mcml__profile_equal_rings(const ms_mcml_medium *media, int channels, ms_mcml_profile_options *o)
+{
+    double shortest = 0, longest = 0, rings;
+    int c;
+    for (c = 0; c < channels; ++c) {
+        double path = 1 / (media[c].mu_a_per_mm + media[c].mu_s_per_mm * (1 - media[c].g));
+        if (c == 0 || path < shortest) shortest = path;
+        if (c == 0 || path > longest) longest = path;
+    }
+    rings = ceil(32 * longest / (shortest / 20));
+    o->rings = rings < 65535 ? (int)rings : 65535;
+    o->ring_mm = rings < 65535 ? shortest / 20 : 32 * longest / 65535;
+}
+
 static ms_status ms_mcml__profile_white(ms_mcml__profile_job *job, const ms_mcml_profile_options *o, ms_error *error)
 {
     ms_mcml_profile *p = job->profile;
@@ -3307,6 +3323,73 @@ static ms_status ms_mcml__profile_white(ms_mcml__profile_job *job, const ms_mcml
     return MS_OK;
 }
 
+/* Progress of one channel as progress of all. */
+typedef struct ms_mcml__profile_progress {
+    const ms_progress *whole;
+    int channel, channels;
+} ms_mcml__profile_progress;
+
+static int ms_mcml__profile_report(void *user, double fraction)
+{
+    const ms_mcml__profile_progress *p = (const ms_mcml__profile_progress *)user;
+    return p->whole->report(p->whole->user, (p->channel + fraction) / p->channels);
+}
+
+static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const ms_mcml_profile_options *o, ms_error *error)
+{
+    ms_mcml_profile *p = job->profile;
+    ms_mcml__profile_progress progress;
+    ms_status status = MS_OK;
+    progress.whole = &o->progress;
+    progress.channels = p->channels;
+    for (progress.channel = 0; status == MS_OK && progress.channel < p->channels; ++progress.channel) {
+        const ms_mcml_medium *m = &job->media[progress.channel];
+        size_t row = (size_t)progress.channel * (size_t)p->rings;
+        double *within = p->within + row + progress.channel;
+        ms_mcml_layer layer;
+        ms_mcml_tissue tissue;
+        ms_mcml_grid grid;
+        ms_mcml_options options = ms_mcml_defaults();
+        ms_mcml_result result;
+        int i;
+        layer.n = m->eta;
+        layer.mu_a_per_cm = 10 * m->mu_a_per_mm;
+        layer.mu_s_per_cm = 10 * m->mu_s_per_mm;
+        layer.g = m->g;
+        layer.thickness_cm = 1e8;
+        tissue.n_above = tissue.n_below = 1;
+        tissue.layer_count = 1;
+        tissue.layers = &layer;
+        memset(&grid, 0, sizeof grid);
+        grid.dr_cm = 0.1 * p->edge_mm[1];
+        grid.dz_cm = 1;
+        grid.nr = p->rings + 1; /* the last collects what lies beyond */
+        grid.nz = grid.na = 1;
+        options.photons = o->photons;
+        options.seed = o->seed;
+        options.no_absorption = 1;
+        options.simd = o->simd;
+        options.parallel = o->parallel;
+        options.allocator = o->allocator;
+        if (o->progress.report) {
+            options.progress.user = &progress;
+            options.progress.report = ms_mcml__profile_report;
+        }
+        status = ms_mcml_simulate(&tissue, &grid, &options, &result, error);
+        if (status) break;
+        for (within[0] = 0, i = 0; i < p->rings; ++i) {
+            p->rd_per_mm2[row + (size_t)i] = 0.01 * result.rd_r[i];
+            p->rd_error_per_mm2[row + (size_t)i] = 0.01 * result.rd_r_error[i];
+            within[i + 1] = within[i] + 0.01 * result.rd_r[i] * 3.14159265358979324 *
+                                            (p->edge_mm[i + 1] - p->edge_mm[i]) * (p->edge_mm[i + 1] + p->edge_mm[i]);
+        }
+        p->total[progress.channel] = result.rd;
+        p->total_error[progress.channel] = result.rd_error;
+        ms_mcml_result_destroy(&result);
+    }
+    return status;
+}
+
 MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_medium *media, int channels,
                                       const ms_mcml_profile_options *options, ms_error *error)
 {
@@ -3315,6 +3398,7 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     ms_mcml__profile_job job;
     size_t solve_size = 0, tally_size = 0, n, c;
     ms_status status = MS_OK;
+    double least = 1; /* absorption, as a part of mu_a + mu_s */
     int i, anisotropic = 0, solve;
     if (profile) memset(profile, 0, sizeof *profile);
     if (profile == NULL || media == NULL || channels < 1 || channels > 65536)
@@ -3322,13 +3406,16 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     memset(&o, 0, sizeof o);
     if (options) o = *options;
     for (i = 0; i < channels; ++i) {
+        double absorption = media[i].mu_a_per_mm / (media[i].mu_a_per_mm + media[i].mu_s_per_mm);
         status = ms_mcml__check_medium(&media[i], error);
         if (status) return status;
-        anisotropic |= media[i].g < 0 || media[i].g > 0;
+        anisotropic |= media[i].g < 0 || media[i].g > 0 || media[i].eta < media[0].eta || media[i].eta > media[0].eta;
+        if (absorption < least) least = absorption;
     }
     if (o.method < MS_MCML_AUTO || o.method > MS_MCML_DIRECT)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected one of ms_mcml_method", o.method);
-    if (o.method == MS_MCML_AUTO) o.method = o.photons == 0 ? MS_MCML_DETERMINISTIC : anisotropic ? MS_MCML_DIRECT : MS_MCML_WHITE;
+    if (o.method == MS_MCML_AUTO)
+        o.method = o.photons == 0 ? MS_MCML_DETERMINISTIC : o.edge_mm || least < 1e-6 ? MS_MCML_WHITE : MS_MCML_DIRECT;
     if (o.photons == 0) o.photons = 1000000;
     status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
     if (status == MS_OK) status = ms_mcml__check_photons(o.photons, media[0].eta, error);
@@ -3336,11 +3423,13 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     if (status) return status;
     if (o.edge_mm == NULL && o.rings != 0 && !(ms__finite(o.ring_mm) && o.ring_mm > 0 && o.ring_mm <= 1e100))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected a positive number", o.ring_mm);
-    for (i = 0; o.method == MS_MCML_WHITE && i < channels; ++i)
-        if (anisotropic || media[i].eta < media[0].eta || media[i].eta > media[0].eta)
-            return ms__fail(error, MS_UNSUPPORTED, 0, "white Monte Carlo needs g = 0 and one eta for all channels");
-    if (o.method == MS_MCML_DIRECT)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "direct");
+    if (o.method == MS_MCML_WHITE && anisotropic)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "white Monte Carlo needs g = 0 and one eta for all channels");
+    if (o.method == MS_MCML_DIRECT && o.edge_mm)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "direct Monte Carlo needs rings of equal width: ring_mm instead of edge_mm");
+    if (o.method == MS_MCML_DIRECT && least <= 1e-10)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "direct Monte Carlo without absorption: paths have no mean length; use white");
+    if (o.method == MS_MCML_DIRECT && o.rings == 0) ms_mcml__profile_equal_rings(media, channels, &o);
 
     memset(&job, 0, sizeof job);
     memset(&p, 0, sizeof p);
@@ -3379,6 +3468,9 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
         for (i = 0; o.rings != 0 && i <= p.rings; ++i) p.edge_mm[i] = o.edge_mm ? o.edge_mm[i] : i * o.ring_mm;
         if (o.method == MS_MCML_DETERMINISTIC) {
             ms__run(&o.parallel, channels, ms_mcml__profile_fill, &job);
+        } else if (o.method == MS_MCML_DIRECT) {
+            status = ms_mcml__profile_direct(&job, &o, error);
+            p.ap_per_mm = NULL;
         } else {
             tally_size = ms__size_mul(ms__size_mul(c, 2 * n + 6), sizeof(double));
             job.sum = (double *)ms__alloc(&o.allocator, tally_size);
@@ -3714,11 +3806,11 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define V_MUL(a, b) _mm512_mul_ps(a, b)
 #define V_DIV(a, b) _mm512_div_ps(a, b)
 #define V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define V_SQRT(a) _mm512_sqrt_ps(a)
-#define V_MAX(a, b) _mm512_maskz_max_ps((__mmask16)0xffff, a, b)
+#define V_SQRT(a) _mm512_maskz_sqrt_ps((__mmask16)-1, a)
+#define V_MAX(a, b) _mm512_maskz_max_ps((__mmask16)-1, a, b)
 #define V_LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
 #define V_SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
-#define V_FROM_INT(a) _mm512_cvtepi32_ps(a)
+#define V_FROM_INT(a) _mm512_maskz_cvtepi32_ps((__mmask16)-1, a)
 #define V_BITS(a) _mm512_castsi512_ps(a)
 #define U_BITS(a) _mm512_castps_si512(a)
 #define U_LOAD(p) _mm512_loadu_si512((const void *)(p))
@@ -3728,17 +3820,17 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define U_SUB(a, b) _mm512_sub_epi32(a, b)
 #define U_AND(a, b) _mm512_and_si512(a, b)
 #define U_XOR(a, b) _mm512_xor_si512(a, b)
-#define U_RIGHT(a, n) _mm512_srli_epi32(a, n)
-#define U_LEFT(a, n) _mm512_slli_epi32(a, n)
+#define U_RIGHT(a, n) _mm512_maskz_srli_epi32((__mmask16)-1, a, n)
+#define U_LEFT(a, n) _mm512_maskz_slli_epi32((__mmask16)-1, a, n)
 #define U_IS_ZERO(a) _mm512_testn_epi32_mask(a, a)
 #define V_NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
-#define V_MIN(a, b) _mm512_maskz_min_ps((__mmask16)0xffff, a, b)
+#define V_MIN(a, b) _mm512_maskz_min_ps((__mmask16)-1, a, b)
 #define V_ABS(a) _mm512_castsi512_ps(_mm512_and_si512(_mm512_castps_si512(a), _mm512_set1_epi32(0x7fffffff)))
 #define V_SIGN(a) \
     _mm512_castsi512_ps(_mm512_ternarylogic_epi32(_mm512_castps_si512(a), _mm512_set1_epi32((int)0x80000000u), \
                                                   _mm512_set1_epi32(0x3f800000), 0xEA))
-#define V_TO_INT(a) _mm512_cvttps_epi32(a)
-#define U_ROTATE(a, n) _mm512_rol_epi32(a, n)
+#define V_TO_INT(a) _mm512_maskz_cvttps_epi32((__mmask16)-1, a)
+#define U_ROTATE(a, n) _mm512_maskz_rol_epi32((__mmask16)-1, a, n)
 #define U_MUL(a, b) _mm512_mullo_epi32(a, b)
 #define M_BITS(m) ((unsigned)(m))
 
