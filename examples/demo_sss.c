@@ -81,10 +81,12 @@ static void plot_profiles(void)
         char title[64], name[64];
         snprintf(title, sizeof title, "Diffusion profiles, %s", channel_name[c]);
         snprintf(name, sizeof name, "profiles_%s.svg", channel_name[c]);
-        plot_begin(&p, title, "distance from where light enters (mm)", "reflectance (1/mm\xc2\xb2)", PLOT_LOG_X | PLOT_LOG_Y);
+        plot_begin(&p, title, "distance from where light enters (mm)", "reflectance (1/mm\xc2\xb2)",
+                   PLOT_LOG_X | PLOT_LOG_Y);
         plot_range(&p, 0.02, 50, 1e-8, 10);
         for (i = 0; i < count; ++i)
-            plot_series(&p, materials[i].name, r[i], rings[i].rd_per_mm2 + c * rings[i].rings, rings[i].rings, PLOT_LINE);
+            plot_series(&p, materials[i].name, r[i], rings[i].rd_per_mm2 + c * rings[i].rings, rings[i].rings,
+                        PLOT_LINE);
         need(plot_write(&p, file(name)) ? NULL : "cannot write", file(name));
         printf("%s\n", file(name));
     }
@@ -116,7 +118,9 @@ static image side_by_side(const image *a, const image *b)
             size_t from = 3 * ((size_t)y * (size_t)a->width + (size_t)(x % half + a->width / 4));
             for (c = 0; c < 3; ++c)
                 out.pixels[3 * ((size_t)y * (size_t)a->width + (size_t)x) + (size_t)c] =
-                    x / 2 == half / 2 ? 1 : x < half ? a->pixels[from + (size_t)c] : b->pixels[from + (size_t)c];
+                    x / 2 == half / 2 ? 1
+                    : x < half        ? a->pixels[from + (size_t)c]
+                                      : b->pixels[from + (size_t)c];
         }
     return out;
 }
@@ -143,8 +147,10 @@ static void show_object(scene_object object, const char *material, int width)
 
     distance_mm = (double)scene_length(s.camera.eye);
     design.tap_count = 25;
-    need_ok(ms_sss_kernel_make(&kernel, NULL, profile, radius_of(profile) * height / (2 * (double)s.camera.tan_half_fov * distance_mm),
-                               &design, NULL, NULL), "kernel");
+    need_ok(ms_sss_kernel_make(&kernel, NULL, profile,
+                               radius_of(profile) * height / (2 * (double)s.camera.tan_half_fov * distance_mm), &design,
+                               NULL, NULL),
+            "kernel");
     filtered = image_new(width, height, 3);
     memset(&frame, 0, sizeof frame);
     frame.width = width;
@@ -180,7 +186,13 @@ static void show_object(scene_object object, const char *material, int width)
 
 /* --- kernel models: a dot, a disk and a step (thesis, figures 5.7 and 5.13) --- */
 
-enum { SIGNALS = 3, FIELD = 384, SHOWN = 192, RADIUS_PX = 48, DOT_PX = 3, DISK_PX = 48, RADII = 192 };
+#define SIGNALS 3
+#define FIELD 384 /* pixels of the filtered signals; the middle SHOWN of them are shown */
+#define SHOWN 192
+#define RADII 192
+#define RADIUS_PX 48 /* of 99% of the energy */
+#define DOT_PX 3
+#define DISK_PX 48
 
 static const struct {
     const char *name;
@@ -203,7 +215,8 @@ static const struct {
               {"pre-integrated, 7 taps", MS_SSS_PREINTEGRATED, 1, 7, 0},
               {"pre-integrated + 1 residual", MS_SSS_RESIDUAL, 2, MS_SSS_DENSE, 0},
               {"image-optimal", MS_SSS_IMAGE_OPTIMAL, 1, MS_SSS_DENSE, 0},
-              {"image-optimal, 7 taps", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0}};
+              {"image-optimal, 7 taps", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0},
+              {"rotated, mean of four frames, 17 taps", MS_SSS_ROTATED, 1, 17, 0}};
 
 enum { MODELS = sizeof models / sizeof models[0] };
 
@@ -260,10 +273,12 @@ static void exact_signals(const ms_sss_profile *profile, double mm_per_px, image
     for (k = 0; k < SIGNALS; ++k)
         for (y = 0; y < FIELD; ++y)
             for (x = 0; x < FIELD; ++x) {
-                double dx = x + 0.5 - FIELD / 2, dy = y + 0.5 - FIELD / 2, d = k < 2 ? sqrt(dx * dx + dy * dy) : fabs(dx);
+                double dx = x + 0.5 - FIELD / 2, dy = y + 0.5 - FIELD / 2,
+                       d = k < 2 ? sqrt(dx * dx + dy * dy) : fabs(dx);
                 for (c = 0; c < 3; ++c) {
                     double v = 0;
-                    if (d < RADII - 1) v = along[k][(int)d][c] + (d - floor(d)) * (along[k][(int)d + 1][c] - along[k][(int)d][c]);
+                    if (d < RADII - 1)
+                        v = along[k][(int)d][c] + (d - floor(d)) * (along[k][(int)d + 1][c] - along[k][(int)d][c]);
                     rows[k].pixels[3 * (y * FIELD + x) + c] = (float)(k == 2 && dx < 0 ? 1 - v : v);
                 }
             }
@@ -275,13 +290,15 @@ static void show_models(FILE *page)
     double radius_mm = radius_of(profile), gain[SIGNALS] = {1, 1, 1};
     ms_sss_designer *designer;
     ms_sss_filter_options options = ms_sss_filter_defaults();
-    image input, rows[SIGNALS];
+    image input, filtered, rows[SIGNALS];
     void *workspace = NULL;
     char name[64];
     int m, k, x, y, c;
     input = image_new(FIELD, FIELD, 3);
+    filtered = image_new(FIELD, FIELD, 3);
     for (k = 0; k < SIGNALS; ++k) rows[k] = image_new(FIELD, FIELD, 3);
-    if (input.pixels == NULL || rows[SIGNALS - 1].pixels == NULL) need("out of memory", "models");
+    if (input.pixels == NULL || filtered.pixels == NULL || rows[SIGNALS - 1].pixels == NULL)
+        need("out of memory", "models");
     need_ok(ms_sss_designer_create(&designer, profile, RADIUS_PX, NULL, NULL), "models");
     exact_signals(profile, radius_mm / RADIUS_PX, rows);
     gain[0] = 1 / (double)rows[0].pixels[3 * (FIELD / 2 * FIELD + FIELD / 2)];
@@ -299,29 +316,38 @@ static void show_models(FILE *page)
         design.guide_k = models[m].guide_k;
         need_ok(ms_sss_kernel_build(&kernel, designer, &design, NULL), models[m].name);
         ms_sss_kernel_measure(&e, &kernel, designer);
+        options.rotation = 0.5f; /* the workspace has to do for turned axes too */
         size = ms_sss_filter_workspace(FIELD, FIELD, &kernel, 1, &options);
         workspace = realloc(workspace, size);
         if (workspace == NULL) need("out of memory", models[m].name);
         for (k = 0; k < SIGNALS; ++k) {
+            int frames = kernel.frame_count > 1 ? kernel.frame_count : 1, f;
             ms_sss_frame frame;
             for (y = 0; y < FIELD; ++y)
                 for (x = 0; x < FIELD; ++x)
                     for (c = 0; c < 3; ++c)
-                        input.pixels[3 * (y * FIELD + x) + c] = signal_at(signal_radius(k), x + 0.5 - FIELD / 2, y + 0.5 - FIELD / 2);
+                        input.pixels[3 * (y * FIELD + x) + c] = signal_at(signal_radius(k), x + 0.5 - FIELD / 2,
+                                                                          y + 0.5 - FIELD / 2);
             memset(&frame, 0, sizeof frame);
             frame.width = frame.height = FIELD;
             frame.input = ms_sss_interleaved(input.pixels, 3, 0);
-            frame.output = ms_sss_interleaved(rows[k].pixels, 3, 0);
-            need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), models[m].name);
+            frame.output = ms_sss_interleaved(filtered.pixels, 3, 0);
+            memset(rows[k].pixels, 0, image_count(&rows[k]) * sizeof(float));
+            for (f = 0; f < frames; ++f) {
+                options.rotation = (float)f * 1.57079633f / (float)frames;
+                need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), models[m].name);
+                for (c = 0; c < 3 * FIELD * FIELD; ++c) rows[k].pixels[c] += filtered.pixels[c] / (float)frames;
+            }
         }
         snprintf(name, sizeof name, "model_%02d.png", m);
         save_row(rows, gain, name);
-        fprintf(page, "<tr><td>%s<td><img src=\"%s\"><td>%d<td>%.1f<td>%.1f<td>%.1f\n", models[m].name, name, 2 * models[m].terms,
-                100 * e.vertical_step, 100 * e.large_disk, 100 * e.texture);
+        fprintf(page, "<tr><td>%s<td><img src=\"%s\"><td>%d<td>%.1f<td>%.1f<td>%.1f\n", models[m].name, name,
+                2 * models[m].terms, 100 * e.vertical_step, 100 * e.large_disk, 100 * e.texture);
     }
     free(workspace);
     for (k = 0; k < SIGNALS; ++k) image_free(&rows[k]);
     image_free(&input);
+    image_free(&filtered);
     ms_sss_designer_destroy(designer);
     ms_sss_profile_destroy(profile);
 }
@@ -338,14 +364,18 @@ int main(int argc, char **argv)
     page = fopen(file("index.html"), "w");
     if (page == NULL) need("cannot write", file("index.html"));
     fputs("<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>Subsurface scattering</title>\n"
-          "<style>body{font:16px sans-serif;max-width:1200px;margin:2em auto;color:#222} img{max-width:100%} td,th{padding:4px 12px;"
+          "<style>body{font:16px sans-serif;max-width:1200px;margin:2em auto;color:#222} img{max-width:100%} "
+          "td,th{padding:4px 12px;"
           "text-align:right} td:first-child{text-align:left}</style>\n<h1>Subsurface scattering</h1>\n"
           "<h2>Skin: before and after the filter</h2>\n<p><img src=\"skin1.png\">\n"
           "<h2>Marble: before and after</h2>\n<p><img src=\"marble.png\">\n"
           "<h2>Diffusion profiles of the 11 materials</h2>\n"
           "<p><img src=\"profiles_red.svg\"><img src=\"profiles_green.svg\"><img src=\"profiles_blue.svg\">\n"
-          "<h2>Kernel models, skin1</h2>\n<p>A dot (brightened), a disk and a step. Errors in % of the right result's standard deviation,"
-          " at a radius of 48 pixels.\n<table>\n<tr><th>model<th>dot, disk, step<th>1D passes<th>step<th>disk<th>1/f texture\n", page);
+          "<h2>Kernel models, skin1</h2>\n<p>A dot (brightened), a disk and a step. Errors in % of the right result's "
+          "standard deviation,"
+          " at a radius of 48 pixels.\n<table>\n<tr><th>model<th>dot, disk, step<th>1D passes<th>step<th>disk<th>1/f "
+          "texture\n",
+          page);
     plot_profiles();
     show_models(page);
     show_object(SCENE_BUST, "skin1", width);

@@ -297,8 +297,8 @@ static inline void image__flush_block(image__deflate *d, image__bytes *out, int 
 }
 
 /* Longest earlier match of the bytes at `at`, of at most 258, or 0; *distance in [1, 32768]. */
-static inline int image__match(const image__deflate *d, const unsigned char *data, size_t size, size_t at, uint32_t hash,
-                               int *distance)
+static inline int image__match(const image__deflate *d, const unsigned char *data, size_t size, size_t at,
+                               uint32_t hash, int *distance)
 {
     int most = size - at < 258 ? (int)(size - at) : 258, best = 2, tries = image__chain;
     uint32_t from = d->head[hash];
@@ -334,7 +334,8 @@ static inline void image__zlib(image__bytes *out, const unsigned char *data, siz
     for (at = 0; at < size || pending; ++at) {
         int match = 0, distance = 0;
         if (at + 2 < size) {
-            uint32_t hash = ((data[at] | (uint32_t)data[at + 1] << 8 | (uint32_t)data[at + 2] << 16) * 2654435761u) >> 17;
+            uint32_t hash = ((data[at] | (uint32_t)data[at + 1] << 8 | (uint32_t)data[at + 2] << 16) * 2654435761u) >>
+                            17;
             if (held < 64) match = image__match(d, data, size, at, hash, &distance);
             d->previous[at % image__window] = d->head[hash];
             d->head[hash] = (uint32_t)at + 1;
@@ -344,7 +345,9 @@ static inline void image__zlib(image__bytes *out, const unsigned char *data, siz
             for (i = 1; i < (size_t)held - 1; ++i) { /* its other bytes enter the hash table only */
                 size_t p = at + i;
                 if (p + 2 < size) {
-                    uint32_t hash = ((data[p] | (uint32_t)data[p + 1] << 8 | (uint32_t)data[p + 2] << 16) * 2654435761u) >> 17;
+                    uint32_t hash = ((data[p] | (uint32_t)data[p + 1] << 8 | (uint32_t)data[p + 2] << 16) *
+                                     2654435761u) >>
+                                    17;
                     d->previous[p % image__window] = d->head[hash];
                     d->head[hash] = (uint32_t)p + 1;
                 }
@@ -397,7 +400,8 @@ static inline long image__filter_row(int filter, const unsigned char *row, const
     long sum = 0;
     int i;
     for (i = 0; i < n; ++i) {
-        int left = i >= step ? row[i - step] : 0, up = above ? above[i] : 0, corner = above && i >= step ? above[i - step] : 0;
+        int left = i >= step ? row[i - step] : 0, up = above ? above[i] : 0,
+            corner = above && i >= step ? above[i - step] : 0;
         int pa = abs(up - corner), pb = abs(left - corner), pc = abs(left + up - 2 * corner), guess = 0;
         if (filter == 1) guess = left;
         if (filter == 2) guess = up;
@@ -419,7 +423,8 @@ static inline const char *image_write_png8(const char *path, const unsigned char
     const char *problem;
     int n, y, filter;
     size_t stride;
-    if (width < 1 || height < 1 || (channels != 1 && channels != 3 && channels != 4)) return "a PNG has 1, 3 or 4 channels";
+    if (width < 1 || height < 1 || (channels != 1 && channels != 3 && channels != 4))
+        return "a PNG has 1, 3 or 4 channels";
     if (width > (1 << 30) / channels / height) return "the picture is too large";
     n = width * channels;
     stride = (size_t)n + 1;
@@ -461,7 +466,10 @@ static inline const char *image_write_png8(const char *path, const unsigned char
 
 /* --- PFM, PPM, PGM --- */
 
-static inline int image__space(int c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; }
+static inline int image__space(int c)
+{
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
+}
 
 /* The next word of a header into word[32] (empty where there is none or it is too long); comments count as space
    where the format has them. The one white-space character behind the word is consumed. */
@@ -475,8 +483,10 @@ static inline void image__word(const unsigned char *data, size_t size, size_t *a
             ++*at;
     }
     while (*at < size && !image__space(data[*at]) && n < 31) word[n++] = (char)data[(*at)++];
-    if (*at >= size || !image__space(data[*at])) n = 0;
-    else ++*at;
+    if (*at >= size || !image__space(data[*at]))
+        n = 0;
+    else
+        ++*at;
     word[n] = 0;
 }
 

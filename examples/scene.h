@@ -73,7 +73,8 @@ static inline float scene_noise(scene_vec p)
     v = v * v * (3 - 2 * v);
     w = w * w * (3 - 2 * w);
     for (i = 0; i < 4; ++i)
-        c[i] = scene__mix(scene__lattice(x, y + (i & 1), z + (i >> 1)), scene__lattice(x + 1, y + (i & 1), z + (i >> 1)), u);
+        c[i] = scene__mix(scene__lattice(x, y + (i & 1), z + (i >> 1)),
+                          scene__lattice(x + 1, y + (i & 1), z + (i >> 1)), u);
     return scene__mix(scene__mix(c[0], c[1], v), scene__mix(c[2], c[3], v), w);
 }
 
@@ -129,7 +130,7 @@ static inline float scene__eye_opening(float ax, float y)
 static inline float scene__ear(scene_vec p) /* from the ear's centre; x points outwards, z to the front */
 {
     float x = 0.93f * p.x + 0.37f * p.z, z0 = 0.93f * p.z - 0.37f * p.x, d, k, rim; /* stands off by 22 degrees */
-    scene_vec q = scene_v(x, 0.985f * p.y + 0.17f * z0, 0.985f * z0 - 0.17f * p.y);    /* and leans back by 10 */
+    scene_vec q = scene_v(x, 0.985f * p.y + 0.17f * z0, 0.985f * z0 - 0.17f * p.y); /* and leans back by 10 */
     k = sqrtf(q.y * q.y / (30.0f * 30.0f) + q.z * q.z / (17.5f * 17.5f));
     d = scene__ellipsoid(q, 0, 0, 0, 4.5f, 30, 17.5f);
     d = scene__cut(d, scene__ellipsoid(q, 5.5f, -6, 4, 8.5f, 13, 8.5f), 3);
@@ -137,8 +138,8 @@ static inline float scene__ear(scene_vec p) /* from the ear's centre; x points o
     rim = sqrtf((k - 0.9f) * (k - 0.9f) * 420 + (q.x - 2) * (q.x - 2)) - 2.7f;
     d = scene__join(d, rim, 2.5f);
     d = scene__join(d, scene__capsule(q, scene_v(2, 12, -6), scene_v(1.5f, -14, -6), 2.4f, 2.2f), 3); /* antihelix */
-    d = scene__join(d, scene__ellipsoid(q, 0.5f, -27, 5, 3.6f, 8, 6.5f), 5);                       /* lobe */
-    return scene__join(d, scene__ellipsoid(q, 1, -5, 14, 3.5f, 6, 4), 4);                          /* tragus */
+    d = scene__join(d, scene__ellipsoid(q, 0.5f, -27, 5, 3.6f, 8, 6.5f), 5);                          /* lobe */
+    return scene__join(d, scene__ellipsoid(q, 1, -5, 14, 3.5f, 6, 4), 4);                             /* tragus */
 }
 
 static inline float scene__face(scene_vec p, scene_vec q, float d) /* adds the features to the head's distance d */
@@ -149,7 +150,8 @@ static inline float scene__face(scene_vec p, scene_vec q, float d) /* adds the f
     d = scene__cut(d, scene__ellipsoid(q, 33, 4, 92, 19, 10, 15), 15);
     lids = scene_length(scene_v(u, p.y, p.z - SCENE_EYE_Z)) - SCENE_EYE_RADIUS - 1.7f;
     d = scene__join(d, lids, 7);
-    d += 1.3f * scene__bump(p.y - 0.06f * u - 8.2f + 0.03f * u * u, 1.1f) * scene__step(15, 9, fabsf(u)) * scene__step(66, 72, p.z);
+    d += 1.3f * scene__bump(p.y - 0.06f * u - 8.2f + 0.03f * u * u, 1.1f) * scene__step(15, 9, fabsf(u)) *
+         scene__step(66, 72, p.z);
     opening = scene__eye_opening(ax, p.y);
     if (p.z > 55) d = scene__cut(d, opening, 1.3f);
 
@@ -242,8 +244,10 @@ static inline float scene_distance(scene_object object, scene_vec p)
 /* The outward normal: differences over the corners of a tetrahedron of size e. */
 static inline scene_vec scene_gradient(scene_object object, scene_vec p, float e)
 {
-    float a = scene_distance(object, scene_v(p.x + e, p.y - e, p.z - e)), b = scene_distance(object, scene_v(p.x - e, p.y - e, p.z + e));
-    float c = scene_distance(object, scene_v(p.x - e, p.y + e, p.z - e)), d = scene_distance(object, scene_v(p.x + e, p.y + e, p.z + e));
+    float a = scene_distance(object, scene_v(p.x + e, p.y - e, p.z - e)),
+          b = scene_distance(object, scene_v(p.x - e, p.y - e, p.z + e));
+    float c = scene_distance(object, scene_v(p.x - e, p.y + e, p.z - e)),
+          d = scene_distance(object, scene_v(p.x + e, p.y + e, p.z + e));
     return scene_normalize(scene_v(a - b - c + d, -a - b + c + d, -a + b - c + d));
 }
 
@@ -286,8 +290,8 @@ enum { SCENE_LIGHTS = 3 };
 
 static inline void scene_lights(scene_object object, scene_light light[SCENE_LIGHTS])
 {
-    static const float bust[SCENE_LIGHTS][7] = {{-560, 330, 250, 55, 3.3f, 2.95f, 2.5f},  /* key: warm, from the left */
-                                                {400, 260, -560, 60, 1.2f, 1.6f, 2.2f},   /* rim: cold, from behind */
+    static const float bust[SCENE_LIGHTS][7] = {{-560, 330, 250, 55, 3.3f, 2.95f, 2.5f}, /* key: warm, from the left */
+                                                {400, 260, -560, 60, 1.2f, 1.6f, 2.2f},  /* rim: cold, from behind */
                                                 {560, 40, 420, 220, 0.07f, 0.09f, 0.125f}}; /* fill: large and weak */
     static const float knot[SCENE_LIGHTS][7] = {{-190, 210, 60, 20, 3.3f, 3.0f, 2.6f},
                                                 {170, 120, -190, 30, 1.0f, 1.35f, 1.9f},
@@ -368,7 +372,8 @@ typedef struct scene_hit {
 } scene_hit;
 
 /* The part of a ray, from *t0 to *t1, that lies within `margin` of the object's box; 0 where it misses the box. */
-static inline int scene__clip(const scene_grid *g, scene_vec from, scene_vec direction, float margin, float *t0, float *t1)
+static inline int scene__clip(const scene_grid *g, scene_vec from, scene_vec direction, float margin, float *t0,
+                              float *t1)
 {
     const float o[3] = {from.x, from.y, from.z}, d[3] = {direction.x, direction.y, direction.z};
     const float low[3] = {g->low.x, g->low.y, g->low.z}, high[3] = {g->high.x, g->high.y, g->high.z};
@@ -392,7 +397,7 @@ static inline scene_hit scene__trace(const scene_grid *g, scene_vec from, scene_
             scene_vec p = scene_mad(direction, t, from);
             d = scene__grid_distance(g, p);
             if (d < 0.3f * g->cell) d = scene_distance(g->object, p); /* near the surface: the field itself */
-            if (d < 3e-5f * t || i == 250) { /* or it crept along an outline */
+            if (d < 3e-5f * t || i == 250) {                          /* or it crept along an outline */
                 hit.what = g->object == SCENE_BUST && scene__eyeball(p) < 0.05f ? SCENE_EYE : SCENE_OBJECT;
                 hit.t = t;
                 return hit;
@@ -446,101 +451,134 @@ static inline scene_vec scene__normal(const scene_grid *g, int what, scene_vec p
     scene_vec n = scene_v(0, 1, 0);
     float e = 1;
     if (what != SCENE_BACKDROP) return scene_gradient(g->object, p, 0.02f);
-    n.y = scene__backdrop(g->object, scene_v(p.x, p.y + e, p.z)) - scene__backdrop(g->object, scene_v(p.x, p.y - e, p.z));
-    n.z = scene__backdrop(g->object, scene_v(p.x, p.y, p.z + e)) - scene__backdrop(g->object, scene_v(p.x, p.y, p.z - e));
+    n.y = scene__backdrop(g->object, scene_v(p.x, p.y + e, p.z)) -
+          scene__backdrop(g->object, scene_v(p.x, p.y - e, p.z));
+    n.z = scene__backdrop(g->object, scene_v(p.x, p.y, p.z + e)) -
+          scene__backdrop(g->object, scene_v(p.x, p.y, p.z - e));
     return scene_normalize(n);
 }
 
 /* --- surfaces --- */
 
 typedef struct scene_surface {
-    float albedo[3], height; /* fine relief in mm */
-    float reflectance, roughness, coat; /* at normal incidence; two lobes: rough, and a sharper one of weight coat */
-    float mask;
+    float albedo[3];
+    float reflectance, roughness, coat; /* at normal incidence; of the rough lobe; weight of a lobe half as rough */
+    float mask;                         /* 1: light scatters below it */
 } scene_surface;
 
-static inline float scene__lips(scene_vec p)
-{
-    float ax = fabsf(p.x), top = -64.2f - 0.22f * ax + 1.6f * scene__bump(ax - 6, 4) - 0.006f * ax * ax, bottom = -80.5f + 0.012f * ax * ax;
-    float edge = scene__min(top - p.y, p.y - bottom);
-    return scene__step(-0.6f, 1.2f, edge) * scene__step(27.5f, 22, ax) * scene__step(74, 80, p.z);
-}
-
-/* Relief alone, for the slope of the surface. */
-static inline float scene__relief(scene_object object, scene_vec p)
-{
-    float lips, h;
-    if (object == SCENE_KNOT) return 0;
-    lips = p.z > 70 && p.y < -55 && p.y > -90 ? scene__lips(p) : 0;
-    h = 0.05f * scene_noise(scene_mul(p, 0.42f)) + 0.045f * scene_noise(scene_mul(p, 0.95f)) + 0.03f * scene_noise(scene_mul(p, 1.9f));
-    return (1 - 0.8f * lips) * h + lips * 0.20f * scene_noise(scene_v(1.1f * p.x, 0.16f * p.y, 0.2f * p.z));
-}
-
-static inline scene_surface scene__surface(const scene_grid *g, int what, scene_vec p, const float color[3])
+static inline scene_surface scene__matte(const float albedo[3], float brightness)
 {
     scene_surface s;
     int c;
-    float f, k;
-    for (c = 0; c < 3; ++c) s.albedo[c] = color[c];
-    s.reflectance = 0.028f;
-    s.roughness = 0.45f;
-    s.coat = 0.25f;
+    memset(&s, 0, sizeof s);
+    for (c = 0; c < 3; ++c) s.albedo[c] = brightness * albedo[c];
+    s.roughness = 0.5f;
+    return s;
+}
+
+/* albedo times a tint, as far as `amount` says. */
+static inline void scene__tint(scene_surface *s, float red, float green, float blue, float amount)
+{
+    s->albedo[0] *= scene__mix(1, red, amount);
+    s->albedo[1] *= scene__mix(1, green, amount);
+    s->albedo[2] *= scene__mix(1, blue, amount);
+}
+
+static inline scene_surface scene__wall(scene_object object, scene_vec p)
+{
+    static const float gray[2][3] = {{0.042f, 0.048f, 0.056f}, {0.20f, 0.19f, 0.18f}};
+    return scene__matte(gray[object == SCENE_KNOT], 1 + 0.05f * scene_fractal(scene_mul(p, 0.02f), 4));
+}
+
+/* White, an iris with spokes and a dark rim, a pupil; both eyes look at the camera. */
+static inline scene_surface scene__eye(scene_vec p)
+{
+    static const float white[3] = {0.50f, 0.45f, 0.43f}, iris[3] = {0.16f, 0.21f, 0.20f};
+    scene_vec look = scene_normalize(scene_v(0.30f, 0.01f, 1)), side = scene_cross(look, scene_v(0, 1, 0));
+    scene_vec q = scene_sub(p, scene_v(p.x < 0 ? -SCENE_EYE_X : SCENE_EYE_X, 0, SCENE_EYE_Z));
+    float ahead = scene_dot(q, look), r = scene_length(scene_mad(look, -ahead, q)),
+          angle = atan2f(q.y, scene_dot(q, side));
+    float spokes = 0.75f + 0.6f * scene_noise(scene_v(6 * cosf(angle), 6 * sinf(angle), 0.5f * r));
+    float inside = ahead > 0 ? scene__step(5.9f, 5.3f, r) : 0;
+    float rings = scene__step(2.3f, 2.7f, r) * (1 - 0.75f * scene__step(4.2f, 5.9f, r));
+    scene_surface s = scene__matte(white, 1);
+    int c;
+    for (c = 0; c < 3; ++c) s.albedo[c] = scene__mix(white[c], iris[c] * spokes * rings + 0.004f, inside);
+    s.reflectance = 0.025f;
+    s.roughness = 0.10f;
+    return s;
+}
+
+/* 1 on the lips. */
+static inline float scene__lips(scene_vec p)
+{
+    float ax = fabsf(p.x), bottom = -80.5f + 0.012f * ax * ax;
+    float top = -64.2f - 0.22f * ax + 1.6f * scene__bump(ax - 6, 4) - 0.006f * ax * ax;
+    if (p.z < 74) return 0;
+    return scene__step(-0.6f, 1.2f, scene__min(top - p.y, p.y - bottom)) * scene__step(27.5f, 22, ax) *
+           scene__step(74, 80, p.z);
+}
+
+/* Fine relief of the skin, mm outwards: pores and creases, upright wrinkles on the lips. */
+static inline float scene__relief(scene_vec p)
+{
+    float lips = scene__lips(p), pores = 0.05f * scene_noise(scene_mul(p, 0.42f));
+    pores += 0.045f * scene_noise(scene_mul(p, 0.95f)) + 0.03f * scene_noise(scene_mul(p, 1.9f));
+    return (1 - 0.8f * lips) * pores + lips * 0.20f * scene_noise(scene_v(1.1f * p.x, 0.16f * p.y, 0.2f * p.z));
+}
+
+/* Eyebrows: single hairs along an arc. */
+static inline float scene__brow(float ax, scene_vec p)
+{
+    float off = fabsf(p.y - 20.5f - 4.5f * (1 - (ax - 35) * (ax - 35) / 400)) + 0.11f * fabsf(ax - 22);
+    float hairs = scene_noise(scene_v(1.3f * (ax - 0.6f * p.y), 0.5f * (p.y + 0.2f * ax), 0.5f * p.z));
+    float arc = scene__step(4.6f, 1.2f, off) * scene__step(10, 16, ax) * scene__step(56, 46, ax) *
+                scene__step(45, 60, p.z);
+    return arc * scene__clamp(0.72f + 0.8f * hairs, 0, 1);
+}
+
+/* Where blood shows: cheeks, the nose's tip, ears, the lids' edges. */
+static inline float scene__blush(float ax, scene_vec p)
+{
+    float cheek = scene__bump(ax - 42, 15) * scene__bump(p.y + 26, 13) * scene__step(30, 60, p.z);
+    float nose = scene__bump(p.x, 10) * scene__bump(p.y + 38, 10) * scene__step(95, 108, p.z);
+    float ear = 0.9f * scene__step(70, 84, ax) * scene__bump(p.y + 14, 30);
+    float lids = 0.6f * scene__step(6, -1, fabsf(scene__eye_opening(ax, p.y))) * scene__step(60, 68, p.z);
+    return scene__max(scene__max(cheek, nose), scene__max(ear, lids));
+}
+
+static inline scene_surface scene__skin(scene_vec p, const float color[3])
+{
+    float mottle = 0.16f * scene_fractal(scene_mul(p, 0.07f), 4) + 0.07f * scene_noise(scene_mul(p, 0.9f));
+    float lips = scene__lips(p), ax = fabsf(p.x), brow = scene__brow(ax, p);
+    scene_surface s = scene__matte(color, 1);
+    scene__tint(&s, 1 + 0.6f * mottle, 1 + mottle, 1 + mottle, 1);
+    scene__tint(&s, 1.0f, 0.80f, 0.80f, 0.7f * scene__blush(ax, p));
+    scene__tint(&s, 0.86f, 0.52f, 0.55f, lips);
+    scene__tint(&s, 0.16f, 0.13f, 0.12f, 0.9f * brow);
+    s.reflectance = 0.028f * (1 - 0.6f * brow); /* index 1.4 */
+    s.roughness = scene__mix(0.54f, 0.36f, lips);
+    s.coat = scene__mix(0.10f, 0.4f, lips);
     s.mask = 1;
-    s.height = 0;
-    if (what == SCENE_BACKDROP) {
-        static const float wall[3] = {0.042f, 0.048f, 0.056f}, slab[3] = {0.20f, 0.19f, 0.18f};
-        f = 1 + 0.05f * scene_fractal(scene_mul(p, 0.02f), 4);
-        for (c = 0; c < 3; ++c) s.albedo[c] = f * (g->object == SCENE_BUST ? wall[c] : slab[c]);
-        s.mask = 0;
-        s.reflectance = 0;
-    } else if (what == SCENE_EYE) { /* white, iris with a dark rim, pupil; both eyes look at the camera */
-        scene_vec center = scene_v(p.x < 0 ? -SCENE_EYE_X : SCENE_EYE_X, 0, SCENE_EYE_Z);
-        scene_vec look = scene_normalize(scene_v(0.30f, 0.01f, 1)), q = scene_sub(p, center), side = scene_cross(look, scene_v(0, 1, 0));
-        float r = scene_length(scene_sub(q, scene_mul(look, scene_dot(q, look))));
-        float angle = atan2f(q.y, scene_dot(q, side)), streak;
-        static const float white[3] = {0.50f, 0.45f, 0.43f}, iris[3] = {0.16f, 0.21f, 0.20f};
-        streak = 0.75f + 0.6f * scene_noise(scene_v(6 * cosf(angle), 6 * sinf(angle), 0.5f * r));
-        f = scene_dot(q, look) > 0 ? scene__step(5.9f, 5.3f, r) : 0;
-        k = scene__step(2.3f, 2.7f, r) * (1 - 0.75f * scene__step(4.2f, 5.9f, r));
-        for (c = 0; c < 3; ++c) s.albedo[c] = scene__mix(white[c], iris[c] * streak * k + 0.004f, f);
-        s.mask = 0;
-        s.reflectance = 0.025f;
-        s.roughness = 0.10f;
-        s.coat = 0;
-    } else if (g->object == SCENE_BUST) {
-        float lips = p.z > 70 ? scene__lips(p) : 0, ax = fabsf(p.x), brow, blush, mottle;
-        mottle = 0.16f * scene_fractal(scene_mul(p, 0.07f), 4) + 0.07f * scene_noise(scene_mul(p, 0.9f));
-        blush = scene__bump(ax - 42, 15) * scene__bump(p.y + 26, 13) * scene__step(30, 60, p.z);
-        blush = scene__max(blush, scene__bump(p.x, 10) * scene__bump(p.y + 38, 10) * scene__step(95, 108, p.z));
-        blush = scene__max(blush, 0.9f * scene__step(70, 84, ax) * scene__bump(p.y + 14, 30));
-        blush = scene__max(blush, 0.6f * scene__step(6, -1, fabsf(scene__eye_opening(ax, p.y))) * scene__step(60, 68, p.z));
-        brow = p.y - 20.5f - 4.5f * (1 - (ax - 35) * (ax - 35) / 400);
-        brow = scene__step(4.6f, 1.2f, fabsf(brow) + 0.11f * fabsf(ax - 22)) * scene__step(10, 16, ax) * scene__step(56, 46, ax) * scene__step(45, 60, p.z);
-        brow *= scene__clamp(0.72f + 0.8f * scene_noise(scene_v(1.3f * (ax - 0.6f * p.y), 0.5f * (p.y + 0.2f * ax), 0.5f * p.z)), 0, 1);
-        for (c = 0; c < 3; ++c) {
-            static const float red[3] = {1.0f, 0.80f, 0.80f}, lip[3] = {0.86f, 0.52f, 0.55f}, hair[3] = {0.16f, 0.13f, 0.12f};
-            s.albedo[c] *= 1 + mottle * (c == 0 ? 0.6f : 1.0f);
-            s.albedo[c] *= scene__mix(1, red[c], 0.7f * blush);
-            s.albedo[c] *= scene__mix(1, lip[c], lips);
-            s.albedo[c] *= scene__mix(1, hair[c], 0.9f * brow);
-        }
-        s.roughness = scene__mix(0.54f, 0.36f, lips);
-        s.coat = scene__mix(0.10f, 0.4f, lips);
-        s.reflectance *= 1 - 0.6f * brow;
-    } else { /* marble: thin dark veins where a folded noise crosses zero */
-        scene_vec q = scene_add(scene_mul(p, 0.045f), scene_mul(scene_v(scene_fractal(scene_mul(p, 0.05f), 4),
-            scene_fractal(scene_mul(scene_v(p.y + 31, p.z, p.x), 0.05f), 4), scene_fractal(scene_mul(scene_v(p.z, p.x + 57, p.y), 0.05f), 4)), 0.9f));
-        f = fabsf(scene_fractal(q, 3));
-        k = fabsf(scene_fractal(scene_add(scene_mul(q, 2.1f), scene_v(9, 4, 1)), 3));
-        for (c = 0; c < 3; ++c) {
-            static const float vein[3] = {0.36f, 0.39f, 0.43f};
-            float v = scene__max(0.85f * scene__step(0.055f, 0.0f, f), 0.45f * scene__step(0.05f, 0, k));
-            s.albedo[c] *= scene__mix(1, vein[c], v) * (1 + 0.08f * scene_fractal(scene_mul(p, 0.12f), 3));
-        }
-        s.reflectance = 0.04f;
-        s.roughness = 0.16f;
-        s.coat = 0;
-    }
+    return s;
+}
+
+/* Polished marble: dark veins where a folded noise crosses zero, broad ones and fine ones. */
+static inline scene_surface scene__marble(scene_vec p, const float color[3])
+{
+    scene_vec q = scene_mul(p, 0.05f), fold, at;
+    float broad, fine;
+    scene_surface s = scene__matte(color, 1 + 0.08f * scene_fractal(scene_mul(p, 0.12f), 3));
+    fold.x = scene_fractal(q, 4);
+    fold.y = scene_fractal(scene_v(q.y + 1.55f, q.z, q.x), 4);
+    fold.z = scene_fractal(scene_v(q.z, q.x + 2.85f, q.y), 4);
+    at = scene_mad(fold, 0.9f, scene_mul(p, 0.045f));
+    broad = scene__step(0.055f, 0, fabsf(scene_fractal(at, 3)));
+    fine = scene__step(0.05f, 0, fabsf(scene_fractal(scene_mad(at, 2.1f, scene_v(9, 4, 1)), 3)));
+    scene__tint(&s, 0.36f, 0.39f, 0.43f, scene__max(0.85f * broad, 0.45f * fine));
+    s.reflectance = 0.04f; /* index 1.5 */
+    s.roughness = 0.16f;
+    s.mask = 1;
     return s;
 }
 
@@ -553,14 +591,39 @@ static inline float scene__lobe(float nl, float nv, float nh, float vh, float ro
     return fresnel * a2 / (3.14159265f * d * d) * nl / (gl * gv);
 }
 
+/* Both lobes of a surface with normal n that is lit from l and seen from v. */
+static inline float scene__gloss(const scene_surface *m, scene_vec n, scene_vec l, scene_vec v, float nv)
+{
+    scene_vec h = scene_normalize(scene_add(l, v));
+    float nl = scene_dot(n, l), nh = scene_dot(n, h), vh = scene_dot(v, h), sum;
+    if (m->reflectance <= 0) return 0;
+    sum = (1 - m->coat) * scene__lobe(nl, nv, nh, vh, m->roughness, m->reflectance);
+    if (m->coat > 0) sum += m->coat * scene__lobe(nl, nv, nh, vh, 0.55f * m->roughness, m->reflectance);
+    return sum;
+}
+
 /* What a mirror would see: a dim studio, lighter above, with one soft window on the left. */
 static inline void scene__studio(scene_vec d, float spread, float out[3])
 {
-    float up = 0.5f + 0.5f * d.y, window, wx = d.x + 0.55f, wy = d.y - 0.42f, soft = 0.06f + spread;
+    static const float low[3] = {0.035f, 0.035f, 0.04f}, high[3] = {0.24f, 0.27f, 0.31f},
+                       glass[3] = {0.76f, 0.72f, 0.66f};
+    float up = 0.5f + 0.5f * d.y, soft = 0.06f + spread, window = d.z > 0 ? 1.0f : 0.0f;
     int c;
-    static const float low[3] = {0.035f, 0.035f, 0.04f}, high[3] = {0.24f, 0.27f, 0.31f}, glass[3] = {1.9f, 1.8f, 1.65f};
-    window = scene__step(0.24f + soft, 0.24f - soft, fabsf(wx)) * scene__step(0.26f + soft, 0.26f - soft, fabsf(wy)) * (d.z > 0);
-    for (c = 0; c < 3; ++c) out[c] = scene__mix(low[c], high[c], up * up) + window * glass[c] * 0.4f;
+    window *= scene__step(0.24f + soft, 0.24f - soft, fabsf(d.x + 0.55f));
+    window *= scene__step(0.26f + soft, 0.26f - soft, fabsf(d.y - 0.42f));
+    for (c = 0; c < 3; ++c) out[c] = scene__mix(low[c], high[c], up * up) + window * glass[c];
+}
+
+/* The normal n of the skin at p, tilted by the slope of its relief. */
+static inline scene_vec scene__roughen(scene_vec n, scene_vec p)
+{
+    float h = 0.22f, here = scene__relief(p);
+    scene_vec slope;
+    slope.x = scene__relief(scene_v(p.x + h, p.y, p.z)) - here;
+    slope.y = scene__relief(scene_v(p.x, p.y + h, p.z)) - here;
+    slope.z = scene__relief(scene_v(p.x, p.y, p.z + h)) - here;
+    slope = scene_mul(slope, 1 / h);
+    return scene_normalize(scene_sub(n, scene_mad(n, -scene_dot(slope, n), slope)));
 }
 
 /* --- the picture's layers --- */
@@ -588,58 +651,52 @@ static inline void scene_free(scene *s)
 
 static inline scene_vec scene_ray(const scene_camera *c, int width, int height, float x, float y)
 {
-    float u = (2 * x - (float)width) / (float)height * c->tan_half_fov, v = (1 - 2 * y / (float)height) * c->tan_half_fov;
+    float u = (2 * x - (float)width) / (float)height * c->tan_half_fov,
+          v = (1 - 2 * y / (float)height) * c->tan_half_fov;
     return scene_normalize(scene_sub(scene_add(scene_mul(c->right, u), scene_mul(c->up, v)), c->back));
 }
 
 static inline void scene__shade(scene *s, const scene_grid *g, const scene_light *light, scene_hit hit, scene_vec ray,
                                 const float color[3], size_t pixel)
 {
-    scene_vec p = scene_mad(ray, hit.t, s->camera.eye), n = scene__normal(g, hit.what, p), smooth = n, v = scene_mul(ray, -1), r;
-    scene_surface m = scene__surface(g, hit.what, p, color);
-    float open = scene__openness(g, p, n), nv, studio[3], fresnel, up;
-    float *e = s->irradiance.pixels + 3 * pixel, *spec = s->specular.pixels + 3 * pixel;
+    static const float sky[3] = {0.045f, 0.054f, 0.068f}, ground[3] = {0.026f, 0.022f, 0.020f};
+    scene_vec p = scene_mad(ray, hit.t, s->camera.eye), v = scene_mul(ray, -1), smooth = scene__normal(g, hit.what, p),
+              n = smooth;
+    scene_surface m;
+    float open = scene__openness(g, p, smooth), nv;
+    float *e = s->irradiance.pixels + 3 * pixel, *specular = s->specular.pixels + 3 * pixel;
     int i, c;
-    if (hit.what == SCENE_OBJECT && g->object == SCENE_BUST) { /* tilt the normal by the slope of the relief */
-        float h = 0.22f, h0 = scene__relief(g->object, p);
-        scene_vec slope = scene_v(scene__relief(g->object, scene_v(p.x + h, p.y, p.z)) - h0, scene__relief(g->object, scene_v(p.x, p.y + h, p.z)) - h0,
-                                  scene__relief(g->object, scene_v(p.x, p.y, p.z + h)) - h0);
-        slope = scene_mul(slope, 1 / h);
-        n = scene_normalize(scene_sub(n, scene_sub(slope, scene_mul(n, scene_dot(slope, n)))));
-    }
+    if (hit.what == SCENE_BACKDROP)
+        m = scene__wall(g->object, p);
+    else if (hit.what == SCENE_EYE)
+        m = scene__eye(p);
+    else if (g->object == SCENE_BUST)
+        m = scene__skin(p, color), n = scene__roughen(n, p);
+    else
+        m = scene__marble(p, color);
     nv = scene__max(scene_dot(n, v), 0.03f);
-    up = 0.5f + 0.5f * n.y;
     for (c = 0; c < 3; ++c) {
-        static const float sky[3] = {0.045f, 0.054f, 0.068f}, ground[3] = {0.026f, 0.022f, 0.020f};
-        e[c] = open * scene__mix(ground[c], sky[c], up);
-        spec[c] = 0;
+        e[c] = open * scene__mix(ground[c], sky[c], 0.5f + 0.5f * n.y);
+        s->albedo.pixels[3 * pixel + (size_t)c] = m.albedo[c];
     }
     for (i = 0; i < SCENE_LIGHTS; ++i) {
-        scene_vec to = scene_sub(light[i].position, p), l, h;
-        float d2 = scene_dot(to, to), nl, falloff, seen, lobe;
-        l = scene_mul(to, 1 / sqrtf(d2));
-        nl = scene_dot(n, l);
-        if (nl <= 0 || scene_dot(smooth, l) < -0.2f) continue;
-        falloff = scene_dot(light[i].position, light[i].position) / d2;
-        seen = falloff * scene__visible(g, p, smooth, light[i].position, light[i].radius);
-        h = scene_normalize(scene_add(l, v));
-        lobe = m.coat < 1 ? (1 - m.coat) * scene__lobe(nl, nv, scene_dot(n, h), scene_dot(v, h), m.roughness, m.reflectance) : 0;
-        if (m.coat > 0) lobe += m.coat * scene__lobe(nl, nv, scene_dot(n, h), scene_dot(v, h), 0.55f * m.roughness, m.reflectance);
+        scene_vec to = scene_sub(light[i].position, p), l = scene_normalize(to);
+        float nl = scene_dot(n, l), seen, gloss;
+        if (nl <= 0) continue;
+        seen = scene__visible(g, p, smooth, light[i].position, light[i].radius);
+        seen *= scene_dot(light[i].position, light[i].position) / scene_dot(to, to);
+        gloss = scene__gloss(&m, n, l, v, nv);
         for (c = 0; c < 3; ++c) {
             e[c] += seen * nl * light[i].power[c] / 3.14159265f;
-            spec[c] += seen * lobe * light[i].power[c];
+            specular[c] += seen * gloss * light[i].power[c];
         }
     }
-    r = scene_sub(scene_mul(n, 2 * scene_dot(n, v)), v); /* the studio's reflection, hidden where the field rises */
-    scene__studio(r, m.roughness, studio);
-    fresnel = 0;
-    if (m.reflectance > 0) {
-        fresnel = m.reflectance + (scene__max(1 - m.roughness, m.reflectance) - m.reflectance) * powf(1 - nv, 5);
+    if (m.reflectance > 0) { /* the studio's reflection, hidden where the field rises */
+        scene_vec r = scene_sub(scene_mul(n, 2 * scene_dot(n, v)), v);
+        float studio[3], fresnel = m.reflectance + (1 - m.roughness - m.reflectance) * powf(1 - nv, 5);
         fresnel *= open * open * scene__visible(g, p, smooth, scene_mad(r, 300, p), 300 * (0.1f + 0.5f * m.roughness));
-    }
-    for (c = 0; c < 3; ++c) {
-        spec[c] += fresnel * studio[c];
-        s->albedo.pixels[3 * pixel + (size_t)c] = m.albedo[c];
+        scene__studio(r, m.roughness, studio);
+        for (c = 0; c < 3; ++c) specular[c] += fresnel * studio[c];
     }
     s->mask.pixels[pixel] = m.mask;
 }
@@ -671,14 +728,16 @@ static inline void scene__cover(scene *s, const scene_grid *g)
                 continue;
             }
             for (k = 0; k < 16; ++k) { /* 16 points of a rotated grid, 4 to a row */
-                float dx = (float)(k % 4) / 4 + (float)(k / 4) / 16 + 0.03125f, dy = (float)(k / 4) / 4 + (float)(k % 4) / 16 + 0.03125f;
+                float dx = (float)(k % 4) / 4 + (float)(k / 4) / 16 + 0.03125f,
+                      dy = (float)(k / 4) / 4 + (float)(k % 4) / 16 + 0.03125f;
                 scene_vec ray = scene_ray(&s->camera, s->width, s->height, (float)x + dx, (float)y + dy);
                 scene_hit hit = scene__trace(g, s->camera.eye, ray);
                 float z = -scene_dot(ray, s->camera.back) * hit.t, best = 1e30f;
                 int choice = 4;
                 for (i = 0; i < 9; ++i) {
                     float aside = fabsf(dx + 0.5f - (float)(i % 3)) + fabsf(dy + 0.5f - (float)(i / 3));
-                    float cost = fabsf(depth[i] - z) + 0.004f * z * aside + ((mask[i] > 0) != (hit.what == SCENE_OBJECT) ? z : 0);
+                    float cost = fabsf(depth[i] - z) + 0.004f * z * aside +
+                                 ((mask[i] > 0) != (hit.what == SCENE_OBJECT) ? z : 0);
                     if (cost >= best) continue;
                     best = cost;
                     choice = i;
@@ -707,8 +766,8 @@ static inline const char *scene_render(scene *s, scene_object object, int width,
     s->mask = image_new(width, height, 1);
     count = image_count(&s->mask);
     s->coverage = (unsigned char *)calloc(9, count ? count : 1);
-    if (!s->irradiance.pixels || !s->albedo.pixels || !s->specular.pixels || !s->depth.pixels || !s->mask.pixels || !s->coverage ||
-        !scene__grid_make(&grid, object, object == SCENE_BUST ? 2.5f : 0.7f)) {
+    if (!s->irradiance.pixels || !s->albedo.pixels || !s->specular.pixels || !s->depth.pixels || !s->mask.pixels ||
+        !s->coverage || !scene__grid_make(&grid, object, object == SCENE_BUST ? 2.5f : 1.0f)) {
         scene_free(s);
         return "out of memory";
     }
@@ -729,7 +788,10 @@ static inline const char *scene_render(scene *s, scene_object object, int width,
 /* --- from layers to a picture --- */
 
 /* Filmic curve, Narkowicz's fit of the ACES reference (2016). */
-static inline float scene_tone(float v) { return scene__clamp(v * (2.51f * v + 0.03f) / (v * (2.43f * v + 0.59f) + 0.14f), 0, 1); }
+static inline float scene_tone(float v)
+{
+    return scene__clamp(v * (2.51f * v + 0.03f) / (v * (2.43f * v + 0.59f) + 0.14f), 0, 1);
+}
 
 /* out: sRGB-encoded RGB in [0, 1], for image_write. irradiance: the scene's own, or a filtered copy of it. */
 static inline const char *scene_compose(const scene *s, const image *irradiance, image *out)
@@ -747,7 +809,8 @@ static inline const char *scene_compose(const scene *s, const image *irradiance,
                 if (weight == 0) continue;
                 for (c = 0; c < 3; ++c, ++from) {
                     float v = s->albedo.pixels[from] * irradiance->pixels[from] + s->specular.pixels[from];
-                    out->pixels[3 * pixel + (size_t)c] += (float)weight / 16 * image_srgb_encode(scene_tone(exposure * v));
+                    out->pixels[3 * pixel + (size_t)c] += (float)weight / 16 *
+                                                          image_srgb_encode(scene_tone(exposure * v));
                 }
             }
         }

@@ -65,8 +65,10 @@ static ms_status profile_of_file(const char *path, ms_sss_profile **profile, ms_
     ms_status status = MS_IO;
     memset(&text, 0, sizeof text);
     problem = image__load(path, &text);
-    if (problem) snprintf(error->message, sizeof error->message, "%s", problem);
-    else status = ms_sss_profile_from_csv(profile, (const char *)text.data, text.size, NULL, error);
+    if (problem)
+        snprintf(error->message, sizeof error->message, "%s", problem);
+    else
+        status = ms_sss_profile_from_csv(profile, (const char *)text.data, text.size, NULL, error);
     free(text.data);
     return status;
 }
@@ -95,14 +97,22 @@ int main(int argc, char **argv)
             continue;
         }
         if (strcmp(name, "--help") == 0) return fputs(usage, stdout) < 0;
-        if (strcmp(name, "--material") == 0) material = value;
-        else if (strcmp(name, "--profile") == 0) csv = value;
-        else if (strcmp(name, "--taps") == 0) good = value && number(value, 3, MS_SSS_TAPS_MAX, &taps) && fmod(taps, 2) == 1;
-        else if (strcmp(name, "--mm-per-unit") == 0) good = value && number(value, 1e-9, 1e9, &mm_per_unit);
-        else if (strcmp(name, "--fov") == 0) good = perspective = value && number(value, 0.01, 179.9, &fov);
-        else if (strcmp(name, "--ortho") == 0) good = value && number(value, 1e-9, 1e9, &ortho);
-        else if (strcmp(name, "--strength") == 0) good = value && number(value, 0, 1, &strength);
-        else known = 0;
+        if (strcmp(name, "--material") == 0)
+            material = value;
+        else if (strcmp(name, "--profile") == 0)
+            csv = value;
+        else if (strcmp(name, "--taps") == 0)
+            good = value && number(value, 3, MS_SSS_TAPS_MAX, &taps) && fmod(taps, 2) == 1;
+        else if (strcmp(name, "--mm-per-unit") == 0)
+            good = value && number(value, 1e-9, 1e9, &mm_per_unit);
+        else if (strcmp(name, "--fov") == 0)
+            good = perspective = value && number(value, 0.01, 179.9, &fov);
+        else if (strcmp(name, "--ortho") == 0)
+            good = value && number(value, 1e-9, 1e9, &ortho);
+        else if (strcmp(name, "--strength") == 0)
+            good = value && number(value, 0, 1, &strength);
+        else
+            known = 0;
         if (!known) return fail(2, name, "unknown option; --help lists them");
         if (value == NULL) return fail(2, name, "a value is expected behind it");
         if (!good) return fail(2, name, "its value is malformed or out of range; --help lists the ranges");
@@ -110,8 +120,10 @@ int main(int argc, char **argv)
     }
     if (paths < 3 || (material == NULL) == (csv == NULL) || (perspective && ortho > 0)) {
         fputs(usage, stderr);
-        return fail(2, "arguments", paths < 3 ? "three file names are expected" : perspective && ortho > 0 ? "--fov and --ortho exclude each other"
-                                                                       : "one of --material and --profile is expected");
+        return fail(2, "arguments",
+                    paths < 3                  ? "three file names are expected"
+                    : perspective && ortho > 0 ? "--fov and --ortho exclude each other"
+                                               : "one of --material and --profile is expected");
     }
     if (!image__has_extension(path[2], ".pfm") && !image__has_extension(path[2], ".png"))
         return fail(2, path[2], "the result's name should end in .pfm or .png");
@@ -120,12 +132,16 @@ int main(int argc, char **argv)
     if ((problem = image_read(path[1], &depth)) != NULL) return fail(1, path[1], problem);
     if (input.channels != 3) return fail(1, path[0], "three channels (RGB) are expected");
     if (depth.channels != 1) return fail(1, path[1], "one channel is expected");
-    if (depth.width != input.width || depth.height != input.height) return fail(1, path[1], "its size differs from the irradiance's");
+    if (depth.width != input.width || depth.height != input.height)
+        return fail(1, path[1], "its size differs from the irradiance's");
 
     memset(&error, 0, sizeof error);
-    if ((material ? profile_of_material(material, &profile, &error) : profile_of_file(csv, &profile, &error)) != MS_OK) {
-        if (error.position) fprintf(stderr, "sss_filter: %s:%lu: %s\n", csv, (unsigned long)error.position, error.message);
-        else fail(1, material ? material : csv, error.message);
+    if ((material ? profile_of_material(material, &profile, &error) : profile_of_file(csv, &profile, &error)) !=
+        MS_OK) {
+        if (error.position)
+            fprintf(stderr, "sss_filter: %s:%lu: %s\n", csv, (unsigned long)error.position, error.message);
+        else
+            fail(1, material ? material : csv, error.message);
         return 1;
     }
 
@@ -152,8 +168,10 @@ int main(int argc, char **argv)
     frame.input = ms_sss_interleaved(input.pixels, 3, 0);
     frame.output = ms_sss_interleaved(output.pixels, 3, 0);
     frame.depth = ms_sss_map(depth.pixels, 1, 0);
-    if (ortho > 0) options.ortho_height = (float)ortho;
-    else options.fov_degrees = (float)fov;
+    if (ortho > 0)
+        options.ortho_height = (float)ortho;
+    else
+        options.fov_degrees = (float)fov;
     options.mm_per_unit = (float)mm_per_unit;
     options.fade = (float)(1 - strength);
     workspace_size = ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);

@@ -22,8 +22,8 @@ static inline void check_golden(const char *name, double least_psnr)
     } else {
         TEST_NOTE("%s %.1f dB", name, d.psnr < 999 ? d.psnr : 999.0);
         if (!(d.psnr >= least_psnr)) {
-            TEST_FAIL("%s: %.1f dB from %s, at least %.1f expected (largest difference %.3f at %d, %d; see %s)", path, d.psnr,
-                      golden, least_psnr, d.max, d.x, d.y, difference);
+            TEST_FAIL("%s: %.1f dB from %s, at least %.1f expected (largest difference %.3f at %d, %d; see %s)", path,
+                      d.psnr, golden, least_psnr, d.max, d.x, d.y, difference);
             for (i = 0; i < w[0] * h[0] * c[0]; ++i) a[i] = 10 * fabsf(a[i] - b[i]);
             oiio_write(difference, a, w[0], h[0], c[0], 8);
         }

@@ -55,7 +55,7 @@ extern "C" int oiio_write(const char *path, const float *pixels, int width, int 
 
 extern "C" int oiio_compare(const float *a, const float *b, int width, int height, int channels, oiio_difference *out)
 {
-    auto result = OIIO::ImageBufAlgo::compare(wrap(a, width, height, channels), wrap(b, width, height, channels), 0.0f, 0.0f);
+    auto result = OIIO::ImageBufAlgo::compare(wrap(a, width, height, channels), wrap(b, width, height, channels), 1e30f, 1e30f);
     if (result.error) {
         problem = OIIO::geterror();
         return 0;

@@ -11,19 +11,21 @@ static image picture(int width, int height, int channels, int kind)
     uint64_t state = test_seed + (uint64_t)kind;
     size_t i, n = image_count(&im);
     for (i = 0; i < n; ++i) {
-        int x = (int)(i / (size_t)channels) % width, y = (int)(i / (size_t)channels) / width, c = (int)(i % (size_t)channels);
-        double v = 0.25;                                                               /* flat */
-        if (kind == 1) v = test_uniform(&state);                                       /* nothing to compress */
-        if (kind == 2) v = (x + 2 * y + 30 * c) % 256 / 255.0;                         /* ramps that wrap */
-        if (kind == 3) v = (x / 7 + y / 5) % 2 ? 1 : 0;                                /* long matches */
+        int x = (int)(i / (size_t)channels) % width, y = (int)(i / (size_t)channels) / width,
+            c = (int)(i % (size_t)channels);
+        double v = 0.25;                                       /* flat */
+        if (kind == 1) v = test_uniform(&state);               /* nothing to compress */
+        if (kind == 2) v = (x + 2 * y + 30 * c) % 256 / 255.0; /* ramps that wrap */
+        if (kind == 3) v = (x / 7 + y / 5) % 2 ? 1 : 0;        /* long matches */
         if (kind == 4) v = 0.5 + 0.4 * sin(0.05 * x) * cos(0.04 * y) + 0.01 * test_normal(&state);
-        if (kind == 5) v = floor(pow(test_uniform(&state), 40) * 255) / 255;           /* very uneven code lengths */
+        if (kind == 5) v = floor(pow(test_uniform(&state), 40) * 255) / 255; /* very uneven code lengths */
         im.pixels[i] = (float)v;
     }
     return im;
 }
 
-static const char *const path_of[] = {"build/pkg_image.png", "build/pkg_image.pfm", "build/pkg_image.ppm", "build/pkg_image.pgm"};
+static const char *const path_of[] = {"build/pkg_image.png", "build/pkg_image.pfm", "build/pkg_image.ppm",
+                                      "build/pkg_image.pgm"};
 
 /* Writes im, reads it back by OpenImageIO, and asks for equal bits of `bits` a channel (32: floats). */
 static void check_read_back(const image *im, const char *path, int bits)
@@ -81,7 +83,8 @@ static void test_png_1080p(void)
     f = fopen(path_of[0], "rb");
     if (f && fseek(f, 0, SEEK_END) == 0) size = ftell(f);
     if (f) fclose(f);
-    CHECK_LE(size, 0.62 * 1920 * 1080 * 3); /* noise of 2.5 levels alone has 3.4 of 8 bits; without packing it were 1.0 */
+    CHECK_LE(size,
+             0.62 * 1920 * 1080 * 3); /* noise of 2.5 levels alone has 3.4 of 8 bits; without packing it were 1.0 */
     TEST_NOTE("%ld bytes", size);
     image_free(&im);
 }

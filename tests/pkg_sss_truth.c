@@ -40,7 +40,8 @@ static void test_mesh_closed(void)
             TEST_FAIL("no mesh of object %d", object);
             continue;
         }
-        for (i = 0; i < m.triangles; ++i) { /* a closed surface's area vectors add up to nothing; its volume is positive */
+        for (i = 0; i < m.triangles;
+             ++i) { /* a closed surface's area vectors add up to nothing; its volume is positive */
             scene_vec p[3], n;
             for (k = 0; k < 3; ++k) {
                 const float *v = m.position + 3 * m.triangle[3 * i + k];
@@ -51,7 +52,11 @@ static void test_mesh_closed(void)
             sum[0] += (double)n.x;
             sum[1] += (double)n.y;
             sum[2] += (double)n.z;
-            if (scene_length(n) > 0 && scene_dot(scene_gradient((scene_object)object, scene_mul(scene_add(p[0], scene_add(p[1], p[2])), 1 / 3.0f), 0.5f), n) < 0) ++wrong;
+            if (scene_length(n) > 0 &&
+                scene_dot(scene_gradient((scene_object)object,
+                                         scene_mul(scene_add(p[0], scene_add(p[1], p[2])), 1 / 3.0f), 0.5f),
+                          n) < 0)
+                ++wrong;
         }
         for (k = 0; k < 3; ++k) CHECK_NEAR(sum[k], 0, 1e-6 * volume); /* float rounding of 1e5 triangles */
         CHECK_LE(wrong, m.triangles / 200); /* cells of 4 mm do not resolve the folds of lids and ears */
@@ -89,7 +94,8 @@ static void test_flat_total(void)
     for (i = 0; i < 4; ++i) {
         double expected = diffuse_albedo(albedo[i]);
         double total = trace_flat_profile((float)albedo[i], (float)(1 - albedo[i]), &radius, 1, walks, 5, &energy);
-        CHECK_NEAR(total, expected, 4 * sqrt(0.25 / walks) + 2e-4); /* 4 standard errors at most; the midpoint rule's error */
+        CHECK_NEAR(total, expected,
+                   4 * sqrt(0.25 / walks) + 2e-4); /* 4 standard errors at most; the midpoint rule's error */
         CHECK_NEAR(energy, total, 1e-12);
     }
 }
@@ -155,7 +161,8 @@ static void check_order(scene_object object, const char *name, int samples)
         e = truth_compare(&t, &picture);
         TEST_NOTE("%s %.1f", truth_models[i].name, e.psnr);
         if (!(exact.relative < e.relative && e.relative < unfiltered.relative))
-            TEST_FAIL("%s: error %.4f, 2D kernel %.4f, unfiltered %.4f", truth_models[i].name, e.relative, exact.relative, unfiltered.relative);
+            TEST_FAIL("%s: error %.4f, 2D kernel %.4f, unfiltered %.4f", truth_models[i].name, e.relative,
+                      exact.relative, unfiltered.relative);
         if (truth_models[i].model == MS_SSS_PREINTEGRATED) {
             snprintf(golden, sizeof golden, "%s_filtered", name);
             snprintf(path, sizeof path, "build/%s.png", golden);
@@ -175,7 +182,10 @@ static void check_order(scene_object object, const char *name, int samples)
 static void test_bust(void) { check_order(SCENE_BUST, "bust", 96); }
 static void test_knot(void) { check_order(SCENE_KNOT, "knot", 64); }
 
-static const test_case cases[] = {{"sampler", test_sampler},       {"mesh_closed", test_mesh_closed},
-                                  {"flat_total", test_flat_total}, {"threads", test_threads},
-                                  {"bust", test_bust},             {"knot", test_knot}};
+static const test_case cases[] = {{"sampler", test_sampler},
+                                  {"mesh_closed", test_mesh_closed},
+                                  {"flat_total", test_flat_total},
+                                  {"threads", test_threads},
+                                  {"bust", test_bust},
+                                  {"knot", test_knot}};
 TEST_MAIN(cases)

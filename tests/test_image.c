@@ -6,7 +6,8 @@
 
 static void test_pfm_bytes(void)
 {
-    static const unsigned char little[] = "Pf\n2 2\n-1.0\n\0\0\x80\x3f\0\0\0\x40\0\0\x40\x40\0\0\x80\x40"; /* 1 2, below 3 4 */
+    static const unsigned char little[] =
+        "Pf\n2 2\n-1.0\n\0\0\x80\x3f\0\0\0\x40\0\0\x40\x40\0\0\x80\x40"; /* 1 2, below 3 4 */
     static const unsigned char big[] = "PF 1 1 0.5\n\x3f\x80\0\0\x40\0\0\0\x40\x40\0\0";
     static const float upright[] = {3, 4, 1, 2}; /* a PFM's first row is the lowest */
     image im;
@@ -229,14 +230,9 @@ static void test_code_lengths(void)
     }
 }
 
-static const test_case cases[] = {{"pfm_bytes", test_pfm_bytes},
-                                  {"pnm_bytes", test_pnm_bytes},
-                                  {"round_trip", test_round_trip},
-                                  {"not_finite", test_not_finite},
-                                  {"refused", test_refused},
-                                  {"prefixes", test_prefixes},
-                                  {"write_refused", test_write_refused},
-                                  {"srgb", test_srgb},
-                                  {"png_chunks", test_png_chunks},
-                                  {"code_lengths", test_code_lengths}};
+static const test_case cases[] = {
+    {"pfm_bytes", test_pfm_bytes},         {"pnm_bytes", test_pnm_bytes}, {"round_trip", test_round_trip},
+    {"not_finite", test_not_finite},       {"refused", test_refused},     {"prefixes", test_prefixes},
+    {"write_refused", test_write_refused}, {"srgb", test_srgb},           {"png_chunks", test_png_chunks},
+    {"code_lengths", test_code_lengths}};
 TEST_MAIN(cases)

@@ -180,8 +180,10 @@ static void test_odd_depth(void)
     CHECK(image_write(DEPTH, &z) == NULL);
     CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 16"), 0);
     a = read_out(OUT);
-    for (i = 0; a.pixels && i < 64 * 16 * 3; ++i) CHECK(a.pixels[i] >= 0.25f - 4e-6f && a.pixels[i] <= 1 + 4e-6f); /* rounding of 2 x 17 weights */
-    for (i = 0; a.pixels && i < 4; ++i) CHECK(a.pixels[3 * (8 * 64 + 10 + 12 * i)] == e.pixels[3 * (8 * 64 + 10 + 12 * i)]);
+    for (i = 0; a.pixels && i < 64 * 16 * 3; ++i)
+        CHECK(a.pixels[i] >= 0.25f - 4e-6f && a.pixels[i] <= 1 + 4e-6f); /* rounding of 2 x 17 weights */
+    for (i = 0; a.pixels && i < 4; ++i)
+        CHECK(a.pixels[3 * (8 * 64 + 10 + 12 * i)] == e.pixels[3 * (8 * 64 + 10 + 12 * i)]);
     image_free(&z);
     image_free(&e);
     image_free(&a);
@@ -195,32 +197,31 @@ static void test_refused(void)
         const char *arguments;
         int code;
         const char *gist;
-    } bad[] = {
-        {"", 2, "three file names"},
-        {IRRADIANCE " " DEPTH " --material skin1", 2, "three file names"},
-        {IRRADIANCE " " DEPTH " " OUT " more.pfm --material skin1", 2, "fourth"},
-        {IRRADIANCE " " DEPTH " " OUT, 2, "--material"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --profile x.csv", 2, "one of --material and --profile"},
-        {IRRADIANCE " " DEPTH " " OUT " --material", 2, "value is expected"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --colour red", 2, "unknown option"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 8", 2, "--taps"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 1", 2, "--taps"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 7x", 2, "--taps"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --fov 180", 2, "--fov"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --fov nan", 2, "--fov"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 0", 2, "--ortho"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 1 --fov 30", 2, "exclude"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --mm-per-unit -1", 2, "--mm-per-unit"},
-        {IRRADIANCE " " DEPTH " " OUT " --material skin1 --strength 1.5", 2, "--strength"},
-        {IRRADIANCE " " DEPTH " build/test_sss_tool_out.exr --material skin1", 2, ".pfm or .png"},
-        {IRRADIANCE " " DEPTH " " OUT " --material granite", 1, "no such material"},
-        {IRRADIANCE " " DEPTH " " OUT " --profile build/no_such.csv", 1, "build/no_such.csv"},
-        {"build/no_such.pfm " DEPTH " " OUT " --material skin1", 1, "build/no_such.pfm: cannot open"},
-        {IRRADIANCE " Makefile " OUT " --material skin1", 1, "Makefile: not a PFM"},
-        {DEPTH " " DEPTH " " OUT " --material skin1", 1, "three channels"},
-        {IRRADIANCE " " IRRADIANCE " " OUT " --material skin1", 1, "one channel"},
-        {IRRADIANCE " build/test_sss_tool_small.pfm " OUT " --material skin1", 1, "size differs"},
-        {IRRADIANCE " " DEPTH " build/no/such/folder.pfm --material skin1", 1, "cannot open"}};
+    } bad[] = {{"", 2, "three file names"},
+               {IRRADIANCE " " DEPTH " --material skin1", 2, "three file names"},
+               {IRRADIANCE " " DEPTH " " OUT " more.pfm --material skin1", 2, "fourth"},
+               {IRRADIANCE " " DEPTH " " OUT, 2, "--material"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --profile x.csv", 2, "one of --material and --profile"},
+               {IRRADIANCE " " DEPTH " " OUT " --material", 2, "value is expected"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --colour red", 2, "unknown option"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 8", 2, "--taps"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 1", 2, "--taps"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 7x", 2, "--taps"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --fov 180", 2, "--fov"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --fov nan", 2, "--fov"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 0", 2, "--ortho"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 1 --fov 30", 2, "exclude"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --mm-per-unit -1", 2, "--mm-per-unit"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --strength 1.5", 2, "--strength"},
+               {IRRADIANCE " " DEPTH " build/test_sss_tool_out.exr --material skin1", 2, ".pfm or .png"},
+               {IRRADIANCE " " DEPTH " " OUT " --material granite", 1, "no such material"},
+               {IRRADIANCE " " DEPTH " " OUT " --profile build/no_such.csv", 1, "build/no_such.csv"},
+               {"build/no_such.pfm " DEPTH " " OUT " --material skin1", 1, "build/no_such.pfm: cannot open"},
+               {IRRADIANCE " Makefile " OUT " --material skin1", 1, "Makefile: not a PFM"},
+               {DEPTH " " DEPTH " " OUT " --material skin1", 1, "three channels"},
+               {IRRADIANCE " " IRRADIANCE " " OUT " --material skin1", 1, "one channel"},
+               {IRRADIANCE " build/test_sss_tool_small.pfm " OUT " --material skin1", 1, "size differs"},
+               {IRRADIANCE " " DEPTH " build/no/such/folder.pfm --material skin1", 1, "cannot open"}};
     int i, count = (int)(sizeof bad / sizeof bad[0]);
     image small = image_new(3, 3, 1);
     need_tool();
@@ -241,6 +242,7 @@ static void test_refused(void)
     remove("build/test_sss_tool_small.pfm");
 }
 
-static const test_case cases[] = {{"step", test_step},         {"strength", test_strength},   {"profile_file", test_profile_file},
-                                  {"png", test_png},           {"odd_depth", test_odd_depth}, {"refused", test_refused}};
+static const test_case cases[] = {
+    {"step", test_step}, {"strength", test_strength},   {"profile_file", test_profile_file},
+    {"png", test_png},   {"odd_depth", test_odd_depth}, {"refused", test_refused}};
 TEST_MAIN(cases)

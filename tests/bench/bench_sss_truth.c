@@ -37,38 +37,52 @@ int main(void)
         seconds[object] = bench_cpu() - start;
         radius_px[object] = t.radius_px;
         picture = image_new(t.width, t.height, 3);
-        if (picture.pixels == NULL || ms_sss_designer_create(&designer, t.profile, t.radius_px, NULL, NULL) != MS_OK) return 1;
+        if (picture.pixels == NULL || ms_sss_designer_create(&designer, t.profile, t.radius_px, NULL, NULL) != MS_OK)
+            return 1;
         for (i = 0; i < ROWS; ++i) {
             snprintf(path, sizeof path, "build/bench/sss_truth_%s_%d.png", object_name[object], i);
-            name[i] = i == 0 ? "unfiltered" : i == ROWS - 2 ? "2D kernel, distances on the screen" : i == ROWS - 1 ? "2D kernel, distances in space" : truth_models[i - 1].name;
+            name[i] = i == 0          ? "unfiltered"
+                      : i == ROWS - 2 ? "2D kernel, distances on the screen"
+                      : i == ROWS - 1 ? "2D kernel, distances in space"
+                                      : truth_models[i - 1].name;
             if (i == 0) {
                 memcpy(picture.pixels, t.unfiltered.pixels, image_count(&picture) * sizeof(float));
             } else if (i >= ROWS - 2) {
                 truth_filter_2d(&t, i == ROWS - 1, &picture);
             } else {
                 ms_sss_kernel kernel;
-                if (truth_kernel(designer, &truth_models[i - 1], &kernel) != MS_OK || truth_filter(&t, &kernel, 1.0 / 3, &picture) != MS_OK) return 1;
+                if (truth_kernel(designer, &truth_models[i - 1], &kernel) != MS_OK ||
+                    truth_filter(&t, &kernel, 1.0 / 3, &picture) != MS_OK)
+                    return 1;
             }
             row(&t, path, &picture, &result[object][i]);
         }
-        for (i = 0; i < (int)image_count(&picture); ++i) picture.pixels[i] = 0.5f * (t.half[0].pixels[i] + t.half[1].pixels[i]);
+        for (i = 0; i < (int)image_count(&picture); ++i)
+            picture.pixels[i] = 0.5f * (t.half[0].pixels[i] + t.half[1].pixels[i]);
         snprintf(path, sizeof path, "build/bench/sss_truth_%s.png", object_name[object]);
         truth_save(&t, &picture, path);
         ms_sss_designer_destroy(designer);
         image_free(&picture);
         truth_free(&t);
     }
-    fprintf(md, "Random walk: 240 x 135 pixels, 2 x 256 walks a pixel and channel, %.0f and %.0f s on one core of %s; skin1 on a bust of\n"
-                "70 mm (99%% radius %.0f px), marble on a knot of 50 mm (%.0f px), one lamp. Error: root mean square over that of the truth,\n"
-                "on the object's pixels, the truth's noise taken out. PSNR: below the brightest unfiltered value. `make bench`.\n\n"
-                "| kernel (dense taps) | bust, error | bust, PSNR | knot, error | knot, PSNR |\n|---|---:|---:|---:|---:|\n",
-            seconds[0], seconds[1], bench_processor(), radius_px[0], radius_px[1]);
+    fprintf(
+        md,
+        "Random walk: 240 x 135 pixels, 2 x 256 walks a pixel and channel, %.0f and %.0f s on one core of %s; skin1 on "
+        "a bust of\n"
+        "70 mm (99%% radius %.0f px), marble on a knot of 50 mm (%.0f px), one lamp. Error: root mean square over that "
+        "of the truth,\n"
+        "on the object's pixels, the truth's noise taken out. PSNR: below the brightest unfiltered value. `make "
+        "bench`.\n\n"
+        "| kernel (dense taps) | bust, error | bust, PSNR | knot, error | knot, PSNR |\n|---|---:|---:|---:|---:|\n",
+        seconds[0], seconds[1], bench_processor(), radius_px[0], radius_px[1]);
     fprintf(csv, "kernel,bust_error,bust_psnr,knot_error,knot_psnr\n");
     for (i = 0; i < ROWS; ++i) {
         const truth_error *a = &result[0][i], *b = &result[1][i];
-        fprintf(md, "| %s | %.1f%% | %.1f dB | %.1f%% | %.1f dB |\n", name[i], 100 * a->relative, a->psnr, 100 * b->relative, b->psnr);
+        fprintf(md, "| %s | %.1f%% | %.1f dB | %.1f%% | %.1f dB |\n", name[i], 100 * a->relative, a->psnr,
+                100 * b->relative, b->psnr);
         fprintf(csv, "\"%s\",%.5f,%.3f,%.5f,%.3f\n", name[i], a->relative, a->psnr, b->relative, b->psnr);
-        printf("%-36s bust %5.1f%% %5.1f dB   knot %5.1f%% %5.1f dB\n", name[i], 100 * a->relative, a->psnr, 100 * b->relative, b->psnr);
+        printf("%-36s bust %5.1f%% %5.1f dB   knot %5.1f%% %5.1f dB\n", name[i], 100 * a->relative, a->psnr,
+               100 * b->relative, b->psnr);
     }
     return (fclose(md) | fclose(csv)) != 0;
 }

@@ -71,7 +71,8 @@ static inline int mesh_make(mesh *m, scene_object object, float cell)
                         vertex_of[at] = m->vertices;
                     }
                     m->vertices++;
-                    for (axis = 0; axis < 3; ++axis) { /* the edge at corner 0, shared by this cell and three before it */
+                    for (axis = 0; axis < 3;
+                         ++axis) { /* the edge at corner 0, shared by this cell and three before it */
                         static const int order[2][6] = {{0, 1, 2, 0, 2, 3}, {0, 2, 1, 0, 3, 2}};
                         int u = step[(axis + 1) % 3], w = step[(axis + 2) % 3];
                         if ((d[0] < 0) == (d[1 << axis] < 0)) continue;

@@ -26,12 +26,12 @@
 /* --- samples: Owen-scrambled Sobol points, a fresh scramble and order for each pair of dimensions ---
    Burley, "Practical hash-based Owen scrambling", JCGT 9(4), 2020. */
 
-#define TRACE_SOBOL_PAIRS 8u      /* pairs of a walk that are stratified; the rest is white noise */
+#define TRACE_SOBOL_PAIRS 8u       /* pairs of a walk that are stratified; the rest is white noise */
 #define TRACE_LAMP_PAIR (1u << 20) /* lamps draw these pairs, however long the walk before was */
 
 typedef struct trace_sampler {
-    uint32_t seed, index;  /* of the pixel; of the sample */
-    uint32_t pair;         /* pairs drawn so far */
+    uint32_t seed, index; /* of the pixel; of the sample */
+    uint32_t pair;        /* pairs drawn so far */
 } trace_sampler;
 
 static inline uint32_t trace__hash(uint32_t x)
@@ -73,7 +73,8 @@ static inline void trace_sample(trace_sampler *s, float *u, float *v)
     }
     i = trace__scramble(s->index, seed);
     x = trace__reverse(i);
-    for (bits = i; bits; bits >>= 1, column ^= column >> 1) /* the second dimension's matrix is Pascal's triangle mod 2 */
+    for (bits = i; bits;
+         bits >>= 1, column ^= column >> 1) /* the second dimension's matrix is Pascal's triangle mod 2 */
         if (bits & 1) y ^= column;
     x = trace__scramble(x, trace__hash(seed ^ 0xa511e9b3u));
     y = trace__scramble(y, trace__hash(seed ^ 0x63d83595u));
@@ -94,7 +95,8 @@ static inline scene_vec trace__around(scene_vec axis, float cosine, float turn)
     scene_vec a, b;
     float sine = sqrtf(scene__max(0, 1 - cosine * cosine));
     trace__frame(axis, &a, &b);
-    return scene_add(scene_mul(axis, cosine), scene_mul(scene_add(scene_mul(a, cosf(turn)), scene_mul(b, sinf(turn))), sine));
+    return scene_add(scene_mul(axis, cosine),
+                     scene_mul(scene_add(scene_mul(a, cosf(turn)), scene_mul(b, sinf(turn))), sine));
 }
 
 #define TRACE_TURN 6.28318531f
@@ -137,7 +139,8 @@ static inline tracer *trace_create(const mesh *m, const scene_light *light, int 
     t->lights = lights;
     memcpy(t->light, light, (size_t)lights * sizeof *light);
     t->nudge = 1e-3f;
-    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, m->position, 0, 12, (size_t)m->vertices);
+    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, m->position, 0, 12,
+                               (size_t)m->vertices);
     rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m->triangle, 0, 12, (size_t)m->triangles);
     rtcCommitGeometry(g);
     rtcAttachGeometry(t->scene, g);
@@ -217,7 +220,8 @@ static inline void trace__lamps(const tracer *t, trace_sampler *s, scene_vec p, 
         direction = trace__around(scene_mul(to, 1 / d), 1 - u * (1 - least), TRACE_TURN * v);
         cosine = scene_dot(n, direction);
         if (cosine <= 0 || trace_blocked(t, p, direction, d - l->radius)) continue;
-        for (c = 0; c < 3; ++c) out[c] += l->power[c] * cosine * scene_dot(l->position, l->position) / (d2 * 3.14159265f);
+        for (c = 0; c < 3; ++c)
+            out[c] += l->power[c] * cosine * scene_dot(l->position, l->position) / (d2 * 3.14159265f);
     }
 }
 
@@ -253,7 +257,8 @@ typedef struct trace__job {
 static inline void trace__rows(const tracer *t, int count, void (*task)(void *context, int index), trace__job *job)
 {
     int i;
-    if (t->run) t->run(t->run_user, count, task, job);
+    if (t->run)
+        t->run(t->run_user, count, task, job);
     else
         for (i = 0; i < count; ++i) task(job, i);
 }
@@ -424,7 +429,8 @@ static inline double trace_flat_profile(float mu_s, float mu_a, const double *ra
         if (weight > 0) {
             at = scene_mad(direction, -at.z / direction.z, at);
             total += (double)weight;
-            for (i = n - 1; i >= 0 && radius[i] > sqrt((double)(at.x * at.x + at.y * at.y)); --i) energy[i] += (double)weight;
+            for (i = n - 1; i >= 0 && radius[i] > sqrt((double)(at.x * at.x + at.y * at.y)); --i)
+                energy[i] += (double)weight;
         }
     }
     for (i = 0; i < n; ++i) energy[i] /= walks;

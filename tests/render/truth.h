@@ -14,11 +14,12 @@ typedef struct truth {
     mesh m;
     tracer *t;
     trace_layers layers;
-    image irradiance;           /* over pi */
-    image half[2];              /* the random walk's picture, two independent estimates */
-    image unfiltered;           /* irradiance times reflectance */
-    ms_sss_profile *profile;    /* mm */
-    double reflectance[3], radius_mm, radius_px; /* of the flat profile; of 99% of the widest channel, px at the object's centre */
+    image irradiance;        /* over pi */
+    image half[2];           /* the random walk's picture, two independent estimates */
+    image unfiltered;        /* irradiance times reflectance */
+    ms_sss_profile *profile; /* mm */
+    double reflectance[3], radius_mm,
+        radius_px; /* of the flat profile; of 99% of the widest channel, px at the object's centre */
 } truth;
 
 static inline void truth_free(truth *t)
@@ -87,7 +88,8 @@ static inline int truth_make(truth *t, scene_object object, int width, int heigh
         if (value[c] == NULL) abort();
         trace_flat_profile(mu_s[c], mu_a[c], edge + 1, TRUTH_RINGS, 1 << 18, 4, energy);
         for (i = 0; i < TRUTH_RINGS; ++i)
-            value[c][i] = (energy[i] - (i ? energy[i - 1] : 0)) / (3.14159265358979 * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]));
+            value[c][i] = (energy[i] - (i ? energy[i - 1] : 0)) /
+                          (3.14159265358979 * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]));
     }
     *problem = "the flat profile was refused";
     status = ms_sss_profile_from_rings(&t->profile, TRUTH_RINGS, edge, rings, 1, NULL, NULL);
@@ -98,7 +100,8 @@ static inline int truth_make(truth *t, scene_object object, int width, int heigh
         double radius[3];
         ms_sss_profile_radius(t->profile, 0.99, radius);
         for (c = 0; c < 3; ++c) t->radius_mm = radius[c] > t->radius_mm ? radius[c] : t->radius_mm;
-        t->radius_px = t->radius_mm / (double)t->mm_per_unit * height / (2 * (double)t->camera.tan_half_fov * (double)scene_length(t->camera.eye));
+        t->radius_px = t->radius_mm / (double)t->mm_per_unit * height /
+                       (2 * (double)t->camera.tan_half_fov * (double)scene_length(t->camera.eye));
     }
     for (i = 0; i < width * height; ++i) {
         t->pixels += t->layers.triangle[i] >= 0;
@@ -123,7 +126,8 @@ static inline truth_error truth_compare(const truth *t, const image *picture)
     int i, c;
     for (i = 0; i < t->width * t->height; ++i)
         for (c = 0; c < 3 && t->layers.triangle[i] >= 0; ++c) {
-            double f = (double)picture->pixels[3 * i + c], a = (double)t->half[0].pixels[3 * i + c], b = (double)t->half[1].pixels[3 * i + c];
+            double f = (double)picture->pixels[3 * i + c], a = (double)t->half[0].pixels[3 * i + c],
+                   b = (double)t->half[1].pixels[3 * i + c];
             error += (f - a) * (f - b);
             power += a * b;
         }
@@ -168,16 +172,18 @@ static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel
 static inline void truth_filter_2d(const truth *t, int in_space, image *out)
 {
     const int steps = 4096;
-    double (*disc)[3] = (double (*)[3])malloc((size_t)(steps + 1) * sizeof *disc);
+    double(*disc)[3] = (double(*)[3])malloc((size_t)(steps + 1) * sizeof *disc);
     double *size = (double *)malloc((size_t)t->width * (size_t)t->height * sizeof *size);
     double reach = t->radius_mm * 1.5, sigma = t->radius_mm / 3;
     int x, y, i, c;
     if (disc == NULL || size == NULL) abort();
     for (i = 0; i <= steps; ++i) ms_sss_profile_disc(t->profile, reach * i / steps, disc[i]);
-    for (i = 0; i < t->width * t->height; ++i) { /* mm along the side of a pixel, or of the square of surface that it shows */
+    for (i = 0; i < t->width * t->height;
+         ++i) { /* mm along the side of a pixel, or of the square of surface that it shows */
         scene_vec to_eye = scene_sub(t->camera.eye, t->layers.position[i]);
         double facing = (double)(scene_dot(to_eye, t->layers.normal[i]) / scene_length(to_eye));
-        size[i] = 2 * (double)t->camera.tan_half_fov * (double)t->layers.depth.pixels[i] * (double)t->mm_per_unit / t->height;
+        size[i] = 2 * (double)t->camera.tan_half_fov * (double)t->layers.depth.pixels[i] * (double)t->mm_per_unit /
+                  t->height;
         if (in_space) size[i] /= sqrt(facing > 0.1 ? facing : 0.1);
     }
     for (y = 0; y < t->height; ++y)
@@ -185,13 +191,15 @@ static inline void truth_filter_2d(const truth *t, int in_space, image *out)
             int at = y * t->width + x, n, dx, dy;
             double sum[3] = {0, 0, 0}, weights[3] = {0, 0, 0};
             if (t->layers.triangle[at] < 0) continue;
-            n = (int)(reach / (2 * (double)t->camera.tan_half_fov * (double)t->layers.depth.pixels[at] * (double)t->mm_per_unit / t->height));
+            n = (int)(reach / (2 * (double)t->camera.tan_half_fov * (double)t->layers.depth.pixels[at] *
+                               (double)t->mm_per_unit / t->height));
             for (dy = -n; dy <= n; ++dy)
                 for (dx = -n; dx <= n; ++dx) {
                     int qx = x + dx, qy = y + dy, q = qy * t->width + qx, inner, outer;
                     double r, low, high, weight;
                     if (qx < 0 || qy < 0 || qx >= t->width || qy >= t->height || t->layers.triangle[q] < 0) continue;
-                    r = in_space ? (double)(scene_length(scene_sub(t->layers.position[q], t->layers.position[at])) * t->mm_per_unit)
+                    r = in_space ? (double)(scene_length(scene_sub(t->layers.position[q], t->layers.position[at])) *
+                                            t->mm_per_unit)
                                  : sqrt((double)(dx * dx + dy * dy)) * size[at];
                     low = r > 0.5 * size[q] ? r - 0.5 * size[q] : 0;
                     high = r > 0 ? r + 0.5 * size[q] : size[q] / sqrt(3.14159265358979);
@@ -201,7 +209,8 @@ static inline void truth_filter_2d(const truth *t, int in_space, image *out)
                     if (outer <= inner) outer = inner + 1;
                     weight = size[q] * size[q] / (high * high - low * low);
                     if (!in_space) {
-                        double dz = (double)(t->layers.depth.pixels[q] - t->layers.depth.pixels[at]) * (double)t->mm_per_unit;
+                        double dz = (double)(t->layers.depth.pixels[q] - t->layers.depth.pixels[at]) *
+                                    (double)t->mm_per_unit;
                         weight *= exp(-dz * dz / (2 * sigma * sigma));
                     }
                     for (c = 0; c < 3; ++c) {
