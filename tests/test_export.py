@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""examples/export_torch.py against build/nn_run: outputs and input gradients of PyTorch networks, and of a Keras network
+whose layers are stood in for by objects with get_config() and get_weights(). Skipped (exit 77) without PyTorch."""
+import os, subprocess, sys, types
+sys.path.insert(0, "examples")
+try:
+    import numpy as np, torch
+    from torch import nn
+except ImportError as e:
+    print("skip:", e)
+    sys.exit(77)
+import export_torch as ms
+
+os.makedirs("build", exist_ok=True)
+FILE, X, G = "build/test_export.safetensors", "build/test_export_x.csv", "build/test_export_g.csv"
+failed = 0
+
+
+def run(*args):
+    out = subprocess.run(("build/nn_run", FILE) + args, capture_output=True, text=True, check=True).stdout
+    return np.array([[float(v) for v in line.split(",")] for line in out.split()])
+
+
+def check(name, net, shape, forward, tolerance):
+    """forward: what the network must compute, as a torch function of a batch in ms_nn's order."""
+    global failed
+    x = torch.rand(3, *shape, dtype=torch.float64, generator=torch.Generator().manual_seed(1)).float().requires_grad_(True)
+    y = forward(x.double())
+    g = torch.randn(y.shape, dtype=torch.float64, generator=torch.Generator().manual_seed(2)).float()
+    (gx,) = torch.autograd.grad((y * g.double()).sum(), x)
+    np.savetxt(X, x.detach().reshape(3, -1).numpy(), "%.9g", ",")
+    np.savetxt(G, g.reshape(3, -1).numpy(), "%.9g", ",")
+    for what, ours, theirs in (("outputs", run(X), y), ("gradients", run(X, "--vjp", G), gx)):
+        theirs = theirs.detach().reshape(3, -1).numpy()
+        error = abs(ours - theirs).max() / abs(theirs).max() if ours.shape == theirs.shape else np.inf
+        good = error <= tolerance
+        failed += not good
+        print("%s %s: %s, largest error %.1e of %.0e" % ("ok  " if good else "FAIL", name, what, error, tolerance))
+
+
+torch.manual_seed(3)
+renderer = nn.Sequential(nn.Conv1d(1, 8, 3, padding=1), nn.ELU(), nn.Upsample(scale_factor=2), nn.Conv1d(8, 6, 3, padding=1), nn.ELU(0.5),
+                         nn.Upsample(scale_factor=2), nn.Flatten(), nn.Dropout(0.5), nn.Linear(6 * 76, 30), nn.Tanh(), nn.Linear(30, 48, bias=False))
+inversion = nn.Sequential(nn.Conv2d(3, 8, (5, 3), padding=(2, 1)), nn.ReLU(), nn.MaxPool2d(2), nn.Conv2d(8, 5, 3, stride=2), nn.LeakyReLU(0.2),
+                          nn.MaxPool2d(3, stride=1), nn.Softplus(), nn.Upsample(scale_factor=(2, 3)), nn.Flatten(), nn.Linear(5 * 4 * 12, 19), nn.Sigmoid())
+# float32 files: rounding of the run; float16 and int8: rounding of the weights
+for name, net, shape in (("renderer", renderer, (1, 19)), ("inversion", inversion, (3, 21, 26))):
+    net.eval()
+    ms.save_torch(FILE, net, shape)
+    check(name, net, shape, net.double(), 1e-5)
+    ms.save_torch(FILE, net.float(), shape, "float16")
+    check(name + " float16", net, shape, net.double(), 3e-3)  # 2^-11 a weight
+    ms.save_torch(FILE, net.float(), shape, "int8")
+    check(name + " int8", net, shape, net.double(), 5e-2)  # 1/254 a weight
+
+
+def keras_layer(kind, weights=(), **config):
+    layer = type(kind, (), {})()
+    layer.name, layer.get_config, layer.get_weights = config.pop("name", kind), lambda: config, lambda: list(weights)
+    return layer
+
+
+r = np.random.default_rng(4)
+conv, conv_b, dense, dense_b = r.normal(size=(3, 3, 2, 4)) / 4, r.normal(size=4), r.normal(size=(4 * 5 * 6, 7)) / 10, r.normal(size=7)
+keras = types.SimpleNamespace(input_shape=(None, 10, 12, 2), layers=[
+    keras_layer("InputLayer"),
+    keras_layer("Conv2D", (conv, conv_b), name="c", filters=4, kernel_size=(3, 3), strides=(1, 1), padding="same", activation="relu", use_bias=True),
+    keras_layer("MaxPooling2D", pool_size=(2, 2), strides=(2, 2), padding="valid"), keras_layer("Flatten"), keras_layer("Dropout", rate=0.1),
+    keras_layer("Dense", (dense, dense_b), name="d", units=7, activation="tanh", use_bias=True)])
+ms.save_keras(FILE, keras)
+t = lambda a: torch.tensor(np.asarray(a, np.float32)).double()
+
+
+def keras_forward(x):  # Keras's own definitions: channels last throughout
+    y = nn.functional.conv2d(x, t(conv).permute(3, 2, 0, 1), t(conv_b), padding=1).relu()
+    y = nn.functional.max_pool2d(y, 2).permute(0, 2, 3, 1).reshape(len(x), -1)
+    return torch.tanh(y @ t(dense) + t(dense_b))
+
+
+check("keras", keras, (2, 10, 12), keras_forward, 1e-5)
+for f in (FILE, X, G):
+    os.remove(f)
+sys.exit(failed != 0)
