@@ -647,6 +647,7 @@ static void profile_by_white_monte_carlo(void)
     CHECK_INT(ms_mcml_profile_make(&d, media, 3, &o, NULL), MS_OK);
     o.photons = 150000;
     o.seed = test_seed + 1;
+    o.method = MS_MCML_WHITE;
     CHECK_INT(ms_mcml_profile_make(&p, media, 3, &o, NULL), MS_OK);
     CHECK_INT(p.method, MS_MCML_WHITE);
     CHECK(p.rings == d.rings && p.ap_per_mm == NULL);
@@ -666,6 +667,75 @@ static void profile_by_white_monte_carlo(void)
     ms_mcml_profile_destroy(&p);
     ms_mcml_profile_destroy(&q);
     ms_mcml_profile_destroy(&d);
+}
+
+static void profile_by_direct_monte_carlo(void)
+{
+    ms_mcml_medium media[3];
+    ms_mcml_profile p, d, q;
+    ms_mcml_profile_options o;
+    test_pool pool;
+    int c, i;
+    for (i = 0; i < 3; ++i) media[i] = ms_mcml_material_medium(ms_mcml_find_material("ketchup"), i);
+    memset(&o, 0, sizeof o);
+    o.photons = 500000;
+    o.seed = test_seed + 2;
+    CHECK_INT(ms_mcml_profile_make(&p, media, 3, &o, NULL), MS_OK);
+    CHECK_INT(p.method, MS_MCML_DIRECT);
+    CHECK_INT(p.rings, 3931); /* section 5.9's for ketchup */
+    o.parallel = test_parallel(&pool, 3);
+    CHECK_INT(ms_mcml_profile_make(&q, media, 3, &o, NULL), MS_OK);
+    CHECK(memcmp(p.total, q.total, 6 * sizeof(double)) == 0);
+    CHECK(memcmp(p.rd_per_mm2, q.rd_per_mm2, 3 * (size_t)p.rings * sizeof(double)) == 0);
+    o.photons = 0;
+    o.rings = p.rings;
+    o.ring_mm = p.edge_mm[1];
+    CHECK_INT(ms_mcml_profile_make(&d, media, 3, &o, NULL), MS_OK);
+    for (c = 0; c < 3; ++c) {
+        double chi2 = 0;
+        int n = 0;
+        CHECK_NEAR(p.total[c], d.total[c], 4.5 * p.total_error[c]);
+        for (i = c * p.rings; i < (c + 1) * p.rings; ++i) {
+            double z = (p.rd_per_mm2[i] - d.rd_per_mm2[i]) / p.rd_error_per_mm2[i];
+            if (!(p.rd_error_per_mm2[i] < 0.08 * p.rd_per_mm2[i])) continue;
+            chi2 += z * z;
+            ++n;
+        }
+        CHECK(test_chi2_p(chi2, n) > 1e-4);
+        TEST_NOTE("chi2 %.1f of %d", chi2, n);
+    }
+    ms_mcml_profile_destroy(&p);
+    ms_mcml_profile_destroy(&q);
+    ms_mcml_profile_destroy(&d);
+}
+
+/* Similarity, mu_s (1 - g) and g = 0, against direct Monte Carlo with g: what the solver is off by for g != 0. */
+static void similarity(void)
+{
+    static const double g[] = {0.5, 0.9, -0.5}, albedo[] = {0.9, 0.99, 0.999};
+    unsigned k, q;
+    for (k = 0; k < 3; ++k) {
+        for (q = 0; q < 3; ++q) { /* reduced albedo */
+            ms_mcml_medium m;
+            ms_mcml_profile p;
+            ms_mcml_profile_options o;
+            double total;
+            m.mu_a_per_mm = 1 - albedo[q];
+            m.mu_s_per_mm = albedo[q] / (1 - g[k]);
+            m.g = g[k];
+            m.eta = 1.4;
+            total = solve(m).total;
+            CHECK_NEAR(total, solve(medium_of(albedo[q], 1.4)).total, 1e-12);
+            memset(&o, 0, sizeof o);
+            o.photons = 100000;
+            o.rings = 120;
+            o.ring_mm = 0.05;
+            CHECK_INT(ms_mcml_profile_make(&p, &m, 1, &o, NULL), MS_OK);
+            CHECK_NEAR(total / p.total[0], 1, q == 0 ? 0.2 : q == 1 ? 0.03 : 0.01); /* an approximation, worst for g < 0 */
+            TEST_NOTE("g %g a' %g %+.1f%%", g[k], albedo[q], 100 * (total / p.total[0] - 1));
+            ms_mcml_profile_destroy(&p);
+        }
+    }
 }
 
 /* --- what is refused --- */
@@ -749,6 +819,16 @@ static void bad_arguments(void)
     two[1].eta = 1.3;
     two[1].g = 0.5;
     CHECK_INT(ms_mcml_profile_make(&p, two, 2, &o, &error), MS_UNSUPPORTED);
+    o.method = MS_MCML_DIRECT;
+    o.edge_mm = edges;
+    o.rings = 1;
+    CHECK_INT(ms_mcml_profile_make(&p, two, 2, &o, &error), MS_UNSUPPORTED);
+    CHECK(strstr(error.message, "equal width") != NULL);
+    memset(&o, 0, sizeof o);
+    o.method = MS_MCML_DIRECT;
+    two[1].mu_a_per_mm = 0;
+    CHECK_INT(ms_mcml_profile_make(&p, two, 2, &o, &error), MS_UNSUPPORTED);
+    CHECK(strstr(error.message, "absorption") != NULL);
     o.photons = (uint64_t)1 << 40;
     CHECK_INT(ms_mcml_profile_make(&p, two, 1, &o, &error), MS_INVALID_ARGUMENT);
     CHECK(strstr(error.message, "photons") != NULL);
@@ -797,6 +877,16 @@ static void memory_runs_out(void)
         ms_mcml_profile_destroy(&p);
     });
     TEST_ALLOCATION_SWEEP(10, {
+        ms_mcml_profile p;
+        ms_mcml_profile_options o;
+        memset(&o, 0, sizeof o);
+        o.allocator = allocator;
+        o.photons = 100;
+        o.method = MS_MCML_WHITE;
+        status = ms_mcml_profile_make(&p, media, 2, &o, NULL);
+        ms_mcml_profile_destroy(&p);
+    });
+    TEST_ALLOCATION_SWEEP(10, {
         ms_mcml_white *white = NULL;
         ms_mcml_white_options o = white_options(100, 0);
         o.allocator = allocator;
@@ -824,6 +914,8 @@ static const test_case cases[] = {
     {"profile_of_all_channels_at_once", profile_of_all_channels_at_once},
     {"profile_rings_of_all_kinds", profile_rings_of_all_kinds},
     {"profile_by_white_monte_carlo", profile_by_white_monte_carlo},
+    {"profile_by_direct_monte_carlo", profile_by_direct_monte_carlo},
+    {"similarity", similarity},
     {"bad_arguments", bad_arguments},
     {"memory_runs_out", memory_runs_out},
 };
