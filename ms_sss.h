@@ -81,7 +81,7 @@
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 3 MB); building a kernel takes
    another, up to 4 MB, and gives it back. The filter allocates nothing: the caller lends a workspace. No globals. At most
-   120 KB of stack, in ms_sss_kernel_measure.
+   160 KB of stack, in ms_sss_kernel_choose; 20 KB in the filter.
    Profiles, designers and kernels are only read once made: calls may overlap. ms_sss_filter cuts the picture into rows for
    ms_parallel. Kernels are made on one thread.
    The filter runs scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd.
@@ -1865,15 +1865,16 @@ MS_SSS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel
 /* ------------------------------------------------------------------ TAPS */
 
 /* The bins over which taps are fitted: every frequency up to 12 + a third of the cells, as far as spectra of such kernels
-   have detail that matters, then with gaps that grow in proportion; each bin also stands for the gap around it. */
+   have detail that matters, then with gaps that grow in proportion; each bin also stands for the gap around it. With
+   `coarse` about a quarter of them, for searches. */
 #define MS_SSS__NODES_MAX 96
 #define MS_SSS__BINS_MAX (MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2)
 
 /* node: frequencies, share: how many of the 512 frequencies each stands for; returns how many. */
-static int ms_sss__nodes(int cells, int *node, double *share)
+static int ms_sss__nodes(int cells, int coarse, int *node, double *share)
 {
-    int count = 0, all = 12 + cells / 3, k, n;
-    for (k = 0; k < MS_SSS__HALF; k += k <= all ? 1 : 1 + (k - all / 2) / 6) node[count++] = k;
+    int count = 0, all = (12 + cells / 3) >> coarse, growth = coarse ? 3 : 6, k, n;
+    for (k = 0; k < MS_SSS__HALF; k += k <= all ? 1 : 1 + (k - all / 2) / growth) node[count++] = k;
     node[count++] = MS_SSS__HALF;
     for (n = 0; n < count; ++n) { /* trapezoidal rule over both signs */
         double left = n > 0 ? node[n] - node[n - 1] : 0, right = n + 1 < count ? node[n + 1] - node[n] : 0;
@@ -1924,11 +1925,11 @@ typedef struct ms_sss__fit {
 
 /* The target is the spectrum of model, or of the profile if that is NULL. texture and axis: the two parts of the prior; 1/f^2 over all bins, and 1/f^2 on the axes, which axis-parallel edges
    excite. Each is divided by what the target itself has, so that they weigh relative errors. */
-static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, double texture, double axis)
+static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, double texture, double axis, int coarse)
 {
     ms_sss__waves waves;
     double share[MS_SSS__NODES_MAX], all = 0, on_axis = 0;
-    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(fit->d->cells, node, share), a, b, c, n = 0;
+    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(fit->d->cells, coarse, node, share), a, b, c, n = 0;
     if (model != NULL) ms_sss__curve_waves(fit->d, model, &waves);
     for (a = 0; a < nodes; ++a)
         for (b = 0; b <= a; ++b, ++n) {
@@ -2135,12 +2136,12 @@ static void ms_sss__fit_destroy(ms_sss__fit *fit)
 /* texture and axis as in fit_bins. channels: 3 and first 0, or 1 and any first with fixed offsets. NULL: no memory. */
 static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__curve *model, double texture,
                                        double axis, const ms_sss__curve *v, int first, int channels, int move_offsets,
-                                       int use_delta)
+                                       int use_delta, int coarse)
 {
     int moved = move_offsets ? v->pairs : 0, local = moved + v->terms * (v->pairs + 1) + (use_delta ? 1 : 0);
     int unknowns = moved + channels * (local - moved);
     double share[MS_SSS__NODES_MAX];
-    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, node, share);
+    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, coarse, node, share);
     int lines = v->frames == 1 ? nodes : v->frames * nodes * (nodes + 1);
     size_t header = (sizeof(ms_sss__fit) + 63) / 64 * 64;
     size_t doubles = (size_t)(2 * lines * v->pairs + 3 * MS_SSS_TERMS_MAX * lines + 2 * unknowns * unknowns + 2 * unknowns + local);
@@ -2160,7 +2161,7 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
     fit->use_delta = use_delta;
     fit->unknowns = unknowns;
     fit->local = local;
-    ms_sss__fit_bins(fit, model, texture, axis);
+    ms_sss__fit_bins(fit, model, texture, axis, coarse);
     at = (double *)(void *)((unsigned char *)fit + header);
     fit->basis = at;
     fit->slope = at += lines * v->pairs;
@@ -2387,7 +2388,7 @@ static void ms_sss__fit_mixture_from(const ms_sss_designer *d, int c, double nar
     enum { P = 2 * MS_SSS_TERMS_MAX };
     double wave[MS_SSS_TERMS_MAX * MS_SSS__NODES_MAX], slope[MS_SSS_TERMS_MAX * MS_SSS__NODES_MAX], share[MS_SSS__NODES_MAX];
     double H[P * P], g[P], work[P * P], step[P], lambda = 1e-2;
-    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, node, share), N = best->count, round, n, a, b, i, j;
+    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, 0, node, share), N = best->count, round, n, a, b, i, j;
     ms_sss__mixture m = *best;
     for (n = 0; n < N; ++n) {
         m.q[n] = 1;
@@ -2661,7 +2662,7 @@ static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, in
     for (c = 0; c < 3 && !no_delta; ++c) hats.delta[c] = 0.01;
     ms_sss__curve_normalise(&hats);
     for (c = 0; c < 3; ++c) { /* with fixed offsets the channels are independent */
-        fit = ms_sss__fit_create(d, NULL, 1 - dial, dial, &hats, c, 1, 0, !no_delta);
+        fit = ms_sss__fit_create(d, NULL, 1 - dial, dial, &hats, c, 1, 0, !no_delta, 0);
         if (fit == NULL) return MS_OUT_OF_MEMORY;
         ms_sss__fit_run(fit, &hats, 60);
         ms_sss__fit_destroy(fit);
@@ -2674,31 +2675,16 @@ static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, in
     return MS_OK;
 }
 
-/* Fits taps from several starts, which differ in how far out they reach, then moves the offsets of the best over the kinks
-   that linear interpolation has at whole pixels, where descent gets stuck, as long as that helps. */
-static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve *dense, const ms_sss__curve *model,
-                                  double dial, int pairs, int no_delta, ms_sss__curve *best)
+/* Moves offsets of best over the kinks that linear interpolation has at whole pixels, where descent gets stuck, as long
+   as that helps; then descends to the end. */
+static void ms_sss__fit_hops(ms_sss__fit *fit, int sweeps, ms_sss__curve *best)
 {
-    static const double reach[] = {0.25, 0.4, 0.6, 0.85};
     ms_sss__curve v;
-    ms_sss__fit *fit = NULL;
-    double least = HUGE_VAL, objective;
-    int n, c, sweep, moved = 1;
-    for (n = 0; n < 5; ++n) {
-        ms_sss__place(d, dense, n < 4 ? MS_SSS_QUADRATIC : MS_SSS_QUANTILE, n < 4 ? reach[n] * d->cells : 0, pairs, &v);
-        for (c = 0; c < 3 && !no_delta; ++c) v.delta[c] = 0.03;
-        ms_sss__curve_normalise(&v);
-        if (fit == NULL) fit = ms_sss__fit_create(d, model, 1 - dial, dial, &v, 0, 3, 1, !no_delta);
-        if (fit == NULL) return MS_OUT_OF_MEMORY;
-        objective = ms_sss__fit_run(fit, &v, 8);
-        if (objective < least) {
-            least = objective;
-            *best = v;
-        }
-    }
-    for (sweep = 0; sweep < 3 && moved; ++sweep) {
+    double least = ms_sss__fit_run(fit, best, 10), objective;
+    int n, sweep, moved = 1;
+    for (sweep = 0; sweep < sweeps && moved; ++sweep) {
         moved = 0;
-        for (n = 2; n < 2 * pairs + 2; ++n) {
+        for (n = 2; n < 2 * best->pairs + 2; ++n) {
             double *o = &v.offset[n / 2];
             v = *best;
             *o += (n % 2 ? 1 : -1) * (0.6 + 0.1 * *o);
@@ -2712,7 +2698,36 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
             }
         }
     }
-    ms_sss__fit_run(fit, best, 40);
+    ms_sss__fit_run(fit, best, 30);
+}
+
+/* Fits taps over few bins from several starts, which differ in how far out they reach, then the best over all bins. */
+static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve *dense, const ms_sss__curve *model,
+                                  double dial, int pairs, int no_delta, ms_sss__curve *best)
+{
+    static const double reach[] = {0.25, 0.4, 0.6, 0.85};
+    ms_sss__curve v;
+    ms_sss__fit *fit;
+    double least = HUGE_VAL, objective;
+    int n, c;
+    ms_sss__place(d, dense, MS_SSS_QUANTILE, 0, pairs, best);
+    fit = ms_sss__fit_create(d, model, 1 - dial, dial, best, 0, 3, 1, !no_delta, 1);
+    if (fit == NULL) return MS_OUT_OF_MEMORY;
+    for (n = 0; n < 5; ++n) {
+        ms_sss__place(d, dense, n < 4 ? MS_SSS_QUADRATIC : MS_SSS_QUANTILE, n < 4 ? reach[n] * d->cells : 0, pairs, &v);
+        for (c = 0; c < 3 && !no_delta; ++c) v.delta[c] = 0.03;
+        ms_sss__curve_normalise(&v);
+        objective = ms_sss__fit_run(fit, &v, 8);
+        if (objective < least) {
+            least = objective;
+            *best = v;
+        }
+    }
+    ms_sss__fit_hops(fit, 2, best);
+    ms_sss__fit_destroy(fit);
+    fit = ms_sss__fit_create(d, model, 1 - dial, dial, best, 0, 3, 1, !no_delta, 0);
+    if (fit == NULL) return MS_OUT_OF_MEMORY;
+    ms_sss__fit_hops(fit, dense->terms > 1 || pairs <= 5, best); /* worth its time where a tap or an error counts */
     ms_sss__fit_destroy(fit);
     return MS_OK;
 }
