@@ -280,7 +280,7 @@ MS_GPR_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *op
 
 /* How recommendations are found. */
 typedef enum ms_gpr_search {
-    MS_GPR_SEARCH_AUTO = 0,      /* rejection where at least one of 400 of a first 8192 candidates is accepted, else the walk */
+    MS_GPR_SEARCH_AUTO = 0,      /* rejection where at least one of 200 of a first 8192 candidates is accepted, else the walk */
     MS_GPR_SEARCH_REJECTION = 1, /* uniform candidates that reach the threshold: independent and uniform over the region */
     MS_GPR_SEARCH_WALK = 2,      /* gradient ascent to the threshold, then slice steps inside {u >= threshold} (hit-and-run) */
     MS_GPR_SEARCH_CLIMB = 3      /* the thesis: rejection with a few stochastic hill-climbing steps; for comparison */
@@ -298,7 +298,7 @@ typedef struct ms_gpr_recommend_options {
     const double *high;    /* [m]; NULL: 1 */
     uint64_t seed;
     ms_gpr_search search;
-    int rounds;            /* of the walk before its point is taken; more come closer to uniform over the region. 0: 2 */
+    int rounds;            /* of the walk before its point is taken; more come closer to uniform over the region. 0: 4 */
     int climb_steps;       /* of a hill climb; 0: 20 */
     double climb_size;     /* standard deviation of a climbing step in widths of the box; 0: 0.1 */
     double max_candidates; /* rejection and climb give up after so many predictions; 0: 1e7 */
@@ -2004,7 +2004,7 @@ MS_GPR_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *
 
 /* Log-normal priors of MAP: means of log l_k (widths), of log sf and log sn (standard deviations of the scores), and the standard
    deviation of all three. The divergence on synthetic users is flat around these values (tests/bench/bench_gpr.c). */
-#define MS_GPR__PRIOR_LENGTH 2.0 /* plus log(m) / 2 */
+#define MS_GPR__PRIOR_LENGTH 1.75 /* plus log(m) / 2 */
 #define MS_GPR__PRIOR_SF 0.0
 #define MS_GPR__PRIOR_SN -2.0
 #define MS_GPR__PRIOR_SD 1.0
@@ -2570,7 +2570,7 @@ static double ms_gpr__normal(ms__rng *rng)
 #define MS_GPR__GROUP 4     /* walkers a task */
 #define MS_GPR__GROUPS 16   /* tasks a wave */
 #define MS_GPR__SUMMITS 16  /* ascents that look for the largest mean */
-#define MS_GPR__RARE 400    /* candidates that cost about as much as one recommendation of the walk */
+#define MS_GPR__RARE 200    /* candidates that cost about as much as one recommendation of the walk */
 
 /* A place in the unit box, what the mean there needs, and a direction to go. */
 typedef struct ms_gpr__walker {
@@ -3071,7 +3071,7 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
     if (o->tau == 0) o->tau = 0.6;
     if (o->climb_size == 0) o->climb_size = 0.1;
     if (o->max_candidates == 0) o->max_candidates = 1e7;
-    if (o->rounds == 0) o->rounds = 2;
+    if (o->rounds == 0) o->rounds = 4;
     if (o->climb_steps == 0) o->climb_steps = 20;
     if (!(o->tau > 0 && o->tau <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tau is %g: expected a number in (0, 1]", o->tau);
     if (!(o->best >= 0 && o->best <= 1e300))

@@ -1,0 +1,347 @@
+/* ms_gpr.h: speed of the likelihood, of predictions and of fits, and what the fits are worth: Jensen-Shannon divergence between
+   the predicted and the true preference of synthetic users. Writes build/bench/gpr.csv, gpr.md, gpr_jsd.svg, gpr_time.svg.
+
+   Peers, both on one thread: scikit-learn through python3, if it can be imported; libgp (Blum & Riedmiller 2013), if LIBGP_DRIVER
+   names a program that is called as `DRIVER data.csv n m iterations` (rows x..., y; start log l = 0, log sf = 0, log sn = log 0.1),
+   fits with RProp and prints: CPU seconds of the fit, log likelihood reached, CPU seconds of one gradient, predictions a second. */
+#define MS_GPR_IMPLEMENTATION
+#include "ms_gpr.h"
+#include "bench.h"
+#include "plot.h"
+#include "users.h"
+
+static FILE *csv, *md;
+
+/* --- likelihood and gradient --- */
+
+static void run_likelihood(void *context)
+{
+    static double value, gradient[64];
+    if (ms_gpr_likelihood((const ms_gpr *)context, &value, gradient, NULL) != MS_OK) exit(1);
+}
+
+/* n materials of a synthetic user, standardised scores; theta of a fit that is on its way. */
+static ms_gpr *model(int n, int m, ms_simd level, double *x, double *y)
+{
+    double theta[64], sum = 0, sum2 = 0;
+    uint64_t state = 17;
+    user u = user_make(21, m, 0.19);
+    ms_gpr_options options;
+    ms_gpr *gp;
+    int i;
+    user_gallery(&u, n, x, y, &state);
+    for (i = 0; i < n; ++i) sum += y[i] / n;
+    for (i = 0; i < n; ++i) sum2 += (y[i] - sum) * (y[i] - sum) / n;
+    for (i = 0; i < n; ++i) y[i] = (y[i] - sum) / sqrt(sum2);
+    for (i = 0; i < m + 2; ++i) theta[i] = i < m ? 1 : i == m ? 0 : -2;
+    memset(&options, 0, sizeof options);
+    options.simd = level;
+    if (ms_gpr_create(x, y, n, m, theta, &options, &gp, NULL) != MS_OK) exit(1);
+    return gp;
+}
+
+static void bench_likelihood(void)
+{
+    static const int sizes[][2] = {{250, 19}, {500, 38}, {2000, 19}};
+    static double x[2000 * 38], y[2000];
+    int s, l;
+    fprintf(md, "\n| log likelihood + gradient | scalar | base | avx2 |\n|---|---:|---:|---:|\n");
+    for (s = 0; s < 3; ++s) {
+        fprintf(md, "| n = %d, m = %d |", sizes[s][0], sizes[s][1]);
+        for (l = MS_SIMD_SCALAR; l <= MS_SIMD_AVX2; ++l) {
+            ms_gpr *gp = model(sizes[s][0], sizes[s][1], (ms_simd)l, x, y);
+            bench_time t = bench_run(run_likelihood, gp, sizes[s][0] == 2000 ? 1 : 15);
+            if ((int)ms_gpr_level(gp) != l) fprintf(md, " - |");
+            else fprintf(md, " %.2f ms |", 1e3 * t.median);
+            fprintf(csv, "likelihood,%d,%d,%s,%.6g,%.2g\n", sizes[s][0], sizes[s][1], ms_simd_string((ms_simd)l), t.median, t.spread);
+            ms_gpr_destroy(gp);
+        }
+        fprintf(md, "\n");
+    }
+}
+
+/* --- predictions --- */
+
+#define CANDIDATES 20000
+
+typedef struct prediction {
+    const ms_gpr *gp;
+    double *x, *mean, *variance;
+    float *x_f, *mean_f;
+    int count;
+} prediction;
+
+static void run_mean(void *context)
+{
+    prediction *p = (prediction *)context;
+    if (ms_gpr_predict(p->gp, p->x, p->count, p->mean, NULL, NULL) != MS_OK) exit(1);
+}
+
+static void run_mean_f(void *context)
+{
+    prediction *p = (prediction *)context;
+    if (ms_gpr_predict_f(p->gp, p->x_f, p->count, p->mean_f, NULL) != MS_OK) exit(1);
+}
+
+static void run_variance(void *context)
+{
+    prediction *p = (prediction *)context;
+    if (ms_gpr_predict(p->gp, p->x, 2000, p->mean, p->variance, NULL) != MS_OK) exit(1);
+}
+
+static void bench_predictions(void)
+{
+    enum { N = 250, M = 19 };
+    static double x[CANDIDATES * M], mean[CANDIDATES], variance[CANDIDATES], xt[N * M], y[N], training[N];
+    static float x_f[CANDIDATES * M], mean_f[CANDIDATES];
+    uint64_t state = 3;
+    int l, i, variant;
+    for (i = 0; i < CANDIDATES * M; ++i) x_f[i] = (float)(x[i] = (double)(float)test_uniform(&state));
+    fprintf(md, "\n| predictions, n = 250, m = 19, a second | f64 mean | f64 mean and variance | f32 mean | f32 error (scores -0.5 to 10) |\n"
+                "|---|---:|---:|---:|---:|\n");
+    for (l = MS_SIMD_SCALAR; l <= MS_SIMD_AVX2; ++l) {
+        for (variant = 0; variant < (l == MS_SIMD_AVX2 ? 2 : 1); ++variant) {
+            ms_gpr_fit_options o;
+            user u = user_make(21, M, 0.19);
+            uint64_t gallery = 17;
+            ms_gpr *gp;
+            prediction p;
+            bench_time t[3];
+            double e = 0;
+            int kept = M;
+            memset(&o, 0, sizeof o);
+            o.simd = (ms_simd)l;
+            user_gallery(&u, N, xt, training, &gallery);
+            memcpy(y, training, sizeof y);
+            if (ms_gpr_fit(xt, y, N, M, &o, &gp, NULL, NULL) != MS_OK) exit(1);
+            if ((int)ms_gpr_level(gp) != l) {
+                ms_gpr_destroy(gp);
+                continue;
+            }
+            if (variant) ms_gpr_simplify(gp, 0.02, &kept, NULL);
+            p.gp = gp, p.x = x, p.mean = mean, p.variance = variance, p.x_f = x_f, p.mean_f = mean_f, p.count = CANDIDATES;
+            t[0] = bench_run(run_mean, &p, 9);
+            t[1] = bench_run(run_mean_f, &p, 9);
+            for (i = 0; i < CANDIDATES; ++i)
+                if (fabs((double)mean_f[i] - mean[i]) > e) e = fabs((double)mean_f[i] - mean[i]);
+            t[2] = bench_run(run_variance, &p, 5);
+            fprintf(md, "| %s", ms_simd_string((ms_simd)l));
+            if (variant) fprintf(md, ", simplified to %d dimensions", kept);
+            fprintf(md, " | %.2f M | %.3f M | %.2f M | %.1e |\n", 1e-6 * CANDIDATES / t[0].median, 2e-3 / t[2].median,
+                    1e-6 * CANDIDATES / t[1].median, e);
+            fprintf(csv, "predict_f64,%d,%d,%s,%.6g,%.2g\npredict_f32,%d,%d,%s,%.6g,%.2g\n", N, kept, ms_simd_string((ms_simd)l),
+                    t[0].median / CANDIDATES, t[0].spread / CANDIDATES, N, kept, ms_simd_string((ms_simd)l), t[1].median / CANDIDATES, e);
+            ms_gpr_destroy(gp);
+        }
+    }
+}
+
+/* --- fits and what they are worth --- */
+
+typedef struct contender {
+    const char *name;
+    ms_gpr_method method;
+    double floor_offset;
+} contender;
+
+static const contender contenders[] = {{"default (MAP)", MS_GPR_METHOD_MAP, 0},
+                                       {"MAP, no floor offset", MS_GPR_METHOD_MAP, -1},
+                                       {"L-BFGS, ML", MS_GPR_METHOD_ML, 0},
+                                       {"RProp (thesis)", MS_GPR_METHOD_RPROP, 0},
+                                       {"SCG", MS_GPR_METHOD_SCG, 0}};
+#define CONTENDERS 5
+#define SIZES 6
+
+static void bench_taste(void)
+{
+    enum { M = 19, USERS = 10, HELD = 1500 };
+    static const double size[SIZES] = {50, 100, 150, 250, 350, 500};
+    static double jsd[CONTENDERS][SIZES], seconds[CONTENDERS][SIZES], x[500 * M], y[500], held[HELD * M], truth[HELD], mean[HELD];
+    static plot p;
+    int c, s, i, users = 0, k;
+    for (i = 0; users < USERS; ++i) {
+        uint64_t state = 900 + (uint64_t)i;
+        user u = user_make(300 + (uint64_t)i, M, i % 2 ? 0.19 : 0.10);
+        if (u.classes != 1) continue; /* users who like one class, as in the thesis */
+        ++users;
+        user_gallery(&u, 500, x, y, &state);
+        for (k = 0; k < HELD * M; ++k) held[k] = test_uniform(&state);
+        for (k = 0; k < HELD; ++k) truth[k] = user_true(&u, held + k * M);
+        for (s = 0; s < SIZES; ++s) {
+            for (c = 0; c < CONTENDERS; ++c) {
+                ms_gpr_fit_options o;
+                double start = bench_cpu();
+                ms_gpr *gp;
+                memset(&o, 0, sizeof o);
+                o.method = contenders[c].method;
+                o.floor_offset = contenders[c].floor_offset;
+                if (ms_gpr_fit(x, y, (int)size[s], M, &o, &gp, NULL, NULL) != MS_OK) exit(1);
+                seconds[c][s] += (bench_cpu() - start) / USERS;
+                ms_gpr_predict(gp, held, HELD, mean, NULL, NULL);
+                jsd[c][s] += user_jsd(mean, truth, HELD) / USERS;
+                ms_gpr_destroy(gp);
+            }
+        }
+    }
+    fprintf(md, "\n| JSD (nats) and fit time, m = 19, mean of %d users |", USERS);
+    for (s = 0; s < SIZES; ++s) fprintf(md, " n = %.0f |", size[s]);
+    fprintf(md, "\n|---|");
+    for (s = 0; s < SIZES; ++s) fprintf(md, "---:|");
+    for (c = 0; c < CONTENDERS; ++c) {
+        fprintf(md, "\n| %s%s%s |", c ? "" : "**", contenders[c].name, c ? "" : "**");
+        for (s = 0; s < SIZES; ++s) {
+            fprintf(md, " %.3f, %.0f ms |", jsd[c][s], 1e3 * seconds[c][s]);
+            fprintf(csv, "jsd,%.0f,%d,%s,%.6g,%.6g\n", size[s], M, contenders[c].name, jsd[c][s], seconds[c][s]);
+        }
+    }
+    fprintf(md, "\n");
+    plot_begin(&p, "Divergence from the true preference, m = 19", "scores n", "Jensen-Shannon divergence (nats)", PLOT_LOG_X | PLOT_LOG_Y);
+    for (c = 0; c < CONTENDERS; ++c) plot_series(&p, contenders[c].name, size, jsd[c], SIZES, PLOT_LINE | PLOT_DOTS);
+    plot_write(&p, "build/bench/gpr_jsd.svg");
+    plot_begin(&p, "Time of a fit on one core, m = 19", "scores n", "seconds", PLOT_LOG_X | PLOT_LOG_Y);
+    for (c = 0; c < CONTENDERS; ++c) plot_series(&p, contenders[c].name, size, seconds[c], SIZES, PLOT_LINE | PLOT_DOTS);
+    plot_write(&p, "build/bench/gpr_time.svg");
+}
+
+/* --- peers: the same data, the same start, likelihood reached and time --- */
+
+static const char sklearn_script[] =
+    "import os, sys, time\n"
+    "os.environ.update(OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')\n"
+    "import numpy as np, sklearn, warnings\n"
+    "warnings.simplefilter('ignore')\n"
+    "from sklearn.gaussian_process import GaussianProcessRegressor as G\n"
+    "from sklearn.gaussian_process.kernels import RBF, WhiteKernel, ConstantKernel as C\n"
+    "d = np.loadtxt('build/bench/gpr_peer.csv', delimiter=',')\n"
+    "x, y = d[:, :-1], d[:, -1]\n"
+    "g = G(C(1.0, (1e-6, 1e6)) * RBF(np.ones(x.shape[1]), (1e-2, 1e3)) + WhiteKernel(0.01, (1e-6, 1e2)), alpha=0)\n"
+    "t = time.process_time()\n"
+    "g.fit(x, y)\n"
+    "print('%s %.6g %.9g' % (sklearn.__version__, time.process_time() - t, g.log_marginal_likelihood_value_))\n";
+
+/* The first n materials of the synthetic user of the tests, scores of mean 0 and variance 1. */
+static void reference_scores(double *x, double *y, int n, int m)
+{
+    char *materials = test_read_file("tests/data/X19.csv", NULL), *scores = test_read_file("tests/data/user_glassy19.csv", NULL);
+    char *p = materials, *q = scores;
+    double sum = 0, sum2 = 0;
+    int i;
+    if (materials == NULL || scores == NULL) {
+        fprintf(stderr, "run from the repository's root\n");
+        exit(1);
+    }
+    for (i = 0; i < n * m; ++i, ++p) x[i] = strtod(p, &p);
+    for (i = 0; i < n; ++i) {
+        q = strchr(q, '\n') + 1;
+        y[i] = strtod(q, NULL);
+        sum += y[i] / n;
+    }
+    for (i = 0; i < n; ++i) sum2 += (y[i] - sum) * (y[i] - sum) / n;
+    for (i = 0; i < n; ++i) y[i] = (y[i] - sum) / sqrt(sum2);
+    free(materials), free(scores);
+}
+
+/* Least evaluations with which ML reaches `target`, and the time of that fit (median of 5). */
+static double time_to_reach(const double *x, const double *y, int n, int m, double target, double *reached)
+{
+    int budget;
+    for (budget = 20; budget <= 400; budget += 5) {
+        ms_gpr_fit_options o;
+        ms_gpr_fit_report r;
+        double t[5];
+        int i;
+        memset(&o, 0, sizeof o);
+        o.method = MS_GPR_METHOD_ML;
+        o.evaluations = budget;
+        for (i = 0; i < 5; ++i) {
+            ms_gpr *gp;
+            double start = bench_cpu();
+            if (ms_gpr_fit(x, y, n, m, &o, &gp, &r, NULL) != MS_OK) exit(1);
+            t[i] = bench_cpu() - start;
+            ms_gpr_destroy(gp);
+            if (r.likelihood < target) break;
+        }
+        *reached = r.likelihood;
+        if (i == 5) return bench_median(t, 5);
+    }
+    return HUGE_VAL;
+}
+
+static int ask(const char *command, char *line, size_t size)
+{
+    FILE *pipe = popen(command, "r");
+    int good = pipe != NULL && fgets(line, (int)size, pipe) != NULL;
+    if (pipe) pclose(pipe);
+    return good;
+}
+
+static void bench_peers(void)
+{
+    enum { N = 250, M = 19 };
+    static double x[N * M], y[N];
+    const char *driver = getenv("LIBGP_DRIVER");
+    char line[256], command[600], version[32];
+    double seconds, likelihood, evaluation, rate, reached, ours, full;
+    FILE *f = bench_open("gpr_peer.csv");
+    ms_gpr *gp;
+    int i, k;
+    reference_scores(x, y, N, M);
+    for (i = 0; i < N; ++i) {
+        for (k = 0; k < M; ++k) fprintf(f, "%.17g,", x[i * M + k]);
+        fprintf(f, "%.17g\n", y[i]);
+    }
+    fclose(f);
+    {
+        ms_gpr_fit_report r;
+        double t[5];
+        for (i = 0; i < 5; ++i) {
+            double start = bench_cpu();
+            if (ms_gpr_fit(x, y, N, M, NULL, &gp, &r, NULL) != MS_OK) exit(1);
+            t[i] = bench_cpu() - start;
+            ms_gpr_destroy(gp);
+        }
+        full = bench_median(t, 5);
+    }
+    fprintf(md, "\n| fit, n = 250, m = 19, one core | log likelihood | time | this header to the same likelihood less 0.01 | times faster |\n"
+                "|---|---:|---:|---:|---:|\n");
+    if (driver) {
+        snprintf(command, sizeof command, "%s build/bench/gpr_peer.csv %d %d 100", driver, N, M);
+        if (ask(command, line, sizeof line) && sscanf(line, "%lf %lf %lf %lf", &seconds, &likelihood, &evaluation, &rate) == 4) {
+            ours = time_to_reach(x, y, N, M, likelihood - 0.01, &reached);
+            fprintf(md, "| libgp, RProp(100) | %.3f | %.0f ms | %.1f ms | %.1f |\n", likelihood, 1e3 * seconds, 1e3 * ours, seconds / ours);
+            fprintf(csv, "peer,%d,%d,libgp,%.6g,%.6g\n", N, M, seconds, ours);
+            fprintf(md, "| libgp, one gradient; predictions a second | - | %.2f ms; %.0f | - | - |\n", 1e3 * evaluation, rate);
+        }
+    } else {
+        printf("LIBGP_DRIVER is not set: no comparison with libgp\n");
+    }
+    f = bench_open("gpr_peer.py");
+    fputs(sklearn_script, f);
+    fclose(f);
+    if ((ask("python3 build/bench/gpr_peer.py 2>/dev/null", line, sizeof line) ||
+         ask("/usr/bin/python3 build/bench/gpr_peer.py 2>/dev/null", line, sizeof line)) &&
+        sscanf(line, "%31s %lf %lf", version, &seconds, &likelihood) == 3) {
+        ours = time_to_reach(x, y, N, M, likelihood - 0.01, &reached);
+        fprintf(md, "| scikit-learn %s, L-BFGS-B | %.3f | %.0f ms | %.1f ms | %.1f |\n", version, likelihood, 1e3 * seconds, 1e3 * ours,
+                seconds / ours);
+        fprintf(csv, "peer,%d,%d,scikit-learn %s,%.6g,%.6g\n", N, M, version, seconds, ours);
+    } else {
+        printf("scikit-learn was not found: no comparison\n");
+    }
+    fprintf(md, "| **default of this header (MAP, 3 starts, probing)** | - | %.0f ms | - | - |\n", 1e3 * full);
+}
+
+int main(void)
+{
+    csv = bench_open("gpr.csv");
+    md = bench_open("gpr.md");
+    fprintf(csv, "what,n,m,setting,value,second\n");
+    fprintf(md, "%s, one thread, compiler's -O2, medians; `make bench`.\n", bench_processor());
+    bench_likelihood();
+    bench_predictions();
+    bench_peers();
+    bench_taste();
+    fclose(csv);
+    fclose(md);
+    return 0;
+}
