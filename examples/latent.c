@@ -11,7 +11,8 @@
 #include "image.h"
 #include "scores.h"
 
-enum { SIDE = 320, GRID = 50, COARSE = 20, LIKED = 48, VARIANTS = 7 };
+#define SIDE 320 /* pixels of a panel */
+enum { GRID = 50, COARSE = 20, LIKED = 48, VARIANTS = 7 };
 
 static int fail(const char *what)
 {

@@ -86,7 +86,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "recommend: %s cannot be written\n", out);
         return 1;
     }
-    if (!write_csv(f, x, mean, sigma, report.found, s.m) | (f != stdout && fclose(f) != 0)) {
+    i = write_csv(f, x, mean, sigma, report.found, s.m);
+    if ((f != stdout && fclose(f) != 0) || !i) {
         fprintf(stderr, "recommend: writing failed\n");
         return 1;
     }

@@ -143,16 +143,16 @@ static void test_ball(void)
             double d2 = 0;
             for (k = 0; k < M; ++k) {
                 d2 += (r[i * M + k] - 0.5) * (r[i * M + k] - 0.5);
-                middle[k] += r[i * M + k] / N;
+                middle[k] += r[i * M + k] / (int)N;
             }
             p[i] = pow(sqrt(d2) / radius, M);
-            even[i] = (i + 0.5) / N;
+            even[i] = (i + 0.5) / (int)N;
         }
         CHECK_LE(largest(p, N), 1);
         d = two_sample(p, N, even, N);
         TEST_NOTE("%s: KS %.3f", search == MS_GPR_SEARCH_WALK ? "walk" : "rejection", d);
         CHECK_LE(d, sqrt(-0.5 * log(0.5e-4)) / sqrt((double)N)); /* one sample against a distribution: chance 1e-4 */
-        for (k = 0; k < M; ++k) CHECK_NEAR(middle[k], 0.5, 4.5 * radius / sqrt(5.0 * N)); /* variance r^2 / 5 in 3D; 4.5 sigma */
+        for (k = 0; k < M; ++k) CHECK_NEAR(middle[k], 0.5, 4.5 * radius / sqrt(5.0 * (int)N)); /* variance r^2 / 5 in 3D; 4.5 sigma */
         if (search == MS_GPR_SEARCH_REJECTION) { /* volume of the ball; 4.5 binomial sigma */
             double volume = 4.0 / 3 * 3.141592653589793 * radius * radius * radius;
             CHECK_NEAR(report.acceptance, volume, 4.5 * volume / sqrt((double)N));
@@ -331,9 +331,9 @@ static void test_box(void)
             if (ms_gpr_theta(t.gp)[k] < 700 || k == 4) continue;
             for (i = 0; i < N; ++i) {
                 a[i] = x[i * 10 + k];
-                even[i] = 0.1 + 0.8 * (i + 0.5) / N;
+                even[i] = 0.1 + 0.8 * (i + 0.5) / (int)N;
             }
-            CHECK_LE(two_sample(a, N, even, N), sqrt(-0.5 * log(0.5e-5) / N)); /* chance 1e-5 a dimension */
+            CHECK_LE(two_sample(a, N, even, N), sqrt(-0.5 * log(0.5e-5) / (int)N)); /* chance 1e-5 a dimension */
         }
     }
     {
@@ -380,9 +380,9 @@ static void test_threads(void)
     }
 }
 
-static int stop_at(void *user, double fraction)
+static int stop_at(void *limit, double fraction)
 {
-    return fraction >= *(double *)user;
+    return fraction >= *(double *)limit;
 }
 
 static void test_recommend_refusals(void)
@@ -405,9 +405,11 @@ static void test_recommend_refusals(void)
     o = recommend_options();
     o.caution = -1;
     CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+#ifndef __cplusplus /* where no enum can hold such a value */
     o = recommend_options();
     o.search = (ms_gpr_search)9;
     CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+#endif
     o = recommend_options();
     o.best = 1e6; /* nobody reaches 60% of that */
     CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, &report, &error), MS_NOT_CONVERGED);
@@ -599,18 +601,18 @@ static void test_gallery_intermediate(void)
     ms_gpr_predict(t.gp, x, N, u, NULL, NULL);
     for (i = 0; i < N; ++i) {
         double v = u[i] > 0 ? u[i] : 0;
-        one += v / N;
-        two += v * v / N;
+        one += v / (int)N;
+        two += v * v / (int)N;
     }
     CHECK_INT(ms_gpr_gallery(t.gp, &g, Q, x, NULL), MS_OK);
     ms_gpr_predict(t.gp, x, Q, u, NULL, NULL);
     for (i = 0; i < Q; ++i) {
         CHECK(u[i] > 0);
-        mean += u[i] / Q;
-        square += u[i] * u[i] / Q;
+        mean += u[i] / (int)Q;
+        square += u[i] * u[i] / (int)Q;
     }
     TEST_NOTE("mean score %.3f, expected %.3f", mean, two / one);
-    CHECK_NEAR(mean, two / one, 4.5 * sqrt((square - mean * mean) / Q) + 0.03 * mean); /* 4.5 sigma; 3%: the tail runs out */
+    CHECK_NEAR(mean, two / one, 4.5 * sqrt((square - mean * mean) / (int)Q) + 0.03 * mean); /* 4.5 sigma; 3%: the tail runs out */
     free(x);
     free(u);
     taste_free(&t);
@@ -650,7 +652,7 @@ static void test_gallery_kinds(void)
                     if (d2 < least) least = d2;
                 }
                 CHECK(least > 0);
-                if (n + q > 0) nearest[kind] += sqrt(least) / Q;
+                if (n + q > 0) nearest[kind] += sqrt(least) / (int)Q;
             }
         }
         CHECK(nearest[MS_GPR_GALLERY_NOVEL] > 1.3 * nearest[MS_GPR_GALLERY_UNIFORM]);
@@ -873,10 +875,10 @@ static void test_latent_prior(void)
     json_free(problems);
 }
 
-static int stop_now(void *user, double fraction)
+static int stop_now(void *left, double fraction)
 {
     (void)fraction;
-    return --*(int *)user < 0;
+    return --*(int *)left < 0;
 }
 
 /* Two and three materials, equal rows, a constant column, one and 200 columns, offsets of 1e8, scales of 1e4 and 1e-6; refusals. */
@@ -1017,19 +1019,19 @@ static void plane_free(plane_of_taste *p)
 }
 
 /* A picture of 8 x 8 pixels: smooth in the parameters. */
-static ms_status draw(void *user, const double *x, float *picture)
+static ms_status draw(void *calls, const double *x, float *picture)
 {
     int i;
-    ++*(int *)user;
+    ++*(int *)calls;
     for (i = 0; i < 64; ++i) picture[i] = (float)(0.5 + 0.5 * sin(3 * x[i % 12] + x[(i * 7) % 12] + 0.1 * i));
     return MS_OK;
 }
 
-static ms_status draw_nan(void *user, const double *x, float *picture)
+static ms_status draw_nan(void *calls, const double *x, float *picture)
 {
-    draw(user, x, picture);
-    if (*(int *)user == 5) picture[3] = (float)NAN;
-    return *(int *)user == 9 ? MS_UNSUPPORTED : MS_OK;
+    draw(calls, x, picture);
+    if (*(int *)calls == 5) picture[3] = (float)NAN;
+    return *(int *)calls == 9 ? MS_UNSUPPORTED : MS_OK;
 }
 
 /* Each map is what its definition says, point by point. */
@@ -1168,7 +1170,7 @@ static void test_variants(void)
     s.pixels = 64;
     s.render = draw;
     s.user = &calls;
-    for (i = 0; i < L; ++i) lambda[i] = i / (L - 1.0);
+    for (i = 0; i < L; ++i) lambda[i] = i / (double)(L - 1);
     fine.columns = fine.rows = FINE;
     CHECK_INT(ms_gpr_map_preference(p.plane, p.t.gp, &fine, score, NULL, NULL), MS_OK);
     CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &fine, similar, NULL), MS_OK);

@@ -109,7 +109,7 @@ static TEST_UNUSED user user_make(uint64_t seed, int m, double liking)
         g[i] = user__g(&u, x);
     }
     qsort(g, SAMPLES, sizeof *g, user__compare);
-    u.cut = g[(int)((1 - liking) * SAMPLES)];
+    u.cut = g[(int)((1 - liking) * (int)SAMPLES)];
     u.top = g[SAMPLES - 1];
     return u;
 }
