@@ -1721,16 +1721,12 @@ static double ms_mcml__bessel_i0_scaled(double x)
 /* Area that discs of radii a and b have in common, their centres d apart. */
 static double ms_mcml__lens(double a, double b, double d)
 {
-    const double small = a < b ? a : b, pi = 3.141592653589793;
-    double ca, cb, square;
+    const double small = a < b ? a : b, square = (a + b - d) * (d + a - b) * (d - a + b) * (d + a + b);
+    double root;
     if (d >= a + b) return 0;
-    if (d <= fabs(a - b)) return pi * small * small;
-    ca = (d * d + a * a - b * b) / (2 * d * a);
-    cb = (d * d + b * b - a * a) / (2 * d * b);
-    ca = ca < -1 ? -1 : ca > 1 ? 1 : ca;
-    cb = cb < -1 ? -1 : cb > 1 ? 1 : cb;
-    square = (a + b - d) * (d + a - b) * (d - a + b) * (d + a + b);
-    return a * a * acos(ca) + b * b * acos(cb) - 0.5 * sqrt(square > 0 ? square : 0);
+    if (d <= fabs(a - b)) return 3.141592653589793 * small * small;
+    root = sqrt(square > 0 ? square : 0); /* 2 d a sin(alpha) = 2 d b sin(beta) */
+    return a * a * atan2(root, d * d + a * a - b * b) + b * b * atan2(root, d * d + b * b - a * a) - 0.5 * root;
 }
 
 /* Energy of a Gaussian beam of total 1 in the ring from a to b around a point at distance r from its axis:
@@ -1790,7 +1786,6 @@ MS_API ms_status ms_mcml_convolve(int beam, double radius_cm, double dr_cm, int 
             } else {
                 energy = ms_mcml__gaussian_ring(radius_cm, r_cm[k], i * dr_cm, (i + 1) * dr_cm);
             }
-            if (!(energy > 0)) continue;
             for (j = 0; j < n; ++j) out[j] += energy * value[ring + j];
             for (j = 0; out_error && j < n; ++j) out_error[j] += energy * energy * error[ring + j] * error[ring + j];
         }

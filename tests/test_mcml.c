@@ -1,0 +1,1168 @@
+/* ms_mcml.h, the direct layered Monte Carlo: totals and profiles against exact and published values, energy, absorption,
+   time, beams, exact merging, files, hostile input. */
+#define MS_MCML_IMPLEMENTATION
+#include "ms_mcml.h"
+
+#include "json.h"
+#include "test.h"
+#include <locale.h>
+
+static ms_mcml_layer layer(double n, double mu_a, double mu_s, double g, double d)
+{
+    ms_mcml_layer l;
+    l.n = n;
+    l.mu_a_per_cm = mu_a;
+    l.mu_s_per_cm = mu_s;
+    l.g = g;
+    l.thickness_cm = d;
+    return l;
+}
+
+static ms_mcml_tissue tissue_of(const ms_mcml_layer *layers, int count, double above, double below)
+{
+    ms_mcml_tissue t;
+    t.n_above = above;
+    t.n_below = below;
+    t.layer_count = count;
+    t.layers = layers;
+    return t;
+}
+
+static ms_mcml_grid grid_of(double dr, int nr, double dz, int nz, int na)
+{
+    ms_mcml_grid g;
+    memset(&g, 0, sizeof g);
+    g.dr_cm = dr;
+    g.dz_cm = dz;
+    g.nr = nr;
+    g.nz = nz;
+    g.na = na;
+    return g;
+}
+
+static ms_mcml_options options_of(double photons)
+{
+    ms_mcml_options o = ms_mcml_defaults();
+    o.photons = (uint64_t)photons;
+    o.seed = test_seed;
+    return o;
+}
+
+/* Runs, and fails the case on any status. */
+static ms_mcml_result run(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options)
+{
+    ms_mcml_result r;
+    ms_error error;
+    memset(&r, 0, sizeof r);
+    if (ms_mcml_simulate(tissue, grid, options, &r, &error) != MS_OK) TEST_FAIL("%s", error.message);
+    return r;
+}
+
+/* --- against exact and published values --- */
+
+/* Every total of the reference file within 4 standard errors: one chance in 16000 each. */
+static void totals(void)
+{
+    json *all = json_load("tests/data/mcml_totals.json"), *cases = json_get(all, "cases");
+    double worst = 0, largest = 0;
+    int i, k;
+    for (i = 0; i < cases->count; ++i) {
+        json *c = &cases->child[i], *list = json_find(c, "layers_n_mua_mus_g_d");
+        ms_mcml_layer layers[8];
+        ms_mcml_tissue tissue = tissue_of(layers, 1, 1, 1);
+        ms_mcml_grid grid = grid_of(0.01, 100, 0.01, 10, 1);
+        ms_mcml_options options = options_of(test_full ? 4e6 : 3e5);
+        ms_mcml_result r;
+        double d, scale;
+        if (list) {
+            tissue.layer_count = list->count;
+            for (k = 0; k < list->count; ++k) {
+                int n;
+                double *v = json_numbers(&list->child[k], &n);
+                layers[k] = layer(v[0], v[1], v[2], v[3], v[4]);
+                free(v);
+            }
+            tissue.n_above = json_number(json_get(c, "n_above"));
+            tissue.n_below = json_number(json_get(c, "n_below"));
+        } else {
+            layers[0] = layer(json_number(json_get(c, "n")), json_number(json_get(c, "mua_per_cm")),
+                              json_number(json_get(c, "mus_per_cm")), json_number(json_get(c, "g")), 1e7);
+        }
+        scale = layers[0].mu_s_per_cm > 0 ? layers[0].mu_a_per_cm / layers[0].mu_s_per_cm : 1;
+        if (scale > 0.1) options.photons *= scale > 10 ? 16 : 4; /* short paths: more photons in the same time */
+        r = run(&tissue, &grid, &options);
+        CHECK_NEAR(r.specular, json_number(json_get(c, "Rsp")), 1e-12);
+        d = (r.rd - json_number(json_get(c, "Rd"))) / (r.rd_error + json_number(json_get(c, "Rd_se")));
+        if (!(fabs(d) <= 4)) TEST_FAIL("%s: Rd %.7f +- %.7f, %+.1f errors", c->key, r.rd, r.rd_error, d);
+        worst = fmax(worst, fabs(d));
+        largest = fmax(largest, r.rd_error / r.rd);
+        if (json_find(c, "Tt") && json_number(json_get(c, "Tt")) > 0) {
+            d = (r.tt - json_number(json_get(c, "Tt"))) / (r.tt_error + 3e-6);
+            if (!(fabs(d) <= 4)) TEST_FAIL("%s: Tt %.7f +- %.7f, %+.1f errors", c->key, r.tt, r.tt_error, d);
+            worst = fmax(worst, fabs(d));
+        }
+        ms_mcml_result_destroy(&r);
+    }
+    CHECK_LE(largest, 0.01); /* or the comparison says little */
+    TEST_NOTE("%d media, worst %.1f standard errors, errors up to %.2f%%", cases->count, worst, 100 * largest);
+    json_free(all);
+}
+
+/* van de Hulst 1980 for the slab, Giovanelli 1955 for the half-space: his 0.2600 includes the specular 0.04. */
+static void published(void)
+{
+    ms_mcml_layer slab = layer(1, 10, 90, 0.75, 0.02), half = layer(1.5, 10, 90, 0, 1e7);
+    ms_mcml_tissue t = tissue_of(&slab, 1, 1, 1);
+    ms_mcml_grid grid = grid_of(0.001, 200, 0.001, 20, 30);
+    ms_mcml_options o = options_of(test_full ? 2e7 : 2e6);
+    ms_mcml_result r = run(&t, &grid, &o);
+    CHECK_NEAR(r.rd, 0.09739, 4 * r.rd_error + 5e-6); /* 4 standard errors and half a printed digit */
+    CHECK_NEAR(r.tt, 0.66096, 4 * r.tt_error + 5e-6);
+    TEST_NOTE("slab Rd %.5f Tt %.5f", r.rd, r.tt);
+    ms_mcml_result_destroy(&r);
+    t.layers = &half;
+    r = run(&t, &grid, &o);
+    CHECK_NEAR(r.rd + r.specular, 0.2600, 4 * r.rd_error + 1e-4);
+    TEST_NOTE("half-space %.5f with specular", r.rd + r.specular);
+    ms_mcml_result_destroy(&r);
+}
+
+/* "# key: text" of a profile file. */
+static const char *header(const char *text, const char *key)
+{
+    const char *p = strstr(text, key);
+    return p ? p + strlen(key) : NULL;
+}
+
+static void one_profile(const char *path, double photons)
+{
+    char *text = test_read_file(path, NULL);
+    const char *p, *line;
+    ms_mcml_layer layers[8];
+    ms_mcml_tissue tissue = tissue_of(layers, 0, 1, 1);
+    ms_mcml_grid grid = grid_of(1, 1, 0.01, 1, 1);
+    ms_mcml_options options = options_of(photons);
+    ms_mcml_result r;
+    double chi2 = 0, v[6];
+    int n = 0, i;
+    if (text == NULL) {
+        TEST_FAIL("cannot read %s", path);
+        return;
+    }
+    p = header(text, "# layers:");
+    if (p) {
+        for (line = p; (line = strstr(line, " n=")) != NULL; line += 3) {
+            ms_mcml_layer *l = &layers[tissue.layer_count++];
+            if (sscanf(line, " n=%lf mua=%lf mus=%lf g=%lf d=%lf", &l->n, &l->mu_a_per_cm, &l->mu_s_per_cm, &l->g,
+                       &l->thickness_cm) != 5)
+                TEST_FAIL("%s: layers", path);
+        }
+    } else {
+        layers[0] = layer(atof(header(text, "# n:")), atof(header(text, "# mua_per_cm:")), atof(header(text, "# mus_per_cm:")),
+                          0, 1e7);
+        tissue.layer_count = 1;
+    }
+    grid.dr_cm = atof(header(text, "# dr_cm:"));
+    grid.nr = atoi(header(text, "# nr:"));
+    options.no_absorption = 1;
+    r = run(&tissue, &grid, &options);
+    for (line = strstr(text, "\ni0,"); line && (line = strchr(line + 1, '\n')) != NULL && line[1];) {
+        double sum = 0, square = 0, area = 0, scale, error;
+        if (sscanf(line + 1, "%lf,%lf,%lf,%lf,%lf,%lf", &v[0], &v[1], &v[2], &v[3], &v[4], &v[5]) != 6) break;
+        for (i = (int)v[0]; i < (int)v[1]; ++i) {
+            const double a = ms_mcml__ring_area(i, grid.dr_cm);
+            sum += a * r.rd_r[i];
+            square += a * a * r.rd_r_error[i] * r.rd_r_error[i];
+            area += a;
+        }
+        /* rings of fewer than 50 photons are not Gaussian; the choice rests on the reference, not on the result */
+        if (v[4] * area * photons < 50 || i > grid.nr - 1) continue;
+        scale = v[4] * area;
+        error = square + v[5] * v[5] * area * area;
+        chi2 += (sum - scale) * (sum - scale) / error;
+        ++n;
+    }
+    CHECK(n > 10);
+    /* one case in 10000 by chance; far below 1 as well, or the errors would be too large */
+    if (!(test_chi2_p(chi2, n) > 1e-4 && test_chi2_p(chi2, n) < 1 - 1e-4)) TEST_FAIL("%s: chi2 %.1f for %d rings", path, chi2, n);
+    p = strrchr(path, '/') + 1;
+    TEST_NOTE("%.*s %.2f", (int)strcspn(p, "."), p, chi2 / n);
+    ms_mcml_result_destroy(&r);
+    free(text);
+}
+
+static void profiles(void)
+{
+    static const char *const names[] = {"exact_giovanelli", "exact_ketchup_R", "exact_marble_G", "exact_skin1_G",
+                                        "exact_skin1_R", "mcml_fluence_n1.37", "mcml_g_0.95", "mcml_glass_top",
+                                        "mcml_sample3layer", "mcml_skin1_R", "mcml_vdhulst_slab"};
+    size_t i;
+    TEST_NOTE("chi2 / n:");
+    for (i = 0; i < sizeof names / sizeof *names; ++i) {
+        char path[128];
+        snprintf(path, sizeof path, "tests/data/mcml_profiles/%s.csv", names[i]);
+        one_profile(path, test_full ? 3e6 : 2e5);
+    }
+}
+
+/* --- standard errors --- */
+
+/* The spread of 100 runs is what each of them claims: variances of 100 samples are good to 14%, so 1/2 to 2 is 5 sigma. */
+static void errors_are_honest(void)
+{
+    enum { RUNS = 100 };
+    ms_mcml_layer layers[2];
+    ms_mcml_tissue tissue = tissue_of(layers, 2, 1, 1.3);
+    ms_mcml_grid grid = grid_of(0.02, 20, 0.02, 10, 4);
+    double sum[9] = {0}, square[9] = {0}, claimed[9] = {0};
+    static const char *const name[9] = {"Rd", "Rd_r", "Rd_a", "Rd_ra", "Tt", "A", "A_l", "A_z", "A_rz"};
+    int i, k;
+    layers[0] = layer(1.4, 2, 60, 0.8, 0.05);
+    layers[1] = layer(1.3, 5, 20, 0, 0.1);
+    for (i = 0; i < RUNS; ++i) {
+        ms_mcml_options o = options_of(65536);
+        ms_mcml_result r;
+        double v[9], e[9];
+        o.seed = test_seed + 1000 + (uint64_t)i;
+        o.absorption_error = 1;
+        r = run(&tissue, &grid, &o);
+        v[0] = r.rd, e[0] = r.rd_error;
+        v[1] = r.rd_r[2], e[1] = r.rd_r_error[2];
+        v[2] = r.rd_a[1], e[2] = r.rd_a_error[1];
+        v[3] = r.rd_ra[5], e[3] = r.rd_ra_error[5];
+        v[4] = r.tt, e[4] = r.tt_error;
+        v[5] = r.a, e[5] = r.a_error;
+        v[6] = r.a_l[1], e[6] = r.a_l_error[1];
+        v[7] = r.a_z[4], e[7] = r.a_z_error[4];
+        v[8] = r.a_rz[3], e[8] = r.a_rz_error[3];
+        for (k = 0; k < 9; ++k) {
+            sum[k] += v[k];
+            square[k] += v[k] * v[k];
+            claimed[k] += e[k] * e[k] / RUNS;
+        }
+        ms_mcml_result_destroy(&r);
+    }
+    TEST_NOTE("variance found / claimed:");
+    for (k = 0; k < 9; ++k) {
+        double variance = (square[k] - sum[k] * sum[k] / RUNS) / (RUNS - 1), ratio = variance / claimed[k];
+        if (!(ratio > 0.5 && ratio < 2)) TEST_FAIL("%s: variance %.3g, claimed %.3g", name[k], variance, claimed[k]);
+        TEST_NOTE("%s %.2f", name[k], ratio);
+    }
+}
+
+static void unknown_errors_are_infinite(void)
+{
+    ms_mcml_layer l = layer(1.4, 1, 10, 0.5, 1);
+    ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
+    ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
+    ms_mcml_options o = options_of(1);
+    ms_mcml_result r = run(&t, &g, &o);
+    CHECK_INT(r.photons, 1);
+    CHECK(r.rd_error > 1e300 && r.a_error > 1e300);
+    CHECK_NEAR(r.specular + r.rd + r.tt + r.a, 1, 0.5); /* one photon: only roulette can be off */
+    ms_mcml_result_destroy(&r);
+}
+
+/* --- hard cases --- */
+
+static void survives(const char *name, const ms_mcml_layer *layers, int count, double above, double below, double photons,
+                     double tolerance)
+{
+    ms_mcml_tissue tissue = tissue_of(layers, count, above, below);
+    ms_mcml_grid grid = grid_of(0.01, 50, 0.01, 50, 10);
+    int level;
+    for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+        ms_mcml_options o = options_of(photons);
+        ms_mcml_result r;
+        double sum;
+        size_t i;
+        o.simd = (ms_simd)level;
+        if (level == MS_SIMD_SCALAR) o.photons = o.photons / 4 + 1;
+        r = run(&tissue, &grid, &o);
+        sum = r.specular + r.rd + r.tt + r.a;
+        if (!(fabs(sum - 1) <= tolerance))
+            TEST_FAIL("%s, %s: specular %.5f + Rd %.5f + Tt %.5f + A %.5f = %.5f", name, ms_simd_string((ms_simd)level),
+                      r.specular, r.rd, r.tt, r.a, sum);
+        for (i = 0; i < (size_t)50 * 50; ++i) CHECK(r.a_rz[i] >= 0 && ms__finite(r.a_rz[i]));
+        for (i = 0; i < (size_t)50 * 10; ++i) CHECK(r.rd_ra[i] >= 0 && ms__finite(r.rd_ra[i]) && ms__finite(r.tt_ra[i]));
+        ms_mcml_result_destroy(&r);
+    }
+}
+
+/* Energy adds up to 1 but for roulette, which the tolerance allows for: sqrt(0.1 / photons) and less is usual. */
+static void hard_media(void)
+{
+    ms_mcml_layer l[3];
+    l[0] = layer(1.3, 1e-4, 9.9999, 0, 1e7);
+    survives("albedo 0.99999", l, 1, 1, 1, 3000, 0.05);
+    l[0] = layer(1.3, 99, 1, 0, 1e7);
+    survives("albedo 0.01", l, 1, 1, 1, 20000, 0.01);
+    l[0] = layer(1.4, 0.1, 100, 0.99, 1);
+    survives("g 0.99", l, 1, 1, 1, 20000, 0.01);
+    l[0] = layer(1.4, 0.1, 100, -0.9, 1);
+    survives("g -0.9", l, 1, 1, 1, 20000, 0.01);
+    l[0] = layer(1.4, 0.1, 100, 0.999999, 1);
+    survives("g nearly 1", l, 1, 1, 1, 20000, 0.01);
+    l[0] = layer(1.5, 1, 50, 0.5, 0.1);
+    survives("1 | 1.5 | 1.33", l, 1, 1, 1.33, 20000, 0.01);
+    l[0] = layer(2.5, 1, 50, 0, 1);
+    survives("n 2.5", l, 1, 1, 1, 20000, 0.01);
+    l[0] = layer(1, 1, 50, 0, 1);
+    survives("less dense than outside", l, 1, 2.5, 2.5, 20000, 0.01);
+    l[0] = layer(1.4, 1, 50, 0.9, 1e-6);
+    l[1] = layer(1.3, 1, 50, 0.9, 1e-6);
+    l[2] = layer(1.4, 1, 50, 0.9, 1e7);
+    survives("1e-6 cm layers", l, 3, 1, 1, 20000, 0.01);
+    l[0] = layer(1.33, 1, 50, 0, 0.1);
+    l[1] = layer(2.5, 0, 0, 0, 0.1); /* light guide */
+    l[2] = layer(1.33, 1, 50, 0, 0.1);
+    survives("clear layer within", l, 3, 1, 1, 20000, 0.01);
+    l[1] = layer(1.01, 0, 0, 0, 1e-6); /* total internal reflection into it from both sides */
+    survives("thin gap", l, 3, 1, 1, 20000, 0.01);
+    l[2] = layer(1.5, 0, 0, 1, 1e7);
+    survives("clear and endless below", l, 3, 1, 1, 20000, 0.01);
+    l[0] = layer(1.4, 0, 10, 0, 1);
+    survives("mu_a 0", l, 1, 1, 1, 5000, 1e-6);
+    l[0] = layer(1.4, 0, 1, 0, 1e7);
+    survives("mu_a 0, endless: everything comes back", l, 1, 1, 1, 2000, 0.2);
+    l[0] = layer(1.4, 1e9, 1e9, 0.5, 1);
+    survives("mean free path of 0.5 nm", l, 1, 1, 1, 20000, 0.02);
+    l[0] = layer(1.4, 1e-9, 1e-9, 0.5, 1);
+    survives("almost empty", l, 1, 1, 1, 20000, 1e-6);
+}
+
+/* Without scattering: the slab's multiple reflections summed in closed form. */
+static void absorber_alone(void)
+{
+    const double n = 1.5, mu = 3, d = 0.2, f = 0.04, e = exp(-mu * d);
+    ms_mcml_layer l = layer(n, mu, 0, 0, d);
+    ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
+    ms_mcml_grid g = grid_of(0.1, 5, 0.02, 10, 5);
+    ms_mcml_options o = options_of(1e6);
+    ms_mcml_result r = run(&t, &g, &o);
+    int i;
+    CHECK_NEAR(r.tt, (1 - f) * (1 - f) * e / (1 - f * f * e * e), 4 * r.tt_error);
+    CHECK_NEAR(r.rd, (1 - f) * (1 - f) * f * e * e / (1 - f * f * e * e), 4 * r.rd_error);
+    CHECK_NEAR(r.rd_unscattered, r.rd, 1e-12);
+    CHECK_NEAR(r.tt_unscattered, r.tt, 1e-12);
+    for (i = 0; i < 10; ++i) { /* down and up beams; 4.5 standard errors of a count, ten bins */
+        const double z0 = 0.02 * i, z1 = z0 + 0.02, down = (1 - f) / (1 - f * f * e * e);
+        const double a = down * (exp(-mu * z0) - exp(-mu * z1) + f * e * (exp(-mu * (d - z1)) - exp(-mu * (d - z0))));
+        CHECK_NEAR(r.a_z[i] * 0.02, a, 4.5 * sqrt(a / 1e6));
+    }
+    ms_mcml_result_destroy(&r);
+    l.g = 1; /* scatters straight ahead: the same medium */
+    l.mu_s_per_cm = 50;
+    r = run(&t, &g, &o);
+    CHECK_NEAR(r.tt, (1 - f) * (1 - f) * e / (1 - f * f * e * e), 4 * r.tt_error);
+    ms_mcml_result_destroy(&r);
+}
+
+static void clear_stacks(void)
+{
+    ms_mcml_layer l[3];
+    ms_mcml_tissue t = tissue_of(l, 2, 1, 1.33);
+    ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
+    ms_mcml_options o = options_of(1000);
+    ms_mcml_result r;
+    double r1 = 0.04, r2 = pow(0.5 / 3.5, 2), r3 = pow((2 - 1.33) / 3.33, 2), s;
+    l[0] = layer(1.5, 0, 0, 0, 0.1);
+    l[1] = layer(2, 0, 0, 0, 0.1);
+    r = run(&t, &g, &o);
+    s = r1 + (1 - r1) * (1 - r1) * r2 / (1 - r1 * r2); /* two boundaries, then the third, by summing to and fro */
+    s = s + (1 - s) * (1 - s) * r3 / (1 - s * r3);
+    CHECK_NEAR(r.specular, s, 1e-15);
+    CHECK_NEAR(r.tt, 1 - s, 1e-9);
+    CHECK_NEAR(r.tt_unscattered, 1 - s, 1e-9);
+    CHECK_NEAR(r.rd + r.a, 0, 0);
+    ms_mcml_result_destroy(&r);
+    l[1] = layer(1.33, 1, 50, 0.8, 0.5); /* MCML's Rspecular for glass on top, from the reference profile's file */
+    r = run(&t, &g, &o);
+    CHECK_NEAR(r.specular, 0.04332606037, 1e-11);
+    ms_mcml_result_destroy(&r);
+}
+
+static void largest_grid(void)
+{
+    ms_mcml_layer l = layer(1.4, 1, 50, 0.8, 1e7);
+    ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
+    ms_mcml_grid g = grid_of(1e-4, 32767, 0.1, 3, 3);
+    ms_mcml_options o = options_of(20000);
+    ms_mcml_result r = run(&t, &g, &o);
+    double sum = 0;
+    int i;
+    for (i = 0; i < 32767; ++i) sum += r.rd_r[i] * ms_mcml__ring_area(i, g.dr_cm);
+    CHECK_NEAR(sum, r.rd, 1e-9);
+    ms_mcml_result_destroy(&r);
+}
+
+/* --- absorption, fluence, time --- */
+
+static void absorption_adds_up(void)
+{
+    ms_mcml_layer l[2];
+    ms_mcml_tissue t = tissue_of(l, 2, 1, 1);
+    ms_mcml_grid g = grid_of(0.02, 30, 0.01, 30, 10);
+    ms_mcml_options o = options_of(100000);
+    ms_mcml_result r;
+    double total = 0, rd = 0, tt = 0, first = 0;
+    int i, k;
+    l[0] = layer(1.4, 2, 60, 0.8, 0.1);
+    l[1] = layer(1.4, 4, 20, 0.1, 0.2);
+    o.fluence = 1;
+    r = run(&t, &g, &o);
+    for (k = 0; k < 30; ++k) {
+        double column = 0;
+        for (i = 0; i < 30; ++i) column += r.a_rz[i * 30 + k] * ms_mcml__ring_area(i, g.dr_cm);
+        CHECK_NEAR(column, r.a_z[k], 1e-9 * r.a);
+        total += r.a_z[k] * g.dz_cm;
+        if (k < 10) first += r.a_z[k] * g.dz_cm;
+    }
+    CHECK_NEAR(total, r.a, 1e-6); /* rounding to 2^-30 of every deposit, and of every layer's */
+    CHECK_NEAR(first, r.a_l[0], 1e-4); /* z at a layer's boundary is rounded to a float: a cell's edge is blurred by 1e-7 */
+    CHECK_NEAR(r.a_l[0] + r.a_l[1], r.a, 1e-12);
+    for (i = 0; i < 30; ++i) {
+        double row = 0, back = 0;
+        for (k = 0; k < 10; ++k) {
+            double cosine, solid = ms_mcml__solid_angle(k, 10, &cosine);
+            row += r.rd_ra[i * 10 + k] * solid * cosine;
+            back += r.tt_ra[i * 10 + k] * solid * cosine;
+        }
+        CHECK_NEAR(row, r.rd_r[i], 1e-9 * r.rd_r[0]);
+        CHECK_NEAR(back, r.tt_r[i], 1e-9 * r.rd_r[0]);
+        rd += r.rd_r[i] * ms_mcml__ring_area(i, g.dr_cm);
+        tt += r.tt_r[i] * ms_mcml__ring_area(i, g.dr_cm);
+    }
+    CHECK_NEAR(rd, r.rd, 1e-12);
+    CHECK_NEAR(tt, r.tt, 1e-12);
+    for (i = 0; i < 10; ++i) /* both count the same collisions: phi mu_a = A up to phi's rounding to 2^-16 */
+        for (k = 0; k < 10; ++k) CHECK_NEAR(r.phi_rz[i * 30 + k] * 2, r.a_rz[i * 30 + k], 0.02 * r.a_rz[i * 30 + k] + 1e-3);
+    ms_mcml_result_destroy(&r);
+}
+
+/* Fluence without absorption: between two index-matched half-spaces the light that crosses a plane is known to add up;
+   here the same medium with next to no absorption gives phi = A / mu_a. */
+static void fluence_without_absorption(void)
+{
+    ms_mcml_layer l = layer(1.4, 0, 20, 0.5, 0.5);
+    ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
+    ms_mcml_grid g = grid_of(0.1, 4, 0.1, 5, 1);
+    ms_mcml_options o = options_of(100000);
+    ms_mcml_result a, b;
+    int i;
+    o.fluence = o.absorption_error = 1;
+    a = run(&t, &g, &o);
+    l.mu_a_per_cm = 1e-5;
+    o.seed += 1;
+    b = run(&t, &g, &o);
+    for (i = 0; i < 20; ++i) {
+        CHECK(a.phi_rz[i] > 0);
+        CHECK_NEAR(a.a_rz[i], 0, 0);
+        CHECK_NEAR(b.a_rz[i] / 1e-5, a.phi_rz[i], 5 * (a.phi_rz_error[i] + b.a_rz_error[i] / 1e-5));
+    }
+    ms_mcml_result_destroy(&a);
+    ms_mcml_result_destroy(&b);
+}
+
+/* With absorption, Rd(t) is Rd(t) without it times exp(-mu_a c t / n): every path of length s is damped by exp(-mu_a s). */
+static void time_resolved(void)
+{
+    ms_mcml_layer l[2];
+    ms_mcml_tissue t = tissue_of(l, 1, 1, 1);
+    ms_mcml_grid g = grid_of(0.1, 8, 0.1, 1, 1);
+    ms_mcml_options o = options_of(test_full ? 2e6 : 3e5);
+    ms_mcml_result a, b;
+    double sum = 0, chi2 = 0, first;
+    int i, n = 0;
+    g.dt_ps = 2;
+    g.nt = 100;
+    o.no_absorption = 1;
+    l[0] = layer(1.4, 0, 50, 0.5, 2);
+    a = run(&t, &g, &o);
+    l[0].mu_a_per_cm = 0.5;
+    o.seed += 1;
+    b = run(&t, &g, &o);
+    for (i = 0; i < 100; ++i) sum += a.rd_t[i] * g.dt_ps;
+    CHECK_NEAR(sum, a.rd, 1e-9);
+    for (i = 0; i < 99; ++i) {
+        const double decay = 0.5 * MS_MCML__C_CM_PER_PS / 1.4, t0 = 2.0 * i, x = decay * 2;
+        const double damped = exp(-decay * t0) * (1 - exp(-x)) / x; /* mean over the bin; Rd(t) is nearly level in it */
+        double e = sqrt(pow(a.rd_t_error[i] * damped, 2) + pow(b.rd_t_error[i], 2) + pow(2e-3 * b.rd_t[i], 2));
+        if (a.rd_t[i] * 2 * (double)o.photons < 50 || b.rd_t[i] * 2 * (double)o.photons < 50) continue;
+        chi2 += pow((b.rd_t[i] - a.rd_t[i] * damped) / e, 2);
+        ++n;
+    }
+    CHECK(n > 20 && test_chi2_p(chi2, n) > 1e-4);
+    TEST_NOTE("chi2 / n %.2f", chi2 / n);
+    ms_mcml_result_destroy(&a);
+    ms_mcml_result_destroy(&b);
+
+    l[1] = l[0];
+    l[0] = layer(1.5, 0, 0, 0, 1); /* 1 cm of glass, down and up: nothing before 2 n d / c = 100.07 ps */
+    t.layer_count = 2;
+    a = run(&t, &g, &o);
+    first = 2 * 1.5 / MS_MCML__C_CM_PER_PS;
+    for (i = 0; i < (int)(first / 2); ++i) CHECK_NEAR(a.rd_t[i], 0, 0);
+    for (sum = 0; i < 100; ++i) sum += a.rd_t[i] * g.dt_ps;
+    CHECK_NEAR(sum, a.rd, 1e-9);
+    ms_mcml_result_destroy(&a);
+}
+
+/* --- finite beams --- */
+
+static void beams(void)
+{
+    enum { N = 400 };
+    static double value[N], error[N];
+    const double dr = 0.01, s = 0.3, radius[3] = {0.05, 0.4, 0.004};
+    double r[40], out[40], out_error[40], energy;
+    int i, k;
+    ms_error e;
+    for (i = 0; i < N; ++i) { /* a Gaussian response of unit energy, averaged over rings */
+        const double a = i * dr, b = a + dr;
+        value[i] = (exp(-2 * a * a / s / s) - exp(-2 * b * b / s / s)) / ms_mcml__ring_area(i, dr);
+        error[i] = 0.01 * value[i];
+    }
+    for (i = 0; i < 40; ++i) r[i] = 0.02 * i;
+    for (k = 0; k < 3; ++k) { /* Gaussian with Gaussian: the radii add in squares; rings of 0.01 blur by (dr / s)^2 */
+        const double both = s * s + radius[k] * radius[k];
+        CHECK_INT(ms_mcml_convolve(MS_MCML_BEAM_GAUSSIAN, radius[k], dr, N, 1, value, error, r, 40, out, out_error, &e), MS_OK);
+        for (i = 0; i < 40; ++i)
+            CHECK_NEAR(out[i], 2 / (3.141592653589793 * both) * exp(-2 * r[i] * r[i] / both), 3e-3 * out[0] * (k == 2 ? 10 : 1));
+        CHECK(out_error[3] > 0 && out_error[3] <= 0.01 * out[3]);
+    }
+    for (k = 0; k < 3; ++k) { /* energy is kept: a sum over fine radii */
+        for (i = 0, energy = 0; i < 6000; ++i) {
+            double at = (i + 0.5) * 5e-4, v;
+            CHECK_INT(ms_mcml_convolve(MS_MCML_BEAM_FLAT, radius[k], dr, N, 1, value, NULL, &at, 1, &v, NULL, &e), MS_OK);
+            energy += v * ms_mcml__ring_area(i, 5e-4);
+        }
+        CHECK_NEAR(energy, 1, 1e-4); /* the midpoint rule across the steps of rings */
+    }
+    for (i = 0; i < N; ++i) value[i] = 1; /* a level response stays level: both kernels integrate to 1 */
+    for (k = 1; k <= 2; ++k) {
+        CHECK_INT(ms_mcml_convolve(k, 0.3, dr, N, 1, value, NULL, r, 40, out, NULL, &e), MS_OK);
+        for (i = 0; i < 40; ++i) CHECK_NEAR(out[i], 1, 1e-9);
+    }
+    for (i = 0; i < N; ++i) value[i] = i == 7; /* one ring, at the centre of a flat beam: its area over the disc's */
+    r[0] = 0;
+    CHECK_INT(ms_mcml_convolve(MS_MCML_BEAM_FLAT, 0.3, dr, N, 1, value, NULL, r, 1, out, NULL, &e), MS_OK);
+    CHECK_NEAR(out[0], ms_mcml__ring_area(7, dr) / (3.141592653589793 * 0.09), 1e-14);
+    CHECK_INT(ms_mcml_convolve(3, 0.3, dr, N, 1, value, NULL, r, 1, out, NULL, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_convolve(1, -1, dr, N, 1, value, NULL, r, 1, out, NULL, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_convolve(1, 1, dr, 0, 1, value, NULL, r, 1, out, NULL, &e), MS_INVALID_ARGUMENT);
+    r[0] = -1;
+    CHECK_INT(ms_mcml_convolve(1, 1, dr, N, 1, value, NULL, r, 1, out, NULL, &e), MS_INVALID_ARGUMENT);
+}
+
+/* --- exact merging --- */
+
+static ms_mcml_layer two_layers[2];
+
+static ms_mcml *tally_of(const ms_mcml_options *options, uint64_t first, uint64_t count)
+{
+    ms_mcml_tissue t = tissue_of(two_layers, 2, 1, 1);
+    ms_mcml_grid g = grid_of(0.02, 20, 0.02, 20, 5);
+    ms_mcml *m = NULL;
+    ms_error e;
+    two_layers[0] = layer(1.4, 1, 60, 0.8, 0.05);
+    two_layers[1] = layer(1.5, 2, 20, -0.3, 0.4);
+    g.dt_ps = 1;
+    g.nt = 10;
+    if (ms_mcml_create(&t, &g, options, &m, &e) != MS_OK || ms_mcml_run(m, first, count, &e) != MS_OK)
+        TEST_FAIL("%s", e.message);
+    return m;
+}
+
+static unsigned char *bytes_of(const ms_mcml *m, size_t *size)
+{
+    unsigned char *bytes;
+    *size = ms_mcml_save_size(m);
+    bytes = (unsigned char *)malloc(*size);
+    ms_mcml_save(m, bytes);
+    return bytes;
+}
+
+static int same_bits(const ms_mcml *a, const ms_mcml *b)
+{
+    size_t na, nb;
+    unsigned char *x = bytes_of(a, &na), *y = bytes_of(b, &nb);
+    int same = na == nb && memcmp(x, y, na) == 0;
+    free(x);
+    free(y);
+    return same;
+}
+
+static void splits_and_threads(void)
+{
+    static const uint64_t cuts[] = {0, 1, 2, 63, 777, 1024, 30001, 65535, 65537, 100000};
+    ms_simd best = ms__simd_pick(MS_SIMD_AUTO);
+    int level, threads, i;
+    for (level = MS_SIMD_SCALAR; level <= (int)best; ++level) {
+        ms_mcml_options o = options_of(0);
+        ms_mcml *whole, *sum;
+        ms_error e;
+        o.simd = (ms_simd)level;
+        o.fluence = o.absorption_error = 1;
+        whole = tally_of(&o, 0, 100000);
+        CHECK_INT(ms_mcml_photons(whole), 100000);
+        sum = tally_of(&o, 0, 0);
+        for (i = 8; i >= 0; --i) { /* backwards, by way of bytes */
+            ms_mcml *part = tally_of(&o, cuts[i], cuts[i + 1] - cuts[i]), *again = NULL;
+            size_t size;
+            unsigned char *bytes = bytes_of(part, &size);
+            CHECK_INT(ms_mcml_load(bytes, size, &o, &again, &e), MS_OK);
+            CHECK(same_bits(part, again));
+            CHECK_INT(ms_mcml_merge(sum, again, &e), MS_OK);
+            free(bytes);
+            ms_mcml_destroy(part);
+            ms_mcml_destroy(again);
+        }
+        CHECK(same_bits(whole, sum));
+        ms_mcml_destroy(sum);
+        for (threads = 1; threads <= 7; threads += threads == 1 ? 1 : 5) {
+            test_pool pool;
+            o.parallel = test_parallel(&pool, threads);
+            sum = tally_of(&o, 0, 100000);
+            CHECK(same_bits(whole, sum));
+            ms_mcml_destroy(sum);
+        }
+        ms_mcml_destroy(whole);
+    }
+    TEST_NOTE("levels scalar to %s, threads 1, 2, 7, nine parts", ms_simd_string(best));
+}
+
+static void levels_agree(void)
+{
+    double worst = 0;
+    int level;
+    ms_mcml_layer l[3];
+    ms_mcml_tissue t = tissue_of(l, 3, 1, 1);
+    ms_mcml_grid g = grid_of(0.01, 50, 0.01, 40, 10);
+    ms_mcml_options o = options_of(test_full ? 1e6 : 1e5);
+    ms_mcml_result a, b;
+    l[0] = layer(1.37, 1, 100, 0.9, 0.1);
+    l[1] = layer(1.5, 1, 10, 0, 0.1);
+    l[2] = layer(1.2, 2, 10, 0.7, 0.2);
+    o.simd = MS_SIMD_SCALAR;
+    a = run(&t, &g, &o);
+    for (level = MS_SIMD_BASE; level <= MS_SIMD_AVX512; ++level) {
+        o.simd = (ms_simd)level;
+        b = run(&t, &g, &o);
+        /* the same photons, rounded differently: far closer than independent runs, which differ by 1.4 errors */
+        CHECK_NEAR(b.rd, a.rd, 0.3 * a.rd_error);
+        CHECK_NEAR(b.tt, a.tt, 0.3 * a.tt_error);
+        worst = fmax(worst, fabs(b.rd - a.rd) / a.rd_error);
+        ms_mcml_result_destroy(&b);
+    }
+    TEST_NOTE("Rd differs by %.3f standard errors at most", worst);
+    ms_mcml_result_destroy(&a);
+}
+
+static void merge_refuses(void)
+{
+    ms_mcml_options o = options_of(0);
+    ms_mcml *a = tally_of(&o, 0, 10), *b;
+    ms_error e;
+    o.seed += 1;
+    b = tally_of(&o, 10, 10);
+    CHECK_INT(ms_mcml_merge(a, b, &e), MS_INVALID_ARGUMENT);
+    CHECK(strstr(e.message, "seed") != NULL);
+    ms_mcml_destroy(b);
+    o.seed -= 1;
+    o.fluence = 1;
+    b = tally_of(&o, 10, 10);
+    CHECK_INT(ms_mcml_merge(a, b, &e), MS_INVALID_ARGUMENT);
+    CHECK(strstr(e.message, "options") != NULL);
+    CHECK_INT(ms_mcml_merge(a, a, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_merge(a, NULL, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_run(a, 10, (uint64_t)1 << 32, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_run(a, UINT64_MAX, 10, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_photons(a), 10);
+    ms_mcml_destroy(a);
+    ms_mcml_destroy(b);
+    ms_mcml_destroy(NULL);
+}
+
+/* Every cut and every changed byte of a saved tally is refused or read, never more. */
+static void damaged_tallies(void)
+{
+    ms_mcml_options o = options_of(0);
+    ms_mcml *a = tally_of(&o, 0, 100), *b;
+    size_t size, i;
+    unsigned char *bytes = bytes_of(a, &size);
+    ms_error e;
+    long refused = 0;
+    for (i = 0; i < 300; ++i) {
+        ms_status status;
+        unsigned char old = bytes[i % size];
+        bytes[i % size] ^= (unsigned char)(1u << (i * 7 % 8));
+        status = ms_mcml_load(bytes, size, NULL, &b, &e);
+        if (status == MS_OK) {
+            ms_mcml_result r;
+            memset(&r, 0, sizeof r);
+            ms_mcml_results(b, &r, &e);
+            ms_mcml_result_destroy(&r);
+        } else {
+            CHECK(status == MS_BAD_DATA || status == MS_UNSUPPORTED);
+            CHECK(b == NULL);
+            ++refused;
+        }
+        ms_mcml_destroy(b);
+        bytes[i % size] = old;
+    }
+    for (i = 0; i < size; i += 97) {
+        CHECK_INT(ms_mcml_load(bytes, i, NULL, &b, &e), MS_BAD_DATA);
+        CHECK(b == NULL);
+    }
+    TEST_NOTE("%ld of 300 changed bytes refused", refused);
+    free(bytes);
+    ms_mcml_destroy(a);
+}
+
+/* --- target, progress, cancel, arguments, memory --- */
+
+typedef struct watch {
+    int calls, stop_at;
+    double last;
+} watch;
+
+static int watching(void *user, double fraction)
+{
+    watch *w = (watch *)user;
+    if (fraction < w->last || fraction < 0 || fraction > 1) TEST_FAIL("progress from %g to %g", w->last, fraction);
+    w->last = fraction;
+    return ++w->calls == w->stop_at;
+}
+
+static void target_and_progress(void)
+{
+    ms_mcml_layer l = layer(1.4, 1, 20, 0.5, 0.5);
+    ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
+    ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
+    ms_mcml_options o = options_of(1e7);
+    ms_mcml_result r, other;
+    test_pool pool;
+    ms_error e;
+    watch w;
+    memset(&w, 0, sizeof w);
+    o.target_error = 1e-3;
+    o.progress.user = &w;
+    o.progress.report = watching;
+    r = run(&t, &g, &o);
+    CHECK(r.photons < 10000000 && r.photons % 65536 == 0);
+    CHECK(w.calls >= 2);
+    /* of Rd + Tt, whose covariance is negative: a little under the errors added in squares */
+    CHECK_LE(sqrt(r.rd_error * r.rd_error + r.tt_error * r.tt_error), 1.5e-3 * (r.rd + r.tt));
+    TEST_NOTE("%.0f photons for 0.1%%", (double)r.photons);
+    o.parallel = test_parallel(&pool, 3);
+    w.last = 0;
+    other = run(&t, &g, &o);
+    CHECK_INT(other.photons, r.photons);
+    CHECK(memcmp(other.rd_ra, r.rd_ra, 25 * sizeof(double)) == 0);
+    ms_mcml_result_destroy(&other);
+    ms_mcml_result_destroy(&r);
+
+    memset(&w, 0, sizeof w);
+    w.stop_at = 3;
+    memset(&r, 0x5a, sizeof r);
+    other = r;
+    CHECK_INT(ms_mcml_simulate(&t, &g, &o, &r, &e), MS_CANCELLED);
+    CHECK(memcmp(&r, &other, sizeof r) == 0); /* untouched */
+    CHECK_INT(w.calls, 3);
+}
+
+static void refuses(const char *gist, double n, double mu_a, double mu_s, double g, double d, double dr, int nr)
+{
+    ms_mcml_layer l[2];
+    ms_mcml_tissue t = tissue_of(l, 2, 1, 1);
+    ms_mcml_grid grid = grid_of(dr, nr, 0.1, 5, 5);
+    ms_mcml *m = (ms_mcml *)1;
+    ms_error e;
+    l[0] = layer(1.4, 1, 1, 0, 1);
+    l[1] = layer(n, mu_a, mu_s, g, d);
+    CHECK_INT(ms_mcml_create(&t, &grid, NULL, &m, &e), MS_INVALID_ARGUMENT);
+    if (strstr(e.message, gist) == NULL) TEST_FAIL("'%s' does not say '%s'", e.message, gist);
+    CHECK(m == NULL);
+}
+
+static void bad_arguments(void)
+{
+    const double nan = NAN, inf = INFINITY;
+    ms_mcml_layer l = layer(1.4, 1, 1, 0, 1);
+    ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
+    ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
+    ms_mcml_options o = ms_mcml_defaults();
+    ms_mcml *m;
+    ms_mcml_result r;
+    ms_error e;
+    refuses("mu_a", 1.4, -1, 1, 0, 1, 0.1, 5);
+    refuses("mu_a", 1.4, nan, 1, 0, 1, 0.1, 5);
+    refuses("mu_s", 1.4, 1, -1, 0, 1, 0.1, 5);
+    refuses("mu_s", 1.4, 1, inf, 0, 1, 0.1, 5);
+    refuses("refractive index", 0, 1, 1, 0, 1, 0.1, 5);
+    refuses("refractive index", nan, 1, 1, 0, 1, 0.1, 5);
+    refuses("g is", 1.4, 1, 1, -1, 1, 0.1, 5);
+    refuses("g is", 1.4, 1, 1, 1.01, 1, 0.1, 5);
+    refuses("g is", 1.4, 1, 1, nan, 1, 0.1, 5);
+    refuses("thickness", 1.4, 1, 1, 0, 0, 0.1, 5);
+    refuses("thickness", 1.4, 1, 1, 0, inf, 0.1, 5);
+    refuses("dr", 1.4, 1, 1, 0, 1, 0, 5);
+    refuses("dr", 1.4, 1, 1, 0, 1, nan, 5);
+    refuses("nr", 1.4, 1, 1, 0, 1, 0.1, 0);
+    l.g = -2;
+    CHECK_INT(ms_mcml_create(&t, &g, NULL, &m, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(e.position, 1);
+    l.g = 0;
+    t.n_below = 0;
+    CHECK_INT(ms_mcml_create(&t, &g, NULL, &m, &e), MS_INVALID_ARGUMENT);
+    t.n_below = 1;
+    t.layer_count = 0;
+    CHECK_INT(ms_mcml_create(&t, &g, NULL, &m, &e), MS_INVALID_ARGUMENT);
+    t.layer_count = 1;
+    o.photons = ((uint64_t)1 << 32) + 1;
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_INVALID_ARGUMENT);
+    o.photons = 0;
+    o.roulette_weight = 2;
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_INVALID_ARGUMENT);
+    o.roulette_weight = 0;
+    o.target_error = nan;
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_INVALID_ARGUMENT);
+    o.target_error = 0;
+    o.memory_limit = 1000;
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_UNSUPPORTED);
+    o.memory_limit = 0;
+    g.nr = g.nz = g.na = 2147483647; /* sizes that overflow */
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_UNSUPPORTED);
+    g.nr = g.nz = g.na = 5;
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &m, NULL), MS_OK);
+    CHECK_INT(ms_mcml_results(m, &r, &e), MS_INVALID_ARGUMENT); /* empty */
+    ms_mcml_destroy(m);
+    CHECK_INT(ms_mcml_create(NULL, &g, &o, &m, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_create(&t, &g, &o, NULL, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_simulate(&t, &g, &o, NULL, &e), MS_INVALID_ARGUMENT);
+    ms_mcml_result_destroy(NULL);
+}
+
+static const char *const two_runs =
+    "\xEF\xBB\xBF# a comment\r\n\r\n1.0   # version\r\n  2 # runs\r\n\t# indented comment\r\n"
+    "a.mco\tA # name\r\n1e3 # photons\r\n20E-4 .1 text behind is ignored\r\n10 20 30\r\n2\r\n# n mua mus g d\r\n1.0\r\n"
+    "1.3 20 200 0.70 0.01\r\n1.4 +10 200 -.9 1.0E+8\r\n1.5\r\n"
+    "b.mco B\n20\n0.01 0.01\n80 80 1\n1\n1\n1.4 0 0 1 1e7\n1.33\n";
+
+static void allocations(void)
+{
+    ms_mcml_layer l = layer(1.4, 1, 20, 0.5, 0.5);
+    ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
+    ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
+    test_pool pool;
+    ms_parallel parallel = test_parallel(&pool, 2);
+    ms_mcml *m = NULL;
+    unsigned char *bytes;
+    size_t size;
+    g.dt_ps = 1;
+    g.nt = 3;
+    TEST_ALLOCATION_SWEEP(20, {
+        ms_mcml_options o = options_of(1000);
+        ms_mcml_result r;
+        o.allocator = allocator;
+        o.parallel = parallel;
+        o.fluence = o.absorption_error = 1;
+        status = ms_mcml_simulate(&t, &g, &o, &r, NULL);
+        if (status == MS_OK) ms_mcml_result_destroy(&r);
+    });
+    TEST_ALLOCATION_SWEEP(20, {
+        ms_mcml_mci file;
+        status = ms_mcml_mci_read(two_runs, strlen(two_runs), &allocator, &file, NULL);
+        if (status == MS_OK) ms_mcml_mci_destroy(&file);
+    });
+    {
+        ms_mcml_options o = options_of(0);
+        m = tally_of(&o, 0, 10);
+    }
+    bytes = bytes_of(m, &size);
+    TEST_ALLOCATION_SWEEP(20, {
+        ms_mcml_options o = options_of(0);
+        ms_mcml *again;
+        o.allocator = allocator;
+        status = ms_mcml_load(bytes, size, &o, &again, NULL);
+        ms_mcml_destroy(again);
+    });
+    free(bytes);
+    ms_mcml_destroy(m);
+}
+
+/* --- files --- */
+
+static void mci_good(void)
+{
+    ms_mcml_mci f;
+    ms_error e;
+    char old_mac[2000];
+    size_t i, n = strlen(two_runs);
+    int round;
+    memcpy(old_mac, two_runs, n);
+    for (i = 0; i < n; ++i)
+        if (old_mac[i] == '\n') old_mac[i] = i && old_mac[i - 1] == '\r' ? ' ' : '\r'; /* CR alone ends lines */
+    for (round = 0; round < 2; ++round) {
+        CHECK_INT(ms_mcml_mci_read(round ? old_mac : two_runs, n, NULL, &f, &e), MS_OK);
+        CHECK_INT(f.run_count, 2);
+        CHECK(strcmp(f.runs[0].output, "a.mco") == 0 && f.runs[0].format == 'A' && f.runs[1].format == 'B');
+        CHECK_INT(f.runs[0].photons, 1000);
+        CHECK_INT(f.runs[0].line, 6);
+        CHECK_NEAR(f.runs[0].grid.dz_cm, 20e-4, 0);
+        CHECK_NEAR(f.runs[0].grid.dr_cm, 0.1, 0);
+        CHECK_INT(f.runs[0].grid.nz, 10);
+        CHECK_INT(f.runs[0].grid.nr, 20);
+        CHECK_INT(f.runs[0].grid.na, 30);
+        CHECK_INT(f.runs[0].tissue.layer_count, 2);
+        CHECK_NEAR(f.runs[0].tissue.n_below, 1.5, 0);
+        CHECK_NEAR(f.runs[0].tissue.layers[1].g, -0.9, 0);
+        CHECK_NEAR(f.runs[0].tissue.layers[1].thickness_cm, 1e8, 0);
+        CHECK_NEAR(f.runs[1].tissue.layers[0].n, 1.4, 0);
+        ms_mcml_mci_destroy(&f);
+    }
+    CHECK(f.runs == NULL);
+    ms_mcml_mci_destroy(NULL);
+}
+
+static void mci_malformed(void)
+{
+    /* line of a good file, what stands there instead, the line that is named, what the message says */
+    static const struct {
+        int line;
+        const char *text;
+        size_t named;
+        const char *gist;
+    } bad[] = {
+        {2, "", 3, "number of runs"},
+        {2, "0", 2, "number of runs"},
+        {2, "x", 2, "number of runs"},
+        {2, "1.5", 2, "whole"},
+        {2, "2", 11, "output name"},
+        {4, "-5", 4, "photons"},
+        {4, "0", 4, "photons"},
+        {4, "nan", 4, "photons"},
+        {4, "5000000000", 4, "photons"},
+        {5, "0.01", 5, "number 2 of 2"},
+        {5, "0 0.01", 5, "dz"},
+        {5, "0.01 -1", 5, "dz, dr"},
+        {5, "0.01 1x", 5, "malformed"},
+        {5, "0,01 0,01", 5, "malformed"},
+        {6, "10 20", 6, "number 3 of 3"},
+        {6, "0 20 30", 6, "dz, dr, da"},
+        {6, "10 20.5 30", 6, "whole"},
+        {6, "1e99 20 30", 6, "dz, dr, da"},
+        {7, "0", 7, "layers"},
+        {7, "99999", 7, "layers"},
+        {7, "3", 11, "of a layer"},
+        {8, "0", 8, "above"},
+        {9, "1.4 -1 100 0.9 0.1", 9, "mu_a"},
+        {9, "1.4 1 -100 0.9 0.1", 9, "mu_s"},
+        {9, "1.4 1 100 1.5 0.1", 9, "g is"},
+        {9, "1.4 1 100 -1 0.1", 9, "g is"},
+        {9, "1.4 1 100 0.9 0", 9, "thickness"},
+        {9, "0 1 100 0.9 0.1", 9, "refractive"},
+        {9, "1.4 1 100 0.9", 9, "number 5 of 5"},
+        {9, "1.4 1e 100 0.9 1", 9, "malformed"},
+        {9, "1.4 1e999 100 0.9 1", 9, "expected"},
+        {10, "abc", 10, "below"},
+        {10, "", 11, "below"},
+    };
+    static const char *const good[] = {"1.0", "1", "a.mco A", "100", "0.01 0.01", "10 20 30", "1", "1", "1.4 1 100 0.9 0.1", "1"};
+    char text[1000], name[600];
+    ms_mcml_mci f, before;
+    ms_error e;
+    size_t i;
+    int k;
+    memset(&f, 0x5a, sizeof f);
+    before = f;
+    for (i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        text[0] = 0;
+        for (k = 1; k <= 10; ++k) {
+            strcat(text, k == bad[i].line ? bad[i].text : good[k - 1]);
+            strcat(text, "\n");
+        }
+        if (bad[i].line == 10 && bad[i].text[0] == 0) strcat(text, " # the end\n");
+        CHECK_INT(ms_mcml_mci_read(text, strlen(text), NULL, &f, &e), MS_BAD_DATA);
+        CHECK(memcmp(&f, &before, sizeof f) == 0);
+        if (e.position != bad[i].named && !(bad[i].named > 10 && e.position >= 10))
+            TEST_FAIL("'%s': line %d is named, expected %d", bad[i].text, (int)e.position, (int)bad[i].named);
+        snprintf(name, sizeof name, "line %d", (int)e.position);
+        if (strstr(e.message, name) == NULL || strstr(e.message, bad[i].gist) == NULL)
+            TEST_FAIL("'%s' does not say '%s' and '%s'", e.message, name, bad[i].gist);
+    }
+    TEST_NOTE("%d malformed files", (int)i);
+    CHECK_INT(ms_mcml_mci_read("", 0, NULL, &f, &e), MS_BAD_DATA);
+    CHECK_INT(ms_mcml_mci_read("mcmli2.0\n", 9, NULL, &f, &e), MS_UNSUPPORTED);
+    CHECK_INT(ms_mcml_mci_read(NULL, 0, NULL, &f, &e), MS_INVALID_ARGUMENT);
+    {
+        static const char twice[] = "1\n2\na.mco A\n1\n1 1\n1 1 1\n1\n1\n1 1 1 0 1\n1\na.mco A\n1\n1 1\n1 1 1\n1\n1\n1 1 1 0 1\n1\n";
+        CHECK_INT(ms_mcml_mci_read(twice, sizeof twice - 1, NULL, &f, &e), MS_BAD_DATA);
+        CHECK_INT(e.position, 11);
+        CHECK(strstr(e.message, "a.mco") != NULL);
+    }
+    memset(name, 'x', 300);
+    name[300] = 0;
+    snprintf(text, sizeof text, "1\n1\n%s A\n1\n", name);
+    CHECK_INT(ms_mcml_mci_read(text, strlen(text), NULL, &f, &e), MS_BAD_DATA);
+    CHECK(strstr(e.message, "255") != NULL);
+    CHECK_INT(ms_mcml_mci_load("tests/data/no such file.mci", NULL, &f, &e), MS_IO);
+    CHECK(strstr(e.message, "no such file") != NULL);
+}
+
+static void numbers(void)
+{
+    uint64_t state = test_seed;
+    double worst = 0;
+    long i;
+    for (i = 0; i < 50000; ++i) {
+        const uint64_t bits = test_random_u64(&state);
+        ms_mcml__text t;
+        char text[64], mine[64];
+        double x, y = 0;
+        if (i % 2) x = (test_uniform(&state) - 0.5) * pow(10, (double)(bits % 40) - 20);
+        else memcpy(&x, &bits, sizeof x);
+        if (!ms__finite(x) || fabs(x) < 1e-300) continue;
+        snprintf(text, sizeof text, i % 3 ? "%.17g" : "%.4E", x);
+        memset(&t, 0, sizeof t);
+        t.p = text;
+        t.stop = text + strlen(text);
+        CHECK(ms_mcml__number(&t, &y));
+        worst = fmax(worst, fabs(y / strtod(text, NULL) - 1));
+        snprintf(text, sizeof text, "%.4E", x);
+        ms_mcml__format(mine, x, 5, 0);
+        if (strcmp(text, mine) != 0) TEST_FAIL("%s, printf has %s", mine, text);
+        snprintf(text, sizeof text, "%G", x);
+        ms_mcml__format(mine, x, 6, 1);
+        if (strcmp(text, mine) != 0) TEST_FAIL("%s, printf has %s", mine, text);
+        snprintf(text, sizeof text, "%.4G", x);
+        ms_mcml__format(mine, x, 4, 1);
+        if (strcmp(text, mine) != 0) TEST_FAIL("%s, printf has %s", mine, text);
+    }
+    CHECK_LE(worst, 1e-14); /* a handful of roundings, each 1.1e-16 */
+    TEST_NOTE("reading off by %.1e at most", worst);
+    {
+        char mine[64];
+        ms_mcml__format(mine, 0, 5, 0);
+        CHECK(strcmp(mine, "0.0000E+00") == 0);
+        ms_mcml__format(mine, 0, 6, 1);
+        CHECK(strcmp(mine, "0") == 0);
+        ms_mcml__format(mine, 999999.5, 6, 1);
+        CHECK(strcmp(mine, "1E+06") == 0);
+    }
+}
+
+typedef struct sink {
+    char text[200000];
+    size_t size, fail_at;
+} sink;
+
+static int sink_write(void *user, const char *text, size_t size)
+{
+    sink *s = (sink *)user;
+    if (s->fail_at && s->size + size > s->fail_at) return 1;
+    if (s->size + size >= sizeof s->text) return 1;
+    memcpy(s->text + s->size, text, size);
+    s->size += size;
+    s->text[s->size] = 0;
+    return 0;
+}
+
+/* The text that MCML 1.2.2 writes, line by line, with its own formats. */
+static void mco_text(void)
+{
+    static sink s;
+    static char expected[200000];
+    ms_mcml_mci f;
+    ms_mcml_options o = options_of(0);
+    ms_mcml_result r;
+    ms_error e;
+    const ms_mcml_run_spec *run_spec;
+    const char *german;
+    char *p = expected;
+    size_t i;
+    CHECK_INT(ms_mcml_mci_read(two_runs, strlen(two_runs), NULL, &f, &e), MS_OK);
+    run_spec = &f.runs[0];
+    o.photons = run_spec->photons;
+    r = run(&run_spec->tissue, &run_spec->grid, &o);
+    german = setlocale(LC_NUMERIC, "de_DE.UTF-8");
+    CHECK_INT(ms_mcml_mco_write(run_spec, &r, 3661.2, sink_write, &s, &e), MS_OK);
+    if (german) setlocale(LC_NUMERIC, "C");
+    TEST_NOTE("comma locale %s", german ? "set" : "not installed");
+#define P(...) p += sprintf(p, __VA_ARGS__)
+    P("A1 \t# Version number of the file format.\n\n####\n# Data categories include: \n# InParm, RAT, \n"
+      "# A_l, A_z, Rd_r, Rd_a, Tt_r, Tt_a, \n# A_rz, Rd_ra, Tt_ra \n####\n\n");
+    P("# User time: %8.0f sec = %8.2f hr.   Simulation time of this run.\n\n", 3661.2, 3661.2 / 3600);
+    P("InParm \t\t\t# Input parameters. cm is used.\na.mco \tA\t\t# output file name, ASCII.\n1000 \t\t\t# No. of photons\n");
+    P("0.002\t0.1\t\t# dz, dr [cm]\n10\t20\t30\t# No. of dz, dr, da.\n\n2\t\t\t\t\t# Number of layers\n");
+    P("#n\tmua\tmus\tg\td\t# One line for each layer\n1\t\t\t\t\t# n for medium above\n");
+    P("1.3\t20\t200\t0.7\t0.01\t# layer 1\n1.4\t10\t200\t-0.9\t1E+08\t# layer 2\n1.5\t\t\t\t\t# n for medium below\n\n");
+    P("RAT #Reflectance, absorption, transmission. \n%-14.6G \t#Specular reflectance [-]\n", r.specular);
+    P("%-14.6G \t#Diffuse reflectance [-]\n%-14.6G \t#Absorbed fraction [-]\n%-14.6G \t#Transmittance [-]\n\n", r.rd, r.a, r.tt);
+    P("A_l #Absorption as a function of layer. [-]\n%12.4G\n%12.4G\n\n", r.a_l[0], r.a_l[1]);
+    P("A_z #A[0], [1],..A[nz-1]. [1/cm]\n");
+    for (i = 0; i < 10; ++i) P("%12.4E\n", r.a_z[i]);
+    P("\nRd_r #Rd[0], [1],..Rd[nr-1]. [1/cm2]\n");
+    for (i = 0; i < 20; ++i) P("%12.4E\n", r.rd_r[i]);
+    P("\nRd_a #Rd[0], [1],..Rd[na-1]. [sr-1]\n");
+    CHECK((size_t)(p - expected) < s.size);
+    if (memcmp(s.text, expected, (size_t)(p - expected)) != 0) {
+        for (i = 0; s.text[i] == expected[i]; ++i) continue;
+        TEST_FAIL("byte %d: ...%.40s... instead of ...%.40s...", (int)i, s.text + i, expected + i);
+    }
+    p = expected;
+    P("\nA_rz\n"); /* five a line */
+    for (i = 0; i < 200; ++i) P("%12.4E %s", r.a_rz[i], i % 5 == 4 ? "\n" : "");
+    P("\n# Rd[r][angle]. [1/(cm2sr)].\n# Rd[0][0], [0][1],..[0][na-1]\n# Rd[1][0], [1][1],..[1][na-1]\n# ...\n"
+      "# Rd[nr-1][0], [nr-1][1],..[nr-1][na-1]\nRd_ra\n");
+    for (i = 0; i < 600; ++i) P("%12.4E %s", r.rd_ra[i], i % 5 == 4 ? "\n" : "");
+    P("\n# Tt[r][angle]. [1/(cm2sr)].\n");
+    CHECK(strstr(s.text, expected) != NULL);
+    CHECK(strstr(s.text, "\nTt_ra\n") != NULL);
+#undef P
+    for (i = 1; i < s.size; i += s.size / 7) { /* a disk that fills up */
+        static sink full;
+        full.size = 0;
+        full.fail_at = i;
+        CHECK_INT(ms_mcml_mco_write(run_spec, &r, 0, sink_write, &full, &e), MS_IO);
+    }
+    CHECK_INT(ms_mcml_mco_write(&f.runs[1], &r, 0, sink_write, &s, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_mco_save("no such folder/a.mco", run_spec, &r, 0, &e), MS_IO);
+    ms_mcml_result_destroy(&r);
+    o.no_absorption = 1;
+    r = run(&run_spec->tissue, &run_spec->grid, &o);
+    CHECK(r.a_rz == NULL && r.a_z == NULL);
+    CHECK_INT(ms_mcml_mco_write(run_spec, &r, 0, sink_write, &s, &e), MS_UNSUPPORTED);
+    ms_mcml_result_destroy(&r);
+    ms_mcml_mci_destroy(&f);
+}
+
+static const test_case cases[] = {
+    {"totals", totals},
+    {"published", published},
+    {"profiles", profiles},
+    {"errors_are_honest", errors_are_honest},
+    {"unknown_errors_are_infinite", unknown_errors_are_infinite},
+    {"hard_media", hard_media},
+    {"absorber_alone", absorber_alone},
+    {"clear_stacks", clear_stacks},
+    {"largest_grid", largest_grid},
+    {"absorption_adds_up", absorption_adds_up},
+    {"fluence_without_absorption", fluence_without_absorption},
+    {"time_resolved", time_resolved},
+    {"beams", beams},
+    {"splits_and_threads", splits_and_threads},
+    {"levels_agree", levels_agree},
+    {"merge_refuses", merge_refuses},
+    {"damaged_tallies", damaged_tallies},
+    {"target_and_progress", target_and_progress},
+    {"bad_arguments", bad_arguments},
+    {"allocations", allocations},
+    {"mci_good", mci_good},
+    {"mci_malformed", mci_malformed},
+    {"numbers", numbers},
+    {"mco_text", mco_text},
+};
+
+TEST_MAIN(cases)
