@@ -1,6 +1,6 @@
 /* From optical parameters to pictures: build/demo_sss FOLDER [--width 1920] writes
      profiles_red.svg, _green, _blue       diffusion profiles of all 11 materials
-     skin1_before.png, _after, and skin1.png with both halves; the same for marble
+     skin1_before.png, _after, and skin1.png with half of each; the same for marble; demo.png with both
      model_*.png                           a dot, a disk and a step through every kernel model, and exactly
      index.html                            a page that shows them all */
 #define MS_MCML_IMPLEMENTATION
@@ -125,7 +125,8 @@ static image side_by_side(const image *a, const image *b)
     return out;
 }
 
-static void show_object(scene_object object, const char *material, int width)
+/* Writes the object's three pictures; returns the one with both halves. */
+static image show_object(scene_object object, const char *material, int width)
 {
     ms_sss_profile *profile = material_profile(material);
     ms_sss_kernel_options design = ms_sss_kernel_defaults();
@@ -178,10 +179,24 @@ static void show_object(scene_object object, const char *material, int width)
     free(workspace);
     image_free(&before);
     image_free(&after);
-    image_free(&both);
     image_free(&filtered);
     scene_free(&s);
     ms_sss_profile_destroy(profile);
+    return both;
+}
+
+/* Two pictures of one size beside each other. */
+static void save_pair(const image *a, const image *b, const char *name)
+{
+    image out = image_new(2 * a->width, a->height, 3);
+    size_t row = 3 * (size_t)a->width, y;
+    if (out.pixels == NULL) need("out of memory", name);
+    for (y = 0; y < (size_t)a->height; ++y) {
+        memcpy(out.pixels + 2 * y * row, a->pixels + y * row, row * sizeof(float));
+        memcpy(out.pixels + (2 * y + 1) * row, b->pixels + y * row, row * sizeof(float));
+    }
+    save(&out, name);
+    image_free(&out);
 }
 
 /* --- kernel models: a dot, a disk and a step (thesis, figures 5.7 and 5.13) --- */
@@ -355,6 +370,7 @@ static void show_models(FILE *page)
 int main(int argc, char **argv)
 {
     FILE *page;
+    image bust, knot;
     int width = argc == 4 && strcmp(argv[2], "--width") == 0 ? atoi(argv[3]) : 1920;
     if ((argc != 2 && argc != 4) || width < 64 || width > 7680) {
         fputs("usage: demo_sss FOLDER [--width 64..7680]\n", stderr);
@@ -378,8 +394,11 @@ int main(int argc, char **argv)
           page);
     plot_profiles();
     show_models(page);
-    show_object(SCENE_BUST, "skin1", width);
-    show_object(SCENE_KNOT, "marble", width);
+    bust = show_object(SCENE_BUST, "skin1", width);
+    knot = show_object(SCENE_KNOT, "marble", width);
+    save_pair(&bust, &knot, "demo.png");
+    image_free(&bust);
+    image_free(&knot);
     fputs("</table>\n", page);
     if (fclose(page) != 0) need("cannot write", file("index.html"));
     printf("%s\n", file("index.html"));

@@ -52,7 +52,7 @@ int main(void)
             } else {
                 ms_sss_kernel kernel;
                 if (truth_kernel(designer, &truth_models[i - 1], &kernel) != MS_OK ||
-                    truth_filter(&t, &kernel, 1.0 / 3, &picture) != MS_OK)
+                    truth_filter(&t, &kernel, truth_models[i - 1].sigma, &picture) != MS_OK)
                     return 1;
             }
             row(&t, path, &picture, &result[object][i]);
