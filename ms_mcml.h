@@ -424,7 +424,8 @@ MS_API void ms_mcml_white_destroy(ms_mcml_white *white);
 /* --- diffusion profiles ------------------------------------------------------------------------------------ */
 
 typedef enum ms_mcml_method {
-    MS_MCML_AUTO = 0,          /* photons = 0: deterministic; else direct, or white for edge_mm and for next to no absorption */
+    MS_MCML_AUTO = 0,          /* photons = 0: deterministic; else direct, but white (where it can) for edge_mm and where a
+                                  channel absorbs less than 1e-3 of what it meets: there it needs less time */
     MS_MCML_DETERMINISTIC = 1, /* no noise, milliseconds a channel; exact for g = 0, similarity for other g */
     MS_MCML_WHITE = 2,         /* Monte Carlo, one run for all channels; g = 0 and one eta only */
     MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g; rings of equal width; mu_a > 1e-10 mu_s */
@@ -3410,7 +3411,7 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     if (o.method < MS_MCML_AUTO || o.method > MS_MCML_DIRECT)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected one of ms_mcml_method", o.method);
     if (o.method == MS_MCML_AUTO)
-        o.method = o.photons == 0 ? MS_MCML_DETERMINISTIC : o.edge_mm || least < 1e-6 ? MS_MCML_WHITE : MS_MCML_DIRECT;
+        o.method = o.photons == 0 ? MS_MCML_DETERMINISTIC : o.edge_mm || (least < 1e-3 && !anisotropic) ? MS_MCML_WHITE : MS_MCML_DIRECT;
     if (o.photons == 0) o.photons = 1000000;
     status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
     if (status == MS_OK) status = ms_mcml__check_photons(o.photons, media[0].eta, error);
