@@ -271,6 +271,9 @@ int main(void)
     static const char *const material[] = {"skin1", "ketchup", "cream"};
     static const double plain_photons[] = {1e3, 1e4, 5e4}, photons[] = {3e4, 3e5, 3e6};
     static const double knob[][2] = {{0.8, 0.8}, {0.5, 0.4}, {0.3, 0.25}};
+    static const char *const way_short[] = {"original-style", "white", "direct", "solver"};
+    static const char *const color[][3] = {
+        {"#5f6b75", "#8b959d", "#b3bbc1"}, {"#d1495b", "#de7c89", "#eab0b8"}, {"#1b6ca8", "#5a97c4", "#9cc2dd"}, {"#2e933c", "#6db377", "#a9d2af"}};
     static scene s[3];
     static double x[3 * WAYS][3], y[3 * WAYS][3];
     static char label[3 * WAYS][64];
@@ -287,9 +290,8 @@ int main(void)
     for (m = 0; m < 3; ++m) {
         scene_make(&s[m], material[m]);
         for (way = 0; way < WAYS; ++way) {
-            static const char *const color[] = {"#d1495b", "#1b6ca8", "#2e933c"};
-            int row = m * WAYS + way;
-            snprintf(label[row], sizeof label[row], "%s: %s", material[m], way_name[way]);
+            int row = way * 3 + m;
+            snprintf(label[row], sizeof label[row], "%s: %s", way_short[way], material[m]);
             for (k = 0; k < 3; ++k) {
                 char setting[64];
                 run r;
@@ -325,10 +327,10 @@ int main(void)
                 printf("%s, %s, %s: %.4g s, error %.2e\n", material[m], way_name[way], setting, x[row][k], y[row][k]);
                 fflush(stdout);
             }
-            plot_series_color(&p, label[row], x[row], y[row], 3, PLOT_LINE | PLOT_DOTS | (way == PLAIN ? PLOT_DASHED : 0), color[m]);
         }
         ms_mcml_profile_destroy(&s[m].exact);
     }
+    for (k = 0; k < 3 * WAYS; ++k) plot_series_color(&p, label[k], x[k], y[k], 3, PLOT_LINE | PLOT_DOTS, color[k / 3][k % 3]);
     fclose(csv);
     fclose(md);
     if (!plot_write(&p, "build/bench/profile.svg")) return 1;
