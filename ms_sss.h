@@ -70,17 +70,18 @@
 
      texture error by taps of a pass      24 pixels: 7     11     17     96 pixels: 7     11     17
      pre-integrated, quadratic spacing            4.48   4.45   5.80           11.59   8.58   7.71
-     image-optimal, optimised taps (default)      2.49   1.55   1.36            8.94   5.65   4.15
-     two terms, optimised taps                    1.89   0.67   0.28            7.95   4.02   1.75
-     axes turned over 4 frames, their mean        1.49   0.60   0.21            5.80   2.83   1.34
+     image-optimal, optimised taps (default)      2.50   1.61   1.41            9.25   5.62   4.16
+     two terms, optimised taps                    1.89   0.67   0.29            8.12   3.74   1.98
+     axes turned over 4 frames, their mean        1.48   0.60   0.19            5.89   2.82   1.42
+     made in ms (default kernel)                    12     25     41              23     42     73
 
    Choose by what is seen: edges along the screen's axes want `dial` towards 1, a single bright dot wants more taps, detail
    and shadows are served by the default. Filter speed: `make bench FILTER=sss_filter`.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   Profiles and designers are one block each from the caller's allocator (a designer: 3 MB); building a kernel takes
-   another, up to 4 MB, and gives it back. The filter allocates nothing: the caller lends a workspace. No globals. At most
+   Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
+   another, under 1 MB (rotated: to 20 MB), and gives it back. The filter allocates nothing: the caller lends a workspace. No globals. At most
    160 KB of stack, in ms_sss_kernel_choose; 20 KB in the filter.
    Profiles, designers and kernels are only read once made: calls may overlap. ms_sss_filter cuts the picture into rows for
    ms_parallel. Kernels are made on one thread.
@@ -377,7 +378,7 @@ typedef struct ms_sss_designer ms_sss_designer;
 /* radius_px: pixels that the 99% energy radius of the widest channel covers where the kernel will be used, > 0; 0: 24.
    Kernels scale with depth when they are applied: design for the closest view that matters. Above 128 it is taken as
    128, from where on errors hardly change. The profile is read while this call runs and not kept.
-   MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: about 5 MB are needed. */
+   MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: about 2 MB are needed. */
 MS_SSS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                             const ms_allocator *allocator, ms_error *error);
 MS_SSS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
@@ -535,6 +536,36 @@ MS_SSS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kerne
                                    ms_error *error);
 
 /* --------------------------------------------------------------- PYRAMID */
+
+#define MS_SSS_PYRAMID_LEVELS 12 /* of a pyramid; level l is 2^l times smaller */
+#define MS_SSS_PYRAMID_SIZES 49  /* kernel radii of 1, 1.25, 1.5, 1.75, 2, 2.5 ... 4096 pixels */
+
+/* The round 2D kernel of a profile as a sum of pyramid levels, for radii from about 16 pixels on: the cost does not
+   depend on the radius. Each level counts as it is and blurred by (1, 2, 1) / 4 both ways; weights are >= 0 and add up to
+   1. */
+typedef struct ms_sss_pyramid {
+    float radius_mm; /* that holds 99% of the light of the widest channel */
+    float weight[MS_SSS_PYRAMID_SIZES][MS_SSS_PYRAMID_LEVELS][2][3]; /* [size][level][blurred][channel] */
+} ms_sss_pyramid;
+
+/* Fits the weights: least squares of the transfer function for pictures with a 1/f spectrum, for every size. 0.1 s.
+   MS_INVALID_ARGUMENT: a NULL, a profile without light. *pyramid is untouched then. */
+MS_SSS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error);
+
+/* Bytes that ms_sss_pyramid_filter needs: about 50 a pixel. SIZE_MAX: sides out of range. */
+MS_SSS_API size_t ms_sss_pyramid_workspace(int width, int height);
+
+/* ms_sss_filter with the round kernel instead of a separable one: out = sum_l weight_l E_l over the levels E_l.
+   A pixel of a coarser level belongs to one surface, that of its best covered part; only light from within the depth
+   tolerance gets in, and from there only to pixels of the same surface: nothing crosses a depth edge wider than the
+   radius, masks and NaN are as in ms_sss_filter, a constant stays constant. Next to silhouettes, where a coarse pixel
+   stands for the other surface, the kernel gets narrower.
+   options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW, pixels_per_mm that differ,
+             frame->profile
+   Bit-equal for any thread count at one level of instructions. No allocation. */
+MS_SSS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
+                                           const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                           ms_error *error);
 
 /* -------------------------------------------------------------- GPU TEXT */
 
@@ -2961,6 +2992,21 @@ MS_SSS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, d
     return MS_OK;
 }
 
+#undef MS_SSS__PI
+#undef MS_SSS__SIZE
+#undef MS_SSS__HALF
+#undef MS_SSS__OCTANT
+#undef MS_SSS__CELLS_MAX
+#undef MS_SSS__SIGNALS
+#undef MS_SSS__TEXTURE
+#undef MS_SSS__RINGS_MAX
+#undef MS_SSS__TEXTURE_SEED
+#undef MS_SSS__TEXTURE_DRAWN
+#undef MS_SSS__TEXTURE_LIMIT
+#undef MS_SSS__NODES_MAX
+#undef MS_SSS__BINS_MAX
+#undef MS_SSS__BLOCK_MAX
+
 /* ----------------------------------------------------------- FILTER CODE */
 
 #ifndef MS_SSS_FILENAME
@@ -3011,6 +3057,20 @@ typedef struct ms_sss__pass {
     const float (*direction)[2];
 } ms_sss__pass;
 
+/* A row of a pyramid level, even and odd columns apart: colour, depth, share of the area that takes part. */
+typedef struct ms_sss__split {
+    const float *plane[2][5];
+} ms_sss__split;
+
+/* What the sums of a pyramid level need. */
+typedef struct ms_sss__growth {
+    const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
+    int level, perspective, flat; /* flat: no depth */
+    float weight[2][3];     /* of this level where all pixels have one size */
+    float size, size_max;   /* the kernel's radius in pixels: min(size / depth, size_max) */
+    float cut, vertical[2]; /* share of the two coarser rows */
+} ms_sss__growth;
+
 typedef struct ms_sss__kernels {
     int (*gate)(const float *value, float scale, int count, float *depth, int span[2]);
     int (*admit)(const float *const in[3], const float *const albedo[3], int n, int count, float *depth,
@@ -3025,6 +3085,11 @@ typedef struct ms_sss__kernels {
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
+    void (*shrink)(const ms_sss__split row[4], float cut, int flat, int count, float *const out[5]);
+    int (*grow)(const ms_sss__growth *s, const ms_sss__split row[3], const float *const *coarse0,
+                const float *const *coarse1, int odd, int count, float *const out[6]);
+    void (*split)(const float *from, int count, float *even, float *odd);
+    void (*merge)(const float *even, const float *odd, int count, float *to);
 } ms_sss__kernels;
 
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
@@ -3073,6 +3138,33 @@ static MS_SSS__INLINE float ms_sss__scale(float x, float n)
     bits += (int32_t)n * (1 << 23);
     memcpy(&x, &bits, sizeof x);
     return x;
+}
+
+/* Sizes of a pyramid's table are 2^e (1 + m / 4): their index is in the float's top bits. */
+static MS_SSS__INLINE int ms_sss__size_index(float size)
+{
+    int32_t bits;
+    memcpy(&bits, &size, sizeof bits);
+    return ms_sss__clamp((bits - 0x3f800000) >> 21, 0, MS_SSS_PYRAMID_SIZES - 2);
+}
+
+static MS_SSS__INLINE float ms_sss__index_size(int index)
+{
+    int32_t bits = 0x3f800000 + index * (1 << 21);
+    float size;
+    memcpy(&size, &bits, sizeof size);
+    return size;
+}
+
+static MS_SSS__INLINE void ms_sss__weights_at(const ms_sss__growth *s, float size, float out[2][3])
+{
+    const int i = ms_sss__size_index(size);
+    const float from = ms_sss__index_size(i), step = ms_sss__index_size(i + 1) - from;
+    const float t = size < from ? 0 : size > from + step ? 1 : (size - from) / step;
+    int b, c;
+    for (b = 0; b < 2; ++b)
+        for (c = 0; c < 3; ++c)
+            out[b][c] = s->table[i][s->level][b][c] + t * (s->table[i + 1][s->level][b][c] - s->table[i][s->level][b][c]);
 }
 
 #if defined(MS__X64)
@@ -3505,8 +3597,9 @@ static void ms_sss__first_pass(void *context, int task)
 }
 
 /* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E,
-   fades, multiplies by the albedo, adds the specular light, and writes the pixels that take part. */
-static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3])
+   fades, multiplies by the albedo, adds the specular light, and writes the pixels that take part. small: a pixel whose
+   kernel is under half a pixel may have been changed. */
+static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], int small)
 {
     const ms_sss_frame *f = &job->frame;
     const ms_sss_kernel *k = job->kernel;
@@ -3514,7 +3607,7 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
     const float *in[3], *albedo[3], *specular[3], *strength = NULL, *const *factor, *result[3];
     const int last_term = job->term + 1 == k->term_count;
     const float *depth = job->depth + ms_sss__ring(job, y) + x;
-    int c, i, need_own = job->gain < 1.0f || !job->whole[y];
+    int c, i, need_own = small || job->gain < 1.0f || !job->whole[y];
     int solid_first = job->solid_first[y] > x ? job->solid_first[y] - x : 0;
     int solid_last = job->solid_last[y] < x + count ? job->solid_last[y] - x : count;
     for (c = 0; c < 3; ++c) {
@@ -3631,7 +3724,7 @@ static void ms_sss__second_pass(void *context, int task)
         for (y = begin; y < end; ++y) {
             const int first = job->first[y] > x ? job->first[y] : x;
             const int last = job->last[y] < x + tile ? job->last[y] : x + tile;
-            const int direct = job->direct && last <= job->frame.width && ms_sss__solid(job, y, first, last);
+            const int direct = job->direct && job->whole[y] && last <= job->frame.width && ms_sss__solid(job, y, first, last);
             float *to[3];
             if (first >= last) continue;
             for (c = 0; c < 3; ++c)
@@ -3639,7 +3732,7 @@ static void ms_sss__second_pass(void *context, int task)
             if (job->fixed) ms_sss__fixed_row(job, y, to);
             else if (job->turned) job->simd->taps_turned(&pass, y, first, last, to);
             else job->simd->taps_y(&pass, y, first, last, to);
-            if (!direct) ms_sss__finish(job, task, y, first, last - first, to);
+            if (!direct) ms_sss__finish(job, task, y, first, last - first, to, 0);
         }
     }
 }
@@ -3857,7 +3950,7 @@ static int ms_sss__direct(const ms_sss__job *job)
     const ms_sss_kernel *k = job->kernel;
     float total[3];
     int mixed[3], c;
-    if (k->term_count > 1 || f->strength.channel[0] || f->albedo.channel[0] || f->specular.channel[0] || job->gain < 1 ||
+    if (k->term_count > 1 || f->albedo.channel[0] || f->specular.channel[0] || job->gain < 1 ||
         f->output.half || f->output.pixel_stride != 1)
         return 0;
     ms_sss__totals(k, 0, 0, total, mixed);
@@ -3960,89 +4053,105 @@ MS_SSS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_ke
     return ms_sss__plan(width, height, kernels, kernel_count, options).total;
 }
 
-MS_SSS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
-                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                   ms_error *error)
+/* Checks everything and lays the planes out in the workspace; *end: the first float behind them. */
+static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
+                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size, size_t needed,
+                               float **end, ms_error *error)
 {
-    ms_sss__job job;
+    const int w = frame->width, h = frame->height;
     ms_sss__layout layout;
+    ms_sss_frame *f = &job->frame;
     ms_status status;
     float *at;
-    int i, c, term;
-    if (!frame || !kernels || !options)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, kernels or options is NULL");
-    if (frame->width < 1 || frame->height < 1 || frame->width > MS_SSS__SIDE_MAX || frame->height > MS_SSS__SIDE_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a picture of %d x %d pixels: expected 1 to %d", frame->width, frame->height,
-                        (int)MS_SSS__SIDE_MAX);
+    int i, c;
+    if (w < 1 || h < 1 || w > MS_SSS__SIDE_MAX || h > MS_SSS__SIDE_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", w, h, (int)MS_SSS__SIDE_MAX);
     if (kernel_count < 1 || kernel_count > 256)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel_count %d is not within 1 to 256", kernel_count);
     for (i = 0; i < kernel_count; ++i)
         if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
     if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
-    memset(&job, 0, sizeof job);
-    job.frame = *frame;
-    job.options = *options;
-    if ((status = ms_sss__check_image(&job.frame.input, "input", 3, 1, frame->width, frame->height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&job.frame.output, "output", 3, 1, frame->width, frame->height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&job.frame.depth, "depth", 1, options->fov_degrees > 0, frame->width, frame->height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&job.frame.strength, "strength", 1, 0, frame->width, frame->height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&job.frame.albedo, "albedo", 3, 0, frame->width, frame->height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&job.frame.specular, "specular", 3, 0, frame->width, frame->height, error)) != MS_OK)
+    memset(job, 0, sizeof *job);
+    *f = *frame;
+    job->options = *options;
+    if ((status = ms_sss__check_image(&f->input, "input", 3, 1, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->output, "output", 3, 1, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->depth, "depth", 1, options->fov_degrees > 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->strength, "strength", 1, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->albedo, "albedo", 3, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->specular, "specular", 3, 0, w, h, error)) != MS_OK)
         return status;
-    if (frame->profile && frame->profile_pixel_stride == 0) job.frame.profile_pixel_stride = 1;
-    if (frame->profile && frame->profile_row_stride == 0) job.frame.profile_row_stride = job.frame.profile_pixel_stride * frame->width;
-    layout = ms_sss__plan(frame->width, frame->height, kernels, kernel_count, options);
-    if (!workspace || workspace_size < layout.total)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, layout.total);
+    if (f->profile_pixel_stride == 0) f->profile_pixel_stride = 1;
+    if (f->profile_row_stride == 0) f->profile_row_stride = f->profile_pixel_stride * w;
+    if (!workspace || workspace_size < needed)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
 
-    job.simd = ms_sss__pick(options->simd);
-    job.kernel_count = kernel_count;
-    job.block = layout.block;
-    job.padded = layout.padded;
-    job.stride = (ptrdiff_t)layout.stride;
-    job.gain = 1.0f - options->fade;
-    job.turned = ms_sss__differ(options->rotation, 0) || options->jitter > 0;
-    job.fixed = !job.turned && !(options->fov_degrees > 0) && (!frame->depth.channel[0] || options->depth_mode == MS_SSS_DEPTH_SCALE);
-    job.raw = !frame->albedo.channel[0] && !frame->specular.channel[0] && frame->input.half == frame->output.half;
-    job.unwritten = !job.raw || job.frame.input.pixel_stride != job.frame.output.pixel_stride ||
-                    job.frame.input.row_stride != job.frame.output.row_stride;
+    layout = ms_sss__plan(w, h, kernels, kernel_count, options);
+    job->simd = ms_sss__pick(options->simd);
+    job->kernel_count = kernel_count;
+    job->block = layout.block;
+    job->padded = layout.padded;
+    job->stride = (ptrdiff_t)layout.stride;
+    job->ring = h;
+    job->gain = 1.0f - options->fade;
+    job->turned = ms_sss__differ(options->rotation, 0) || options->jitter > 0;
+    job->raw = !f->albedo.channel[0] && !f->specular.channel[0] && f->input.half == f->output.half;
+    job->unwritten = !job->raw || f->input.pixel_stride != f->output.pixel_stride || f->input.row_stride != f->output.row_stride;
     for (c = 0; c < 3; ++c)
-        if (frame->input.channel[c] != frame->output.channel[c]) job.unwritten = 1;
+        if (f->input.channel[c] != f->output.channel[c]) job->unwritten = 1;
 
     at = (float *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
     for (i = 0; i < layout.planes; ++i) {
         float *plane = at + layout.stride + MS_SSS__LEFT;
-        if (i < 3) job.middle[i] = plane;
-        else if (i == 3) job.depth = plane;
-        else if (job.turned && i < 7) job.source[i - 4] = plane;
-        else job.sum[(i - 4) % 3] = plane;
-        ms_sss__clear(&job, plane - layout.stride, i == 3 ? INFINITY : 0.0f);
-        ms_sss__clear(&job, plane + layout.stride * (size_t)frame->height, i == 3 ? INFINITY : 0.0f);
+        if (i < 3) job->middle[i] = plane;
+        else if (i == 3) job->depth = plane;
+        else if (job->turned && i < 7) job->source[i - 4] = plane;
+        else job->sum[(i - 4) % 3] = plane;
+        ms_sss__clear(job, plane - layout.stride, i == 3 ? INFINITY : 0.0f);
+        ms_sss__clear(job, plane + layout.stride * (size_t)h, i == 3 ? INFINITY : 0.0f);
         at += layout.plane;
     }
-    job.fresh = at + MS_SSS__LEFT;
-    ms_sss__clear(&job, job.fresh, INFINITY);
-    for (i = 0; i < frame->width; ++i) job.fresh[i] = 0.0f;
+    job->fresh = at + MS_SSS__LEFT;
+    ms_sss__clear(job, job->fresh, INFINITY);
+    for (i = 0; i < w; ++i) job->fresh[i] = 0.0f;
     at += layout.stride;
-    job.rows = at;
+    job->rows = at;
     at += layout.stride * MS_SSS__TASKS * MS_SSS__ROWS;
-    job.first = (int *)at;
-    job.last = job.first + frame->height;
-    job.solid_first = job.last + frame->height;
-    job.solid_last = job.solid_first + frame->height;
-    job.whole = job.solid_last + frame->height;
+    job->first = (int *)at;
+    job->last = job->first + h;
+    job->solid_first = job->last + h;
+    job->solid_last = job->solid_first + h;
+    job->whole = job->solid_last + h;
+    *end = (float *)(job->whole + h);
     for (i = 0; i < 64; ++i) {
         const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
-        job.direction[i][0] = (float)cos(angle);
-        job.direction[i][1] = (float)sin(angle);
+        job->direction[i][0] = (float)cos(angle);
+        job->direction[i][1] = (float)sin(angle);
     }
-    job.pass.stride = job.stride;
-    job.pass.width = frame->width;
-    job.pass.height = frame->height;
-    job.pass.first = job.first;
-    job.pass.last = job.last;
-    job.pass.direction = (const float(*)[2])job.direction;
+    job->pass.stride = job->stride;
+    job->pass.width = w;
+    job->pass.height = h;
+    job->pass.first = job->first;
+    job->pass.last = job->last;
+    job->pass.direction = (const float(*)[2])job->direction;
+    return MS_OK;
+}
 
+MS_SSS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
+                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                   ms_error *error)
+{
+    ms_sss__job job;
+    ms_status status;
+    float *end;
+    int i, term;
+    if (!frame || !kernels || !options)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, kernels or options is NULL");
+    status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
+                           ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options), &end, error);
+    if (status != MS_OK) return status;
+    job.fixed = !job.turned && !(options->fov_degrees > 0) &&
+                (!frame->depth.channel[0] || options->depth_mode == MS_SSS_DEPTH_SCALE);
     for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
         ms_sss__set_kernel(&job, &kernels[i], i);
         job.direct = ms_sss__direct(&job);
@@ -4057,6 +4166,389 @@ MS_SSS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kerne
 }
 
 /* ---------------------------------------------------------- PYRAMID CODE */
+
+enum { MS_SSS__ANGLES = 4 };
+
+/* Minimises x'A x / 2 - b'x for x >= 0, n <= 24: active sets (Lawson and Hanson 1974, Solving Least Squares Problems,
+   chapter 23). */
+static void ms_sss__fit_positive(const double *A, const double *b, int n, double *x)
+{
+    double part[24 * 24], step[24];
+    int in[24], used[24], i, j, round, m, enter;
+    for (i = 0; i < n; ++i) x[i] = used[i] = 0;
+    for (round = 0; round < 4 * n; ++round) {
+        double best = 1e-9;
+        enter = -1;
+        for (i = 0; i < n; ++i) { /* the variable that the residual pulls most */
+            double w = b[i];
+            for (j = 0; j < n; ++j) w -= A[i * n + j] * x[j];
+            if (!used[i] && w > best) {
+                best = w;
+                enter = i;
+            }
+        }
+        if (enter < 0) return;
+        used[enter] = 1;
+        for (;;) {
+            double t = 1;
+            int leave = -1;
+            for (m = 0, i = 0; i < n; ++i)
+                if (used[i]) in[m++] = i;
+            for (i = 0; i < m; ++i) {
+                for (j = 0; j < m; ++j) part[i * m + j] = A[in[i] * n + in[j]] * (i == j ? 1 + 1e-12 : 1);
+                step[i] = b[in[i]];
+            }
+            if (m == 0 || !ms_sss__cholesky_solve(part, step, m)) return;
+            for (i = 0; i < m; ++i) {
+                if (step[i] > 0) continue;
+                if (x[in[i]] / (x[in[i]] - step[i]) <= t) {
+                    t = x[in[i]] / (x[in[i]] - step[i]);
+                    leave = in[i];
+                }
+            }
+            for (i = 0; i < m; ++i) x[in[i]] += t * (step[i] - x[in[i]]);
+            if (leave < 0) break;
+            x[leave] = used[leave] = 0;
+        }
+    }
+}
+
+/* Transfer of a level along one axis: (1, 3, 3, 1) / 8 down l times and up again, (sin(2^l k / 2) / (2^l sin(k / 2)))^6. */
+static double ms_sss__level_wave(int level, double k)
+{
+    const double n = (double)(1 << level), s = k < 1e-9 ? 1 : sin(n * k / 2) / (n * sin(k / 2));
+    return s * s * s * s * s * s;
+}
+
+MS_SSS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error)
+{
+    /* A wave of k radians a mm keeps T(k) = integral of a_p(x) cos(k x) dx of its height. T is tabled on a grid whose
+       steps are those of the pixel frequencies below, so that a change of size is a shift. */
+    enum { STEPS = 16, LOW = 14, HIGH = 14, TABLE = STEPS * (LOW + HIGH) + 1, CELLS = 4000 };
+    double T[TABLE], total[3], radius[3], widest = 0, previous[3];
+    int size, c, i, j, l;
+    ms_sss_pyramid p;
+    if (!pyramid || !profile) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pyramid or profile is NULL");
+    ms_sss_profile_reflectance(profile, total);
+    ms_sss_profile_radius(profile, 0.99, radius);
+    for (c = 0; c < 3; ++c)
+        if (radius[c] > widest) widest = radius[c];
+    if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light");
+    memset(&p, 0, sizeof p);
+    p.radius_mm = (float)widest;
+    for (c = 0; c < 3; ++c) {
+        for (i = 0; i < TABLE; ++i) T[i] = 0;
+        previous[c] = 0;
+        for (j = 0; j < CELLS && total[c] > 0; ++j) { /* the light of strips |x| < x_j, x_j growing from 1e-5 to 20 radii */
+            const double x0 = j ? widest * 1e-5 * pow(2e6, (double)(j - 1) / (double)(CELLS - 2)) : 0;
+            const double x1 = widest * 1e-5 * pow(2e6, (double)j / (double)(CELLS - 2));
+            double strip[3], light;
+            ms_sss_profile_strip(profile, x1, strip);
+            light = (strip[c] - previous[c]) / total[c];
+            previous[c] = strip[c];
+            if (!(light > 0)) continue;
+            for (i = 0; i < TABLE; ++i) T[i] += light * cos(pow(2.0, (double)i / (double)STEPS - (double)LOW) * 0.5 * (x0 + x1) / widest);
+        }
+        for (size = 0; size < MS_SSS_PYRAMID_SIZES; ++size) {
+            const double pixels = (double)ms_sss__index_size(size); /* of the radius */
+            enum { TERMS = 2 * MS_SSS_PYRAMID_LEVELS };
+            double A[TERMS * TERMS], b[TERMS], x[TERMS], sum = 0;
+            int levels = 1, terms;
+            while (levels < MS_SSS_PYRAMID_LEVELS && (double)(1 << levels) < 4 * pixels) ++levels;
+            terms = 2 * levels;
+            memset(A, 0, sizeof A);
+            memset(b, 0, sizeof b);
+            for (i = 0; i <= 10 * STEPS + 1; ++i) { /* frequencies up to pi: a 1/f spectrum has equal power an octave */
+                for (j = 0; j < MS_SSS__ANGLES && total[c] > 0; ++j) {
+                    const double k = i ? 3.14159265358979 * pow(2.0, (double)(i - 1) / (double)STEPS - 10) : 0;
+                    const double angle = 0.785398163397448 * j / (double)(MS_SSS__ANGLES - 1);
+                    const double at = i ? (log2(k * pixels) + (double)LOW) * (double)STEPS : -1, weight = i ? 1 : 1e3; /* energy first */
+                    const int cell = at < 0 ? 0 : at < (double)(TABLE - 2) ? (int)at : TABLE - 2;
+                    const double t = at < 0 ? 0 : at > (double)(TABLE - 1) ? 1 : at - cell, target = at < 0 ? 1 : T[cell] + t * (T[cell + 1] - T[cell]);
+                    const double kx = k * cos(angle), ky = k * sin(angle);
+                    double wave[TERMS];
+                    int m;
+                    for (l = 0; l < terms; ++l) {
+                        wave[l] = ms_sss__level_wave(l / 2, kx) * ms_sss__level_wave(l / 2, ky);
+                        if (l % 2) wave[l] *= (0.5 + 0.5 * cos(kx * (1 << l / 2))) * (0.5 + 0.5 * cos(ky * (1 << l / 2)));
+                    }
+                    for (l = 0; l < terms; ++l) {
+                        b[l] += weight * wave[l] * target;
+                        for (m = 0; m < terms; ++m) A[l * terms + m] += weight * wave[l] * wave[m];
+                    }
+                }
+            }
+            if (total[c] > 0) ms_sss__fit_positive(A, b, terms, x);
+            else for (l = 0; l < terms; ++l) x[l] = l == 0; /* a dark channel stays as it is */
+            for (l = 0; l < terms; ++l) sum += x[l];
+            for (l = 0; l < terms; ++l) p.weight[size][l / 2][l % 2][c] = (float)(x[l] / sum);
+        }
+    }
+    *pyramid = p;
+    return MS_OK;
+}
+
+/* --- the filter --- */
+
+typedef struct ms_sss__level {
+    int width, height;
+    ptrdiff_t half, whole;  /* floats from a row to the next of the planes for even or odd columns, and for all */
+    float *split[2][5];     /* colour, depth, share; the share of the finest level is not stored */
+    float *sum[6], *depth;  /* of coarser levels: weighted colour, weight, depth */
+} ms_sss__level;
+
+typedef struct ms_sss__tower {
+    ms_sss__job job; /* first: tasks get its address */
+    ms_sss__level level[MS_SSS_PYRAMID_LEVELS];
+    int levels, at; /* at: of the run at hand */
+    ms_sss__growth growth;
+    float *ones; /* a row of shares of 1 */
+    float *rows; /* row buffers of the tasks */
+    ptrdiff_t row;
+} ms_sss__tower;
+
+enum { MS_SSS__TOWER_ROWS = 14 };
+
+static float *ms_sss__tower_row(const ms_sss__tower *tower, int task, int row)
+{
+    return tower->rows + ((ptrdiff_t)task * MS_SSS__TOWER_ROWS + row) * tower->row + MS_SSS__LEFT;
+}
+
+/* Floats of the levels; base NULL: count only. */
+static size_t ms_sss__tower_levels(ms_sss__tower *tower, int width, int height, float *base)
+{
+    size_t at = 0;
+    int l, i, side;
+    for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
+        ms_sss__level *v = &tower->level[l];
+        v->width = width;
+        v->height = height;
+        v->half = MS_SSS__LEFT + ms_sss__round_up((width + 1) / 2, 16) + MS_SSS__RIGHT;
+        v->whole = MS_SSS__LEFT + ms_sss__round_up(width, 32) + MS_SSS__RIGHT;
+        for (side = 0; side < 2; ++side) {
+            for (i = 0; i < 5; ++i) {
+                v->split[side][i] = NULL;
+                if (l == 0 && i == 4) continue;
+                if (base) v->split[side][i] = base + at + MS_SSS__LEFT;
+                at = ms__size_add(at, ms__size_mul((size_t)v->half, (size_t)height));
+            }
+        }
+        for (i = 0; i < 7 && l > 0; ++i) {
+            if (base && i < 6) v->sum[i] = base + at + MS_SSS__LEFT;
+            if (base && i == 6) v->depth = base + at + MS_SSS__LEFT;
+            at = ms__size_add(at, ms__size_mul((size_t)v->whole, (size_t)height));
+        }
+        tower->levels = l + 1;
+        if (width <= 2 && height <= 2) break;
+        width = (width + 1) / 2;
+        height = (height + 1) / 2;
+    }
+    return at;
+}
+
+/* Spreads a row over its even and odd halves, with what takes no part around it. */
+static void ms_sss__split_row(const ms_sss__tower *tower, const ms_sss__level *v, int y, int planes, const float *const from[5])
+{
+    const int half = ms_sss__round_up((v->width + 1) / 2, 16), padded = (int)v->half - MS_SSS__LEFT;
+    int i, side, x;
+    for (i = 0; i < planes; ++i) {
+        float *to[2];
+        for (side = 0; side < 2; ++side) {
+            to[side] = v->split[side][i] + y * v->half;
+            for (x = -MS_SSS__LEFT; x < 0; ++x) to[side][x] = i == 3 ? INFINITY : 0.0f;
+            for (x = half; x < padded; ++x) to[side][x] = i == 3 ? INFINITY : 0.0f;
+        }
+        tower->job.simd->split(from[i], half, to[0], to[1]);
+    }
+}
+
+static void ms_sss__tower_split(const ms_sss__tower *tower, int y, ms_sss__split *row)
+{
+    const ms_sss__level *v = &tower->level[tower->at];
+    int i, side;
+    memset(row, 0, sizeof *row);
+    if (y < 0 || y >= v->height) return;
+    for (side = 0; side < 2; ++side)
+        for (i = 0; i < 5; ++i) row->plane[side][i] = v->split[side][i] ? v->split[side][i] + y * v->half : tower->ones;
+}
+
+/* The finest level from the picture. */
+static void ms_sss__tower_load(void *context, int task)
+{
+    const ms_sss__tower *tower = (const ms_sss__tower *)context;
+    const ms_sss__job *job = &tower->job;
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    float *colour[3];
+    int y, c;
+    for (c = 0; c < 3; ++c) {
+        colour[c] = ms_sss__buffer(job, task, c);
+        ms_sss__clear(job, colour[c], 0.0f);
+    }
+    for (y = begin; y < end; ++y) {
+        const float *from[5];
+        from[3] = job->depth + y * job->stride;
+        from[4] = NULL;
+        for (c = 0; c < 3; ++c) from[c] = colour[c];
+        ms_sss__prepare(job, y, task, colour, job->depth + y * job->stride);
+        for (c = 0; c < 3; ++c) { /* columns without any pixel that takes part hold an earlier row's colour */
+            memset(colour[c], 0, (size_t)job->first[y] * sizeof(float));
+            memset(colour[c] + job->last[y], 0, (size_t)(job->padded - job->last[y]) * sizeof(float));
+        }
+        ms_sss__split_row(tower, &tower->level[0], y, 4, from);
+    }
+}
+
+/* Level at + 1 from level at. */
+static void ms_sss__tower_shrink(void *context, int task)
+{
+    const ms_sss__tower *tower = (const ms_sss__tower *)context;
+    const ms_sss__job *job = &tower->job;
+    const ms_sss__level *v = &tower->level[tower->at + 1];
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    int y, i, x;
+    for (y = begin; y < end; ++y) {
+        ms_sss__split row[4];
+        float *out[5];
+        const float *from[5];
+        for (i = 0; i < 4; ++i) ms_sss__tower_split(tower, 2 * y - 1 + i, &row[i]);
+        for (i = 0; i < 5; ++i) from[i] = out[i] = ms_sss__tower_row(tower, task, i);
+        from[3] = out[3] = v->depth + y * v->whole;
+        job->simd->shrink(row, tower->growth.cut, tower->growth.flat, ms_sss__round_up(v->width, 32), out);
+        for (x = -MS_SSS__LEFT; x < 0; ++x) out[3][x] = INFINITY;
+        for (x = ms_sss__round_up(v->width, 32); x < (int)v->whole - MS_SSS__LEFT; ++x) out[3][x] = INFINITY;
+        ms_sss__split_row(tower, v, y, 5, from);
+    }
+}
+
+/* The sums of level at from those of level at + 1; of the finest level the picture. */
+static void ms_sss__tower_grow(void *context, int task)
+{
+    const ms_sss__tower *tower = (const ms_sss__tower *)context;
+    const ms_sss__job *job = &tower->job;
+    const ms_sss__level *v = &tower->level[tower->at], *coarse = v + 1;
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    const int half = ms_sss__round_up((v->width + 1) / 2, 16);
+    int y, i, side, x, c;
+    for (y = begin; y < end; ++y) {
+        ms_sss__growth growth = tower->growth;
+        ms_sss__split row[3];
+        const float *from[2][7];
+        const float *const *near_by[2] = {NULL, NULL};
+        float *out[2][6], *blur[3];
+        int small = 0;
+        if (tower->at == 0 && job->first[y] == job->last[y]) continue;
+        growth.vertical[0] = y % 2 ? 0.75f : 0.25f;
+        growth.vertical[1] = y % 2 ? 0.25f : 0.75f;
+        for (i = 0; i < 2 && tower->at + 1 < tower->levels; ++i) {
+            const int j = y / 2 + i - !(y % 2);
+            if (j < 0 || j >= coarse->height) continue;
+            for (c = 0; c < 6; ++c) from[i][c] = coarse->sum[c] + j * coarse->whole;
+            from[i][6] = coarse->depth + j * coarse->whole;
+            near_by[i] = from[i];
+        }
+        for (i = 0; i < 3; ++i) ms_sss__tower_split(tower, y - 1 + i, &row[i]);
+        for (side = 0; side < 2; ++side) {
+            for (i = 0; i < 6; ++i) out[side][i] = ms_sss__tower_row(tower, task, side * 6 + i);
+            small |= job->simd->grow(&growth, row, near_by[0], near_by[1], side, half, out[side]);
+        }
+        if (tower->at > 0) {
+            for (i = 0; i < 6; ++i) {
+                float *to = v->sum[i] + y * v->whole;
+                for (x = -MS_SSS__LEFT; x < 0; ++x) to[x] = 0;
+                job->simd->merge(out[0][i], out[1][i], half, to);
+                for (x = 2 * half; x < (int)v->whole - MS_SSS__LEFT; ++x) to[x] = 0;
+            }
+        } else {
+            const int first = job->first[y];
+            for (c = 0; c < 3; ++c) {
+                blur[c] = ms_sss__buffer(job, task, c);
+                job->simd->merge(out[0][c], out[1][c], half, blur[c]);
+                blur[c] += first;
+            }
+            ms_sss__finish(job, task, y, first, job->last[y] - first, blur, small);
+        }
+    }
+}
+
+/* As the plan of a filter with one term, and the levels. */
+static ms_sss__layout ms_sss__tower_plan(ms_sss__tower *tower, int width, int height, size_t *floats)
+{
+    ms_sss_filter_options options;
+    ms_sss_kernel one_term;
+    ms_sss__layout l;
+    memset(&options, 0, sizeof options);
+    one_term.term_count = 1;
+    l = ms_sss__plan(width, height, &one_term, 1, &options);
+    tower->row = MS_SSS__LEFT + ms_sss__round_up(width, 32) + MS_SSS__RIGHT;
+    *floats = ms__size_add(ms_sss__tower_levels(tower, width, height, NULL),
+                           ms__size_mul((size_t)tower->row, MS_SSS__TASKS * MS_SSS__TOWER_ROWS + 1));
+    l.total = ms__size_add(ms__size_add(l.total, ms__size_mul(*floats, sizeof(float))), 64);
+    return l;
+}
+
+MS_SSS_API size_t ms_sss_pyramid_workspace(int width, int height)
+{
+    ms_sss__tower tower;
+    size_t floats;
+    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX) return SIZE_MAX;
+    return ms_sss__tower_plan(&tower, width, height, &floats).total;
+}
+
+MS_SSS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
+                                           const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                           ms_error *error)
+{
+    ms_sss__tower tower;
+    ms_sss__job *job = &tower.job;
+    ms_sss_kernel kernel; /* that leaves its input alone: for the size on the screen, and for what comes after the sums */
+    ms_status status;
+    size_t floats;
+    float *at;
+    int c, l, x;
+    if (!frame || !pyramid || !options)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, pyramid or options is NULL");
+    memset(&kernel, 0, sizeof kernel);
+    kernel.tap_count = kernel.term_count = 1;
+    kernel.radius_mm = pyramid->radius_mm;
+    for (c = 0; c < 3; ++c) kernel.weight[0][0][c] = kernel.scale[0][c] = 1;
+    status = ms_sss__begin(job, frame, &kernel, 1, options, workspace, workspace_size,
+                           ms_sss_pyramid_workspace(frame->width, frame->height), &at, error);
+    if (status != MS_OK) return status;
+    if (job->turned || options->uv_steps || options->depth_mode == MS_SSS_DEPTH_FOLLOW || frame->profile ||
+        (options->pixels_per_mm[1] > 0 && ms_sss__differ(options->pixels_per_mm[0], options->pixels_per_mm[1])))
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW");
+    ms_sss__tower_plan(&tower, frame->width, frame->height, &floats);
+    at = (float *)(((uintptr_t)at + 63) & ~(uintptr_t)63);
+    at += ms_sss__tower_levels(&tower, frame->width, frame->height, at);
+    tower.rows = at;
+    tower.ones = at + (ptrdiff_t)MS_SSS__TASKS * MS_SSS__TOWER_ROWS * tower.row + MS_SSS__LEFT;
+    for (x = -MS_SSS__LEFT; x < (int)tower.row - MS_SSS__LEFT; ++x) tower.ones[x] = 1;
+
+    ms_sss__set_kernel(job, &kernel, 0);
+    ms_sss__set_term(job, 0);
+    if (!(job->gain > 0)) job->idle = 1;
+    tower.growth.table = pyramid->weight;
+    tower.growth.perspective = job->pass.perspective;
+    tower.growth.flat = !frame->depth.channel[0];
+    tower.growth.cut = job->pass.cut;
+    tower.growth.size = job->pass.size * pyramid->radius_mm;
+    tower.growth.size_max = job->pass.size_max * pyramid->radius_mm;
+    ms_sss__run(job, 0, frame->height, ms_sss__tower_load);
+    if (job->idle) return MS_OK;
+    for (l = 0; l + 1 < tower.levels; ++l) {
+        tower.at = l;
+        ms_sss__run(job, 0, tower.level[l + 1].height, ms_sss__tower_shrink);
+    }
+    for (l = tower.levels - 1; l >= 0; --l) {
+        tower.at = tower.growth.level = l;
+        ms_sss__weights_at(&tower.growth, tower.growth.size, tower.growth.weight);
+        ms_sss__run(job, 0, tower.level[l].height, ms_sss__tower_grow);
+    }
+    return MS_OK;
+}
 
 /* -------------------------------------------------------------- GPU CODE */
 
@@ -4402,6 +4894,11 @@ MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int te
 #define V_BOTH(m, n) ((__mmask16)((m) & (n)))
 #define V_SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
 #define V_BITS(m) ((unsigned)(m))
+#define V_ZIP_LOW(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
+#define V_ZIP_HIGH(a, b) \
+    _mm512_permutex2var_ps(a, _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31), b)
+#define V_EVEN(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30), b)
+#define V_ODD(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31), b)
 #elif MS_SSS__LANES == 8
 #define V __m256
 #define V_MASK __m256
@@ -4423,6 +4920,10 @@ MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int te
 #define V_BOTH(m, n) _mm256_and_ps(m, n)
 #define V_SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
 #define V_BITS(m) ((unsigned)_mm256_movemask_ps(m))
+#define V_ZIP_LOW(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x20)
+#define V_ZIP_HIGH(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x31)
+#define V_EVEN(a, b) _mm256_shuffle_ps(_mm256_permute2f128_ps(a, b, 0x20), _mm256_permute2f128_ps(a, b, 0x31), 0x88)
+#define V_ODD(a, b) _mm256_shuffle_ps(_mm256_permute2f128_ps(a, b, 0x20), _mm256_permute2f128_ps(a, b, 0x31), 0xdd)
 #elif MS_SSS__LANES == 4 && defined(MS__X64)
 #define V __m128
 #define V_MASK __m128
@@ -4443,6 +4944,10 @@ MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int te
 #define V_BOTH(m, n) _mm_and_ps(m, n)
 #define V_SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
 #define V_BITS(m) ((unsigned)_mm_movemask_ps(m))
+#define V_ZIP_LOW(a, b) _mm_unpacklo_ps(a, b)
+#define V_ZIP_HIGH(a, b) _mm_unpackhi_ps(a, b)
+#define V_EVEN(a, b) _mm_shuffle_ps(a, b, 0x88)
+#define V_ODD(a, b) _mm_shuffle_ps(a, b, 0xdd)
 #elif MS_SSS__LANES == 4
 #define V float32x4_t
 #define V_MASK uint32x4_t
@@ -4464,6 +4969,10 @@ MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int te
 #define V_BOTH(m, n) vandq_u32(m, n)
 #define V_SELECT(m, a, b) vbslq_f32(m, a, b)
 #define V_BITS(m) ms_sss__bits_neon(m)
+#define V_ZIP_LOW(a, b) vzip1q_f32(a, b)
+#define V_ZIP_HIGH(a, b) vzip2q_f32(a, b)
+#define V_EVEN(a, b) vuzp1q_f32(a, b)
+#define V_ODD(a, b) vuzp2q_f32(a, b)
 #else
 #define V float
 #define V_MASK int
@@ -4484,6 +4993,10 @@ MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int te
 #define V_BOTH(m, n) ((m) & (n))
 #define V_SELECT(m, a, b) ((m) ? (a) : (b))
 #define V_BITS(m) ((unsigned)(m))
+#define V_ZIP_LOW(a, b) (a)
+#define V_ZIP_HIGH(a, b) (b)
+#define V_EVEN(a, b) (a)
+#define V_ODD(a, b) (b)
 #endif
 
 /* 2^-q for q >= 0; relative error 1e-7. The polynomial is the minimax one of 2^d on [0, 1] with 2^0 = 1. */
@@ -4777,10 +5290,208 @@ static void MS_SSS__NAME(fade)(const ms_sss__pass *p, const float *strength, flo
     }
 }
 
+/* ------------------------------------------------------- PYRAMID KERNELS */
+
+/* One row of the next coarser level. Rows 2j - 1 to 2j + 2 of the finer one (NULL: outside) come split into even and odd
+   columns; each coarse pixel i gathers columns 2i - 1 to 2i + 2 with weights (1, 3, 3, 1) / 8 both ways, those that its
+   own depth lets in (flat: all depths are equal). Planes: colour, depth, share of the area that takes part. */
+static void MS_SSS__NAME(shrink)(const ms_sss__split row[4], float cut, int flat, int count, float *const out[5])
+{
+    static const float side[4] = {0.125f, 0.375f, 0.375f, 0.125f};
+    const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
+    int i, y, x;
+    for (i = 0; i < count; i += MS_SSS__LANES) {
+        V depth = infinity, most = zero, r = zero, g = zero, b = zero, n = zero;
+        V_MASK some;
+        for (y = 1; y < 3; ++y) { /* the surface of the best covered of the middle four, the nearest of equals */
+            for (x = 0; x < 2 && row[y].plane[0][0]; ++x) {
+                V z = V_LOAD(row[y].plane[x][3] + i), w = V_LOAD(row[y].plane[x][4] + i);
+                V_MASK better = V_LESS(most, w), nearer = V_BOTH(V_SAME(most, w), V_LESS(z, depth));
+                depth = V_SELECT(better, z, V_SELECT(nearer, z, depth));
+                most = V_SELECT(better, w, most);
+            }
+        }
+        some = V_BOTH(V_LESS(zero, most), V_LESS(depth, infinity));
+        if (V_BITS(some)) {
+            for (y = 0; y < 4; ++y) {
+                for (x = 0; x < 4 && row[y].plane[0][0]; ++x) {
+                    const float *const *p = row[y].plane[x % 2 == 0];
+                    const int at = i + (x + 1) / 2 - 1;
+                    V dz = V_SUB(V_LOAD(p[3] + at), depth), q = V_MUL(dz, dz), f;
+                    V_MASK near_by = V_LESS(q, V_SET(cut));
+                    if (!V_BITS(near_by)) continue;
+                    f = V_MUL(V_SET(side[x] * side[y]), V_LOAD(p[4] + at));
+                    if (!flat) f = V_MUL(f, MS_SSS__NAME(exp2_minus)(q));
+                    f = V_SELECT(near_by, f, zero);
+                    r = V_MADD(f, V_LOAD(p[0] + at), r);
+                    g = V_MADD(f, V_LOAD(p[1] + at), g);
+                    b = V_MADD(f, V_LOAD(p[2] + at), b);
+                    n = V_ADD(n, f);
+                }
+            }
+        }
+        some = V_LESS(V_SET(1e-30f), n);
+        V_STORE(out[0] + i, V_SELECT(some, V_DIV(r, n), zero));
+        V_STORE(out[1] + i, V_SELECT(some, V_DIV(g, n), zero));
+        V_STORE(out[2] + i, V_SELECT(some, V_DIV(b, n), zero));
+        V_STORE(out[3] + i, V_SELECT(some, depth, infinity));
+        V_STORE(out[4] + i, V_SELECT(some, n, zero));
+    }
+}
+
+/* What the depth of a pixel dz away leaves of it, times h; 0 and no lane set in *some where none is near. */
+static MS_SSS__INLINE V MS_SSS__NAME(near_by)(const ms_sss__growth *s, V dz, V h, unsigned *some)
+{
+    V q = V_MUL(dz, dz);
+    V_MASK near_by = V_LESS(q, V_SET(s->cut));
+    *some = V_BITS(near_by);
+    if (!*some) return V_SET(0.0f);
+    if (!s->flat) h = V_MUL(h, MS_SSS__NAME(exp2_minus)(q));
+    return V_SELECT(near_by, h, V_SET(0.0f));
+}
+
+/* Weighted sums of a row of a level, for its even (odd 0) or odd columns: the level itself and the level blurred by
+   (1, 2, 1) / 4 both ways, weight * share * (colour, 1), and what the two coarser rows near it hold (NULL: outside),
+   bilinear with `vertical`; all as far as depth lets them. row: the rows above (NULL: outside), at and below, as in
+   shrink; coarse: six sums and, last, depth. The finest level becomes sums / weights. Returns whether any kernel there is
+   under half a pixel. */
+static int MS_SSS__NAME(grow)(const ms_sss__growth *s, const ms_sss__split row[3], const float *const *coarse0,
+                              const float *const *coarse1, int odd, int count, float *const out[6])
+{
+    const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
+    const float *const *fine = row[1].plane[odd];
+    int i, c, k, small = 0;
+    for (i = 0; i < count; i += MS_SSS__LANES) {
+        const V depth = V_LOAD(fine[3] + i), share = V_LOAD(fine[4] + i);
+        V_MASK part = V_LESS(depth, infinity);
+        V own[3], blurred[3], r, g, b, nr, ng, nb;
+        unsigned some;
+        if (!V_BITS(part)) {
+            for (c = 0; c < 6; ++c) V_STORE(out[c] + i, zero);
+            continue;
+        }
+        if (s->perspective) { /* the weights of the kernel's radius in pixels, linear between the table's sizes */
+            const V size = V_MIN(V_DIV(V_SET(s->size), depth), V_SET(s->size_max));
+            const float (*w)[MS_SSS_PYRAMID_LEVELS][2][3];
+            float sizes[MS_SSS__LANES];
+            V from, to;
+            V_STORE(sizes, size);
+            w = s->table + ms_sss__size_index(sizes[ms_sss__lowest(V_BITS(part))]);
+            from = V_SET(ms_sss__index_size((int)(w - s->table)));
+            to = V_SET(ms_sss__index_size((int)(w - s->table) + 1));
+            if (!(V_BITS(V_LESS(size, from)) & V_BITS(part)) && !(V_BITS(V_LESS(to, size)) & V_BITS(part))) {
+                const V t = V_DIV(V_SUB(size, from), V_SUB(to, from));
+                for (c = 0; c < 3; ++c) {
+                    const float *w0 = w[0][s->level][0] + c, *w1 = w[1][s->level][0] + c;
+                    own[c] = V_MADD(t, V_SET(w1[0] - w0[0]), V_SET(w0[0]));
+                    blurred[c] = V_MADD(t, V_SET(w1[3] - w0[3]), V_SET(w0[3]));
+                }
+            } else {
+                float lerped[6][MS_SSS__LANES];
+                for (k = 0; k < MS_SSS__LANES; ++k) {
+                    float weight[2][3];
+                    ms_sss__weights_at(s, sizes[k], weight);
+                    for (c = 0; c < 6; ++c) lerped[c][k] = weight[c / 3][c % 3];
+                }
+                for (c = 0; c < 3; ++c) {
+                    own[c] = V_LOAD(lerped[c]);
+                    blurred[c] = V_LOAD(lerped[c + 3]);
+                }
+            }
+            small |= (V_BITS(V_LESS(size, V_SET(0.5f))) & V_BITS(part)) != 0;
+        } else {
+            for (c = 0; c < 3; ++c) {
+                own[c] = V_SET(s->weight[0][c]);
+                blurred[c] = V_SET(s->weight[1][c]);
+            }
+        }
+        nr = V_MUL(own[0], share);
+        ng = V_MUL(own[1], share);
+        nb = V_MUL(own[2], share);
+        r = V_MUL(nr, V_LOAD(fine[0] + i));
+        g = V_MUL(ng, V_LOAD(fine[1] + i));
+        b = V_MUL(nb, V_LOAD(fine[2] + i));
+        if (V_BITS(V_LESS(zero, V_ADD(V_ADD(blurred[0], blurred[1]), blurred[2])))) {
+            V sr = zero, sg = zero, sb = zero, n = zero;
+            for (k = 0; k < 9; ++k) {
+                const int column = odd + k % 3 - 1; /* of the pair 0, 1; -1 and 2 are the neighbours' */
+                const float *const *p = row[k / 3].plane[column & 1];
+                const int at = i + (column < 0 ? -1 : column > 1 ? 1 : 0);
+                V f;
+                if (!p[0]) continue;
+                f = MS_SSS__NAME(near_by)(s, V_SUB(V_LOAD(p[3] + at), depth),
+                                          V_SET((k / 3 == 1 ? 0.5f : 0.25f) * (k % 3 == 1 ? 0.5f : 0.25f)), &some);
+                if (!some) continue;
+                f = V_MUL(f, V_LOAD(p[4] + at));
+                sr = V_MADD(f, V_LOAD(p[0] + at), sr);
+                sg = V_MADD(f, V_LOAD(p[1] + at), sg);
+                sb = V_MADD(f, V_LOAD(p[2] + at), sb);
+                n = V_ADD(n, f);
+            }
+            r = V_MADD(blurred[0], sr, r);
+            g = V_MADD(blurred[1], sg, g);
+            b = V_MADD(blurred[2], sb, b);
+            nr = V_MADD(blurred[0], n, nr);
+            ng = V_MADD(blurred[1], n, ng);
+            nb = V_MADD(blurred[2], n, nb);
+        }
+        for (k = 0; k < 4; ++k) {
+            const float *const *p = k < 2 ? coarse0 : coarse1;
+            const int at = i + (k % 2) - !odd;
+            V f;
+            if (!p) continue;
+            f = MS_SSS__NAME(near_by)(s, V_SUB(V_LOAD(p[6] + at), depth),
+                                      V_SET(s->vertical[k / 2] * (k % 2 == odd ? 0.25f : 0.75f)), &some);
+            if (!some) continue;
+            r = V_MADD(f, V_LOAD(p[0] + at), r);
+            g = V_MADD(f, V_LOAD(p[1] + at), g);
+            b = V_MADD(f, V_LOAD(p[2] + at), b);
+            nr = V_MADD(f, V_LOAD(p[3] + at), nr);
+            ng = V_MADD(f, V_LOAD(p[4] + at), ng);
+            nb = V_MADD(f, V_LOAD(p[5] + at), nb);
+        }
+        if (s->level == 0) {
+            V_STORE(out[0] + i, MS_SSS__NAME(restore)(r, nr, V_LOAD(fine[0] + i), 1.0f, 0));
+            V_STORE(out[1] + i, MS_SSS__NAME(restore)(g, ng, V_LOAD(fine[1] + i), 1.0f, 0));
+            V_STORE(out[2] + i, MS_SSS__NAME(restore)(b, nb, V_LOAD(fine[2] + i), 1.0f, 0));
+            continue;
+        }
+        V_STORE(out[0] + i, V_SELECT(part, r, zero));
+        V_STORE(out[1] + i, V_SELECT(part, g, zero));
+        V_STORE(out[2] + i, V_SELECT(part, b, zero));
+        V_STORE(out[3] + i, V_SELECT(part, nr, zero));
+        V_STORE(out[4] + i, V_SELECT(part, ng, zero));
+        V_STORE(out[5] + i, V_SELECT(part, nb, zero));
+    }
+    return small;
+}
+
+/* Columns 2 i to even[i], 2 i + 1 to odd[i]; and back. */
+static void MS_SSS__NAME(split)(const float *from, int count, float *even, float *odd)
+{
+    int i;
+    for (i = 0; i < count; i += MS_SSS__LANES) {
+        V a = V_LOAD(from + 2 * i), b = V_LOAD(from + 2 * i + MS_SSS__LANES);
+        V_STORE(even + i, V_EVEN(a, b));
+        V_STORE(odd + i, V_ODD(a, b));
+    }
+}
+
+static void MS_SSS__NAME(merge)(const float *even, const float *odd, int count, float *to)
+{
+    int i;
+    for (i = 0; i < count; i += MS_SSS__LANES) {
+        V a = V_LOAD(even + i), b = V_LOAD(odd + i);
+        V_STORE(to + 2 * i, V_ZIP_LOW(a, b));
+        V_STORE(to + 2 * i + MS_SSS__LANES, V_ZIP_HIGH(a, b));
+    }
+}
+
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
     MS_SSS__NAME(gate),    MS_SSS__NAME(admit),  MS_SSS__NAME(convolve),    MS_SSS__NAME(convolve_valid),
     MS_SSS__NAME(taps_x),  MS_SSS__NAME(taps_y), MS_SSS__NAME(taps_turned), MS_SSS__NAME(combine),
-    MS_SSS__NAME(fade)};
+    MS_SSS__NAME(fade),    MS_SSS__NAME(shrink), MS_SSS__NAME(grow),
+    MS_SSS__NAME(split),   MS_SSS__NAME(merge)};
 
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN
@@ -4805,10 +5516,12 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef V_BOTH
 #undef V_SELECT
 #undef V_BITS
+#undef V_ZIP_LOW
+#undef V_ZIP_HIGH
+#undef V_EVEN
+#undef V_ODD
 #undef MS_SSS__LEVEL
 #undef MS_SSS__LANES
-
-/* ------------------------------------------------------- PYRAMID KERNELS */
 
 #endif /* MS_SSS__PASS */
 

@@ -1,0 +1,455 @@
+/* The pyramid filter of ms_sss.h: error against the round 2D kernel on 1/f texture by Fourier transform, against a plain
+   depth-aware 2D sum on a bust-like depth, and its promises. */
+#define MS_SSS_IMPLEMENTATION
+#include "ms_sss.h"
+#include "test.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* d'Eon's skin (GPU Gems 3, chapter 14): six Gaussians, standard deviations in mm. */
+static const double skin_sigma[6] = {0.0800, 0.2200, 0.4327, 0.7531, 1.2610, 2.7230}; /* sqrt of the variances there */
+static const double skin_weight[6][3] = {{0.233, 0.455, 0.649}, {0.100, 0.336, 0.344}, {0.118, 0.198, 0.000},
+                                         {0.113, 0.007, 0.007}, {0.358, 0.004, 0.000}, {0.078, 0.000, 0.000}};
+
+static ms_sss_profile *skin(void)
+{
+    double sigma[6][3];
+    ms_sss_profile *p = NULL;
+    int i, c;
+    for (i = 0; i < 6; ++i)
+        for (c = 0; c < 3; ++c) sigma[i][c] = skin_sigma[i];
+    CHECK_INT(ms_sss_profile_from_gaussians(&p, 6, (const double(*)[3])sigma, skin_weight, NULL, NULL), MS_OK);
+    return p;
+}
+
+static ms_sss_pyramid skin_pyramid(void)
+{
+    ms_sss_pyramid pyramid;
+    ms_sss_profile *p = skin();
+    memset(&pyramid, 0, sizeof pyramid);
+    CHECK_INT(ms_sss_pyramid_make(&pyramid, p, NULL), MS_OK);
+    ms_sss_profile_destroy(p);
+    return pyramid;
+}
+
+/* --- Fourier transform of 2^m values: radix 2, in place --- */
+
+static void fourier(double *re, double *im, int n, ptrdiff_t step)
+{
+    int i, j = 0, size;
+    for (i = 1; i < n; ++i) {
+        int bit = n / 2;
+        for (; j & bit; bit /= 2) j ^= bit;
+        j ^= bit;
+        if (i < j) {
+            double t = re[i * step];
+            re[i * step] = re[j * step];
+            re[j * step] = t;
+            t = im[i * step];
+            im[i * step] = im[j * step];
+            im[j * step] = t;
+        }
+    }
+    for (size = 2; size <= n; size *= 2) {
+        for (j = 0; j < size / 2; ++j) {
+            const double wr = cos(2 * pi * j / size), wi = -sin(2 * pi * j / size);
+            for (i = j; i < n; i += size) {
+                double *ar = re + i * step, *ai = im + i * step, *br = re + (i + size / 2) * step, *bi = im + (i + size / 2) * step;
+                const double tr = *br * wr - *bi * wi, ti = *br * wi + *bi * wr;
+                *br = *ar - tr;
+                *bi = *ai - ti;
+                *ar += tr;
+                *ai += ti;
+            }
+        }
+    }
+}
+
+static void fourier_2d(double *re, double *im, int n)
+{
+    int i;
+    for (i = 0; i < n; ++i) fourier(re + (ptrdiff_t)i * n, im + (ptrdiff_t)i * n, n, 1);
+    for (i = 0; i < n; ++i) fourier(re + i, im + i, n, n);
+}
+
+static ms_status run(const ms_sss_frame *f, const ms_sss_pyramid *pyramid, const ms_sss_filter_options *o)
+{
+    const size_t size = ms_sss_pyramid_workspace(f->width, f->height);
+    void *workspace = malloc(size);
+    ms_error error;
+    ms_status status;
+    memset(workspace, 0xff, size); /* NaN */
+    status = ms_sss_pyramid_filter(f, pyramid, o, workspace, size, &error);
+    if (status != MS_OK) TEST_FAIL("status %d: %s", (int)status, error.message);
+    free(workspace);
+    return status;
+}
+
+enum { TILE = 512, SIDE = 2 * TILE };
+
+/* Texture of amplitude 1/f that repeats after TILE pixels; the picture is 2 x 2 of it, compared in the middle. */
+static double texture_error(const ms_sss_pyramid *pyramid, double radius_px)
+{
+    const int n = TILE * TILE;
+    double *wave_re = (double *)malloc((size_t)n * sizeof(double)), *wave_im = (double *)malloc((size_t)n * sizeof(double));
+    double *re = (double *)malloc((size_t)n * sizeof(double)), *im = (double *)malloc((size_t)n * sizeof(double));
+    float *in[3], *out[3];
+    double wrong = 0, right = 0;
+    const double pixels = radius_px / (double)pyramid->radius_mm;
+    uint64_t seed = test_seed;
+    ms_sss_filter_options o = ms_sss_filter_defaults();
+    ms_sss_frame f;
+    int i, c, x, y, g;
+    for (i = 0; i < n; ++i) {
+        wave_re[i] = test_normal(&seed);
+        wave_im[i] = 0;
+    }
+    fourier_2d(wave_re, wave_im, TILE);
+    for (y = 0; y < TILE; ++y) {
+        for (x = 0; x < TILE; ++x) {
+            const double k = hypot(x < TILE / 2 ? x : x - TILE, y < TILE / 2 ? y : y - TILE);
+            wave_re[y * TILE + x] *= k > 0 ? 1 / k : 0;
+            wave_im[y * TILE + x] *= k > 0 ? 1 / k : 0;
+        }
+    }
+    for (c = 0; c < 3; ++c) {
+        in[c] = (float *)malloc((size_t)(SIDE * SIDE) * sizeof(float));
+        out[c] = (float *)malloc((size_t)(SIDE * SIDE) * sizeof(float));
+    }
+    for (i = 0; i < n; ++i) { /* inverse by conjugation */
+        re[i] = wave_re[i];
+        im[i] = -wave_im[i];
+    }
+    fourier_2d(re, im, TILE);
+    for (c = 0; c < 3; ++c)
+        for (y = 0; y < SIDE; ++y)
+            for (x = 0; x < SIDE; ++x) in[c][y * SIDE + x] = (float)(re[y % TILE * TILE + x % TILE] / n);
+    memset(&f, 0, sizeof f);
+    f.width = f.height = SIDE;
+    f.input = ms_sss_planar(in[0], in[1], in[2], 0);
+    f.output = ms_sss_planar(out[0], out[1], out[2], 0);
+    o.pixels_per_mm[0] = (float)pixels;
+    run(&f, pyramid, &o);
+    for (c = 0; c < 3; ++c) {
+        double total = 0;
+        for (g = 0; g < 6; ++g) total += skin_weight[g][c];
+        for (y = 0; y < TILE; ++y) {
+            for (x = 0; x < TILE; ++x) {
+                const double k = 2 * pi / TILE * hypot(x < TILE / 2 ? x : x - TILE, y < TILE / 2 ? y : y - TILE);
+                double T = 0;
+                for (g = 0; g < 6; ++g) T += skin_weight[g][c] / total * exp(-k * k * pixels * pixels * skin_sigma[g] * skin_sigma[g] / 2);
+                re[y * TILE + x] = wave_re[y * TILE + x] * T;
+                im[y * TILE + x] = -wave_im[y * TILE + x] * T;
+            }
+        }
+        fourier_2d(re, im, TILE);
+        for (y = 0; y < TILE; ++y) {
+            for (x = 0; x < TILE; ++x) {
+                const double reference = re[y * TILE + x] / n;
+                const int yy = y < TILE / 2 ? y + TILE : y, xx = x < TILE / 2 ? x + TILE : x; /* the middle of the picture */
+                const double e = (double)out[c][yy * SIDE + xx] - reference;
+                wrong += e * e;
+                right += reference * reference;
+            }
+        }
+    }
+    for (c = 0; c < 3; ++c) {
+        free(in[c]);
+        free(out[c]);
+    }
+    free(wave_re);
+    free(wave_im);
+    free(re);
+    free(im);
+    return sqrt(wrong / right);
+}
+
+static void case_texture(void)
+{
+    static const double radius[] = {64, 90, 128, 24};
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    int i;
+    for (i = 0; i < (test_full ? 4 : 2); ++i) {
+        const double e = texture_error(&pyramid, radius[i]);
+        CHECK_LE(e, 0.02); /* the levels' aliasing: measured, between 0.9% and 1.9% from 24 to 128 pixels */
+        TEST_NOTE("R %g px: %.2f%%", radius[i], 100 * e);
+    }
+}
+
+static void case_weights(void)
+{
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    int s, l, b, c;
+    for (s = 0; s < MS_SSS_PYRAMID_SIZES; ++s) {
+        for (c = 0; c < 3; ++c) {
+            double sum = 0;
+            for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
+                for (b = 0; b < 2; ++b) {
+                    CHECK(pyramid.weight[s][l][b][c] >= 0);
+                    sum += (double)pyramid.weight[s][l][b][c];
+                }
+            }
+            CHECK_NEAR(sum, 1, 1e-6); /* 24 floats' rounding */
+        }
+    }
+}
+
+/* A ball in front of a wall, textured; the middle third masked by stripes. */
+enum { W = 220, H = 180, N = W * H };
+static float rgb[3][N], out[3][N], again[3][N], depth[N], strength[N];
+
+static void make_scene(void)
+{
+    uint64_t seed = test_seed;
+    int x, y, c;
+    for (y = 0; y < H; ++y) {
+        for (x = 0; x < W; ++x) {
+            const double u = (x - W / 2) / 90.0, v = (y - H / 2) / 90.0, r = 0.6 - u * u - v * v;
+            depth[y * W + x] = (float)(r > 0 ? 100 - 9 * sqrt(r) : 112);
+            strength[y * W + x] = x > W / 3 && x < 2 * W / 3 && x % 40 < 12 ? 0.0f : 1.0f;
+            for (c = 0; c < 3; ++c)
+                rgb[c][y * W + x] = (float)(1 + 0.5 * sin(x * 0.07 + c) * cos(y * 0.05) + 0.4 * ((x / 16 + y / 16) % 2) + 0.3 * test_uniform(&seed));
+        }
+    }
+}
+
+static ms_sss_frame scene_frame(float (*to)[N], int with_depth, int with_mask)
+{
+    ms_sss_frame f;
+    memset(&f, 0, sizeof f);
+    f.width = W;
+    f.height = H;
+    f.input = ms_sss_planar(rgb[0], rgb[1], rgb[2], 0);
+    f.output = ms_sss_planar(to[0], to[1], to[2], 0);
+    if (with_depth) f.depth = ms_sss_map(depth, 1, 0);
+    if (with_mask) f.strength = ms_sss_map(strength, 1, 0);
+    return f;
+}
+
+/* Relative RMS difference, over the blurred picture's standard deviation, from sum w R_d f E / sum w R_d f. */
+static double plain_error(double pixels, double radius_mm, int with_depth, int with_mask, double *worst)
+{
+    const int reach = (int)(1.6 * radius_mm * pixels);
+    uint64_t seed = test_seed;
+    double wrong = 0, sum1[3] = {0, 0, 0}, sum2 = 0, mean2 = 0;
+    int k, c, x, y, g, count = 0;
+    *worst = 0;
+    for (k = 0; k < 400; ++k) {
+        const int px = (int)(test_uniform(&seed) * W), py = (int)(test_uniform(&seed) * H), p = py * W + px;
+        double s[3] = {0, 0, 0}, n[3] = {0, 0, 0};
+        if (with_mask && !(strength[p] > 0)) continue;
+        for (y = -reach; y <= reach; ++y) {
+            for (x = -reach; x <= reach; ++x) {
+                const int q = p + y * W + x;
+                double f = 1, gauss[6];
+                if (px + x < 0 || py + y < 0 || px + x >= W || py + y >= H || (with_mask && !(strength[q] > 0))) continue;
+                if (with_depth) {
+                    const double dz = (double)depth[q] - (double)depth[p], sigma = radius_mm / 3;
+                    f = fabs(dz) < radius_mm ? exp(-dz * dz / (2 * sigma * sigma)) : 0;
+                }
+                for (g = 0; g < 6; ++g) { /* averaged over the pixel: 1/12 more variance */
+                    const double v = skin_sigma[g] * skin_sigma[g] * pixels * pixels + 1.0 / 12;
+                    gauss[g] = f * exp(-(x * x + y * y) / (2 * v)) / (2 * pi * v);
+                }
+                for (c = 0; c < 3; ++c) {
+                    double w = 0;
+                    for (g = 0; g < 6; ++g) w += skin_weight[g][c] * gauss[g];
+                    s[c] += w * (double)rgb[c][q];
+                    n[c] += w;
+                }
+            }
+        }
+        ++count;
+        for (c = 0; c < 3; ++c) {
+            const double reference = s[c] / n[c], e = (double)out[c][p] - reference;
+            wrong += e * e;
+            sum1[c] += reference;
+            sum2 += reference * reference;
+            if (fabs(e) / reference > *worst) *worst = fabs(e) / reference;
+        }
+    }
+    for (c = 0; c < 3; ++c) mean2 += sum1[c] * sum1[c] / count;
+    return sqrt(wrong / (sum2 - mean2));
+}
+
+static void case_depth_and_mask(void)
+{
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    /* Found, not derived: what stands for the other surface beside silhouettes is missing (see ms_sss_pyramid_filter);
+       bounds are half as much again as measured. */
+    static const double bound[4] = {0.04, 0.12, 0.06, 0.14};
+    int kind;
+    make_scene();
+    for (kind = 0; kind < 4; ++kind) {
+        ms_sss_filter_options o = ms_sss_filter_defaults();
+        ms_sss_frame f = scene_frame(out, kind & 1, kind & 2);
+        double worst, e;
+        o.pixels_per_mm[0] = 8;
+        run(&f, &pyramid, &o);
+        e = plain_error(8, (double)pyramid.radius_mm, kind & 1, kind & 2, &worst);
+        CHECK_LE(e, bound[kind]);
+        TEST_NOTE("%s%s %.2f%% (worst pixel %.1f%%)", kind & 1 ? "depth" : "flat", kind & 2 ? " + mask" : "", 100 * e, 100 * worst);
+    }
+}
+
+static void case_promises(void)
+{
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    int kind, level, i, c, changed = 0, crossed = 0, spread = 0, small = 0, threads = 0;
+    make_scene();
+    for (kind = 0; kind < 3; ++kind) {
+        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+            ms_sss_filter_options o = ms_sss_filter_defaults();
+            ms_sss_frame f = scene_frame(out, kind > 0, 1);
+            test_pool pool;
+            o.simd = (ms_simd)level;
+            if (kind == 0) o.pixels_per_mm[0] = 10;
+            if (kind == 1) o.fov_degrees = 12;
+            if (kind == 2) o.ortho_height = 30;
+            make_scene();
+            run(&f, &pyramid, &o);
+            f = scene_frame(again, kind > 0, 1);
+            o.parallel = test_parallel(&pool, 5);
+            run(&f, &pyramid, &o);
+            o.parallel.run = NULL;
+            threads += memcmp(out, again, sizeof out) != 0;
+            /* constant */
+            for (c = 0; c < 3; ++c)
+                for (i = 0; i < N; ++i) rgb[c][i] = 0.3f;
+            run(&f, &pyramid, &o);
+            for (c = 0; c < 3; ++c)
+                for (i = 0; i < N; ++i) changed += !(fabsf(again[c][i] - 0.3f) < 1e-6f);
+            /* light on the wall only, 12 to 19 mm behind the ball: none may reach it */
+            for (c = 0; c < 3; ++c)
+                for (i = 0; i < N; ++i) rgb[c][i] = depth[i] > 111 ? 1000.0f : 0.0f;
+            run(&f, &pyramid, &o);
+            for (c = 0; c < 3 && kind > 0; ++c)
+                for (i = 0; i < N; ++i) crossed += depth[i] < 111 ? again[c][i] > 0 || again[c][i] < 0 : !(again[c][i] > 999.99f);
+            /* hostile pixels come back and spread nowhere */
+            make_scene();
+            rgb[0][77 * W + 50] = NAN;
+            rgb[2][20 * W + 20] = INFINITY;
+            depth[99 * W + 100] = NAN;
+            depth[30 * W + 100] = -1;
+            run(&f, &pyramid, &o);
+            for (c = 0; c < 3; ++c)
+                for (i = 0; i < N; ++i)
+                    spread += !ms__finite_f(rgb[c][i]) ? memcmp(&again[c][i], &rgb[c][i], sizeof(float)) != 0 : !ms__finite_f(again[c][i]);
+            for (c = 0; c < 3 && kind > 0; ++c) spread += memcmp(&again[c][99 * W + 100], &rgb[c][99 * W + 100], sizeof(float)) != 0;
+            /* under half a pixel */
+            make_scene();
+            o.pixels_per_mm[0] *= 0.005f;
+            o.ortho_height *= 200;
+            if (kind == 1) o.mm_per_unit = 1000;
+            run(&f, &pyramid, &o);
+            small += memcmp(rgb, again, sizeof rgb) != 0;
+        }
+    }
+    CHECK_INT(threads, 0);
+    CHECK_INT(changed, 0);
+    CHECK_INT(crossed, 0);
+    CHECK_INT(spread, 0);
+    CHECK_INT(small, 0);
+}
+
+/* Levels against scalar: fused products and the order of sums differ, 1e-6 of values up to 3 at most. */
+static void case_levels(void)
+{
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    double worst = 0;
+    int level, kind, c, i;
+    make_scene();
+    for (kind = 0; kind < 2; ++kind) {
+        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+            ms_sss_filter_options o = ms_sss_filter_defaults();
+            ms_sss_frame f = scene_frame(level == MS_SIMD_SCALAR ? out : again, 1, kind);
+            o.simd = (ms_simd)level;
+            o.fov_degrees = 12;
+            run(&f, &pyramid, &o);
+            for (c = 0; c < 3 && level > MS_SIMD_SCALAR; ++c) {
+                for (i = 0; i < N; ++i) {
+                    const double e = fabs((double)out[c][i] - (double)again[c][i]);
+                    if (!(e <= worst)) worst = e == e ? e : 1;
+                }
+            }
+        }
+    }
+    CHECK_LE(worst, 1e-5);
+    TEST_NOTE("largest difference %.1e", worst);
+}
+
+static void case_sizes(void)
+{
+    static const int size[][2] = {{1, 1}, {1, 9}, {2, 1}, {3, 2}, {17, 33}, {16384, 1}, {1, 3000}, {333, 5}};
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    int i, j, c, wrong = 0;
+    for (i = 0; i < (int)(sizeof size / sizeof size[0]); ++i) {
+        const int n = size[i][0] * size[i][1];
+        float *a = (float *)malloc((size_t)n * 4 * sizeof(float)), *b = (float *)malloc((size_t)n * 4 * sizeof(float));
+        ms_sss_filter_options o = ms_sss_filter_defaults();
+        ms_sss_frame f;
+        for (j = 0; j < 4 * n; ++j) {
+            a[j] = j % 4 == 3 ? 5.0f : 1e6f;
+            b[j] = -1;
+        }
+        memset(&f, 0, sizeof f);
+        f.width = size[i][0];
+        f.height = size[i][1];
+        f.input = ms_sss_interleaved(a, 4, 0);
+        f.output = ms_sss_interleaved(b, 4, 0);
+        f.depth = ms_sss_map(a + 3, 4, 0);
+        o.fov_degrees = 30;
+        o.mm_per_unit = 10;
+        run(&f, &pyramid, &o);
+        for (j = 0; j < n; ++j) {
+            for (c = 0; c < 3; ++c) wrong += !(fabsf(b[4 * j + c] - 1e6f) < 2);
+            wrong += b[4 * j + 3] > -1;
+        }
+        free(a);
+        free(b);
+    }
+    CHECK_INT(wrong, 0);
+}
+
+static void case_refused(void)
+{
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    int i;
+    make_scene();
+    for (i = 0; i < 8; ++i) {
+        ms_sss_filter_options o = ms_sss_filter_defaults();
+        ms_sss_frame f = scene_frame(out, 1, 0);
+        size_t size = ms_sss_pyramid_workspace(W, H);
+        void *workspace = malloc(size);
+        uint8_t profile[1] = {0};
+        ms_error error;
+        o.fov_degrees = 20;
+        if (i == 0) o.rotation = 1;
+        if (i == 1) o.jitter = 0.5f;
+        if (i == 2) o.uv_steps = 1;
+        if (i == 3) o.depth_mode = MS_SSS_DEPTH_FOLLOW;
+        if (i == 4) f.profile = profile;
+        if (i == 5) --size;
+        if (i == 6) o.fov_degrees = NAN;
+        if (i == 7) f.input.channel[2] = NULL;
+        CHECK_INT(ms_sss_pyramid_filter(&f, &pyramid, &o, workspace, size, &error), i < 5 ? MS_UNSUPPORTED : MS_INVALID_ARGUMENT);
+        CHECK(strstr(error.message, i < 5 ? "pyramid" : i == 5 ? "workspace" : i == 6 ? "fov_degrees" : "input") != NULL);
+        free(workspace);
+    }
+    CHECK(ms_sss_pyramid_workspace(0, 1) == SIZE_MAX);
+    {
+        ms_sss_pyramid untouched;
+        CHECK_INT(ms_sss_pyramid_make(&untouched, NULL, NULL), MS_INVALID_ARGUMENT);
+    }
+}
+
+static const test_case cases[] = {
+    {"pyramid weights", case_weights},
+    {"1/f texture", case_texture},
+    {"depth and mask against a plain 2D sum", case_depth_and_mask},
+    {"promises", case_promises},
+    {"levels", case_levels},
+    {"sizes", case_sizes},
+    {"refused", case_refused},
+};
+TEST_MAIN(cases)
