@@ -147,8 +147,8 @@ static void table_of_taps(FILE *md, FILE *csv, const ms_sss_profile *p, double r
                           double taps[COUNTS])
 {
     static const int count[COUNTS] = {5, 7, 9, 11, 17, 25, 33};
-    static const char *const name[KINDS] = {"a_p, quadratic spacing (thesis)", "a_p, quantiles", "optimised",
-                                            "optimised + delta", "a_p + 1 residual, optimised", "4 rotated frames, optimised"};
+    static const char *const name[KINDS] = {"a_p, quadratic (thesis)", "a_p, quantiles", "optimised", "optimised + delta",
+                                            "two terms, optimised", "4 turned frames"};
     ms_sss_designer *d = designer(p, radius);
     double ms[KINDS];
     int i, n;
