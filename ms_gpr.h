@@ -130,7 +130,7 @@ typedef struct ms_gpr_options {
     double mean;            /* prior mean, in units of the scores */
     ms_simd simd;           /* a cap */
     ms_allocator allocator;
-    ms_parallel parallel;   /* batches of predictions, and nothing else, are shared out to threads */
+    ms_parallel parallel;   /* of predictions, recommendations and galleries; nothing else runs on threads */
 } ms_gpr_options;
 
 /* A model whose hyperparameters are given.
@@ -216,7 +216,7 @@ typedef struct ms_gpr_fit_options {
     uint64_t seed;          /* of those */
     ms_simd simd;
     ms_allocator allocator;
-    ms_parallel parallel;   /* kept by the model for batches of predictions; the fit runs on the calling thread */
+    ms_parallel parallel;   /* kept by the model for what it says in ms_gpr_options; the fit runs on the calling thread */
     ms_progress progress;   /* asked before every evaluation: 1 ms at n = 250, 0.1 s at n = 2000 */
 } ms_gpr_fit_options;
 
@@ -280,7 +280,7 @@ MS_GPR_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *op
 
 /* How recommendations are found. */
 typedef enum ms_gpr_search {
-    MS_GPR_SEARCH_AUTO = 0,      /* rejection where at least one of 200 of a first 8192 candidates is accepted, else the walk */
+    MS_GPR_SEARCH_AUTO = 0,      /* rejection or the walk, whichever a first 8192 candidates show to be cheaper */
     MS_GPR_SEARCH_REJECTION = 1, /* uniform candidates that reach the threshold: independent and uniform over the region */
     MS_GPR_SEARCH_WALK = 2,      /* gradient ascent to the threshold, then slice steps inside {u >= threshold} (hit-and-run) */
     MS_GPR_SEARCH_CLIMB = 3      /* the thesis: rejection with a few stochastic hill-climbing steps; for comparison */
@@ -823,7 +823,8 @@ typedef struct ms_gpr__kernels {
     /* c -= a' b; parts: the sum of flags above, or 0 */
     void (*reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride, int rows,
                    int columns, int depth, int parts);
-    /* c_ij = sum over k of (a_ki - b_kj)^2, by direct differences; parts: 0 or UPPER */
+    /* c_ij = sum over k of (a_ki - b_kj)^2, by direct differences; parts: 0 or UPPER, which still fills the 8 x 8 blocks on the
+       diagonal */
     void (*distances)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride, int rows,
                       int columns, int depth, int parts);
     void (*distances_f)(float *c, size_t c_stride, const float *a, size_t a_stride, const float *b, size_t b_stride, int rows,
@@ -2571,6 +2572,7 @@ static double ms_gpr__normal(ms__rng *rng)
 #define MS_GPR__GROUPS 16   /* tasks a wave */
 #define MS_GPR__SUMMITS 16  /* ascents that look for the largest mean */
 #define MS_GPR__RARE 200    /* candidates that cost about as much as one recommendation of the walk */
+#define MS_GPR__RARE_CAUTIOUS 1000 /* the same where the walk needs variances */
 
 /* A place in the unit box, what the mean there needs, and a direction to go. */
 typedef struct ms_gpr__walker {
@@ -2970,24 +2972,30 @@ static int ms_gpr__hunt_stopped(const ms_gpr__hunt *h)
     return h->o.progress.report != NULL && h->o.progress.report(h->o.progress.user, (double)h->report.found / h->count);
 }
 
+/* Is candidate i of the wave in the region? */
+static int ms_gpr__hunt_accepts(ms_gpr__hunt *h, int i)
+{
+    ms_gpr__walker *w = &h->walker[0];
+    const double *x = h->candidate + (size_t)i * (size_t)h->gp->m;
+    int k;
+    if (h->mean[i] < h->goal) return 0;
+    if (!(h->o.caution > 0)) return 1;
+    for (k = 0; k < h->gp->m; ++k) w->place[k] = h->width[k] > 0 ? (x[k] - h->low[k]) / h->width[k] : 0;
+    ms_gpr__walker_arrive(h, w);
+    return ms_gpr__walker_accepts(h, w, h->mean[i]);
+}
+
 /* Uniform candidates against the threshold, wave by wave; the first candidates are the first wave. */
 static ms_status ms_gpr__hunt_reject(ms_gpr__hunt *h)
 {
-    ms_gpr__walker *w = &h->walker[0];
     double accepted = 0, seen = 0;
-    int batches = MS_GPR__PILOT, i, k;
+    int batches = MS_GPR__PILOT, i;
     for (;;) {
         for (i = 0; i < batches * MS_GPR__BATCH && h->report.found < h->count; ++i) {
-            const double *x = h->candidate + (size_t)i * (size_t)h->gp->m;
             seen += 1;
-            if (h->mean[i] < h->goal) continue;
-            if (h->o.caution > 0) {
-                for (k = 0; k < h->gp->m; ++k) w->place[k] = h->width[k] > 0 ? (x[k] - h->low[k]) / h->width[k] : 0;
-                ms_gpr__walker_arrive(h, w);
-                if (!ms_gpr__walker_accepts(h, w, h->mean[i])) continue;
-            }
+            if (!ms_gpr__hunt_accepts(h, i)) continue;
             accepted += 1;
-            ms_gpr__hunt_take(h, x);
+            ms_gpr__hunt_take(h, h->candidate + (size_t)i * (size_t)h->gp->m);
         }
         h->report.acceptance = accepted / seen;
         if (h->report.found == h->count) return MS_OK;
@@ -3068,18 +3076,21 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
 {
     if (options != NULL) *o = *options;
     else memset(o, 0, sizeof *o);
+    if (!ms__finite(o->tau) || !ms__finite(o->best) || !ms__finite(o->caution) || !ms__finite(o->min_distance) ||
+        !ms__finite(o->climb_size) || !ms__finite(o->max_candidates))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tau, best, caution, min_distance, climb_size or max_candidates is not finite");
     if (o->tau == 0) o->tau = 0.6;
     if (o->climb_size == 0) o->climb_size = 0.1;
     if (o->max_candidates == 0) o->max_candidates = 1e7;
     if (o->rounds == 0) o->rounds = 4;
     if (o->climb_steps == 0) o->climb_steps = 20;
     if (!(o->tau > 0 && o->tau <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tau is %g: expected a number in (0, 1]", o->tau);
-    if (!(o->best >= 0 && o->best <= 1e300))
+    if (o->best < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "best is %g: expected a score of at least 0", o->best);
-    if (!(o->caution >= 0 && o->caution <= 1e300) || !(o->min_distance >= 0 && o->min_distance <= 1e300))
+    if (o->caution < 0 || o->min_distance < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "caution is %g and min_distance %g: expected at least 0", o->caution, o->min_distance);
-    if (!(o->climb_size > 0 && o->climb_size <= 1e300) || o->climb_steps < 0 || o->rounds < 0 || !(o->max_candidates > 0))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rounds, climb_steps, climb_size or max_candidates is negative or no number");
+    if (o->climb_size < 0 || o->climb_steps < 0 || o->rounds < 0 || o->max_candidates < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rounds, climb_steps, climb_size or max_candidates is negative");
     if ((int)o->search < 0 || (int)o->search > (int)MS_GPR_SEARCH_CLIMB)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "search is %d: expected one of ms_gpr_search", (int)o->search);
     return MS_OK;
@@ -3091,11 +3102,12 @@ static ms_status ms_gpr__hunt_run(ms_gpr__hunt *h, ms_error *error)
     int pilot = MS_GPR__PILOT * MS_GPR__BATCH, hits = 0, i;
     ms_status status = ms_gpr__hunt_begin(h, error);
     if (status != MS_OK) return status;
-    for (i = 0; i < pilot; ++i) hits += h->mean[i] >= h->goal;
+    for (i = 0; i < pilot; ++i) hits += ms_gpr__hunt_accepts(h, i);
     h->report.acceptance = (double)hits / pilot;
     h->report.search = h->o.search;
     if (h->o.search == MS_GPR_SEARCH_AUTO)
-        h->report.search = (double)hits * MS_GPR__RARE >= pilot && !(h->o.caution > 0) ? MS_GPR_SEARCH_REJECTION : MS_GPR_SEARCH_WALK;
+        h->report.search = (double)hits * (h->o.caution > 0 ? MS_GPR__RARE_CAUTIOUS : MS_GPR__RARE) >= pilot ? MS_GPR_SEARCH_REJECTION
+                                                                                                            : MS_GPR_SEARCH_WALK;
     status = h->report.search == MS_GPR_SEARCH_REJECTION ? ms_gpr__hunt_reject(h)
              : h->report.search == MS_GPR_SEARCH_WALK    ? ms_gpr__hunt_move(h, ms_gpr__hunt_walk)
                                                          : ms_gpr__hunt_move(h, ms_gpr__hunt_climb);
@@ -3908,7 +3920,7 @@ MS_GPR_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_g
     *out = NULL;
     if (options) o = *options;
     else memset(&o, 0, sizeof o);
-    if (!(o.prior >= 0 && o.prior <= 1e300) || !(o.noise_floor >= 0 && o.noise_floor <= 1e300) || o.starts < 0 || o.starts > 5 || o.evaluations < 0)
+    if (!ms__finite(o.prior) || o.prior < 0 || !ms__finite(o.noise_floor) || o.noise_floor < 0 || o.starts < 0 || o.starts > 5 || o.evaluations < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prior is %g, noise_floor %g, starts %d, evaluations %d: expected at least 0, starts at most 5",
                         o.prior, o.noise_floor, o.starts, o.evaluations);
     status = ms_gpr__latent_make(x, z, m, 1, &o, &p, error);
@@ -4100,7 +4112,7 @@ MS_GPR_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_
 
 static ms_status ms_gpr__similarity_check(const ms_gpr_latent *plane, const ms_gpr_similarity *s, ms_error *error)
 {
-    if (plane == NULL || s == NULL || s->x == NULL || !(s->scale >= 0 && s->scale <= 1e300) || (s->pixels > 0 && s->render == NULL))
+    if (plane == NULL || s == NULL || s->x == NULL || !ms__finite(s->scale) || s->scale < 0 || (s->pixels > 0 && s->render == NULL))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane, the similarity, its x or its render is NULL, or its scale is no number >= 0");
     return ms_gpr__check_rows(s->x, 1, plane->m, "reference", error);
 }
@@ -4259,11 +4271,11 @@ MS_GPR_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *g
     int row, column, i;
     if (status == MS_OK) status = ms_gpr__similarity_check(plane, similarity, error);
     if (status != MS_OK) return status;
-    if (gp == NULL || gp->m != plane->m || lambda == NULL || variant == NULL || count < 1 || !(best >= 0 && best <= 1e300))
+    if (gp == NULL || gp->m != plane->m || lambda == NULL || variant == NULL || count < 1 || !ms__finite(best) || best < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp, lambda or variant is NULL, gp has another m than plane, count is %d, or best %g",
                         count, best);
     for (i = 0; i < count; ++i)
-        if (!(lambda[i] >= 0 && lambda[i] <= 1))
+        if (!ms__finite(lambda[i]) || lambda[i] < 0 || lambda[i] > 1)
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "lambda[%d] is %g: expected 0 to 1", i, lambda[i]);
     points = (size_t)grid->columns * (size_t)grid->rows + 1 + ms__size_mul((size_t)count, 4 * MS_GPR__MOVES);
     seen_size = ms__size_mul(points, sizeof *looks.seen);
@@ -4474,7 +4486,8 @@ static void MS_GPR__KERNEL(distances)(MS_GPR__REAL *c, size_t c_stride, const MS
 {
     int i, j, k;
     for (j = 0; j + 2 * MS_GPR__LANES <= columns; j += 2 * MS_GPR__LANES) {
-        int wanted = (parts & MS_GPR__UPPER) && j + 2 * MS_GPR__LANES < rows ? j + 2 * MS_GPR__LANES : rows;
+        int block = (j + 2 * MS_GPR__LANES + MS_GPR__BLOCK - 1) / MS_GPR__BLOCK * MS_GPR__BLOCK; /* whole blocks on the diagonal */
+        int wanted = (parts & MS_GPR__UPPER) && block < rows ? block : rows;
         for (i = 0; i < wanted; i += 4) {
             const MS_GPR__REAL *ak = a + i, *bk = b + j;
             MS_GPR__REAL *at = c + (size_t)i * c_stride + j;
