@@ -1,0 +1,165 @@
+/* The direct layered Monte Carlo of ms_mcml.h, all tallies of an .mco file on, and original MCML beside it where the
+   environment names its program: MCML=path/to/mcml make bench. MCML 1.2.2 is at https://omlc.org/software/mc/mcml; build
+   it with cc -O3 *.c -lm. Runs are taken in turn, the median of five is shown. To build/bench/mcml.csv, .svg, .md. */
+#define MS_MCML_IMPLEMENTATION
+#include "ms_mcml.h"
+
+#include "bench.h"
+#include "plot.h"
+#include <sys/resource.h>
+
+#define RUNS 5
+#define LEVELS 4
+
+typedef struct medium {
+    const char *name;
+    double photons; /* for half a second or so at AVX2 */
+    double dr, dz;
+    int nr, nz, na, layer_count;
+    ms_mcml_layer layers[3];
+} medium;
+
+static const medium media[] = {
+    {"skin1 R", 1e6, 0.0033557, 0.01, 400, 100, 1, 1, {{1.3, 0.32, 7.4, 0, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
+    {"skin1 G", 2e6, 0.0033557, 0.01, 400, 100, 1, 1, {{1.3, 1.7, 8.8, 0, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
+    {"skin1 B", 3e6, 0.0033557, 0.01, 400, 100, 1, 1, {{1.3, 4.8, 10.1, 0, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
+    {"marble G", 2e5, 0.0016627, 0.01, 400, 100, 1, 1, {{1.5, 0.041, 26.2, 0, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
+    {"three layers (sample.mci)", 8e5, 0.01, 0.01, 50, 40, 1, 3,
+     {{1.37, 1, 100, 0.9, 0.1}, {1.37, 1, 10, 0, 0.1}, {1.37, 2, 10, 0.7, 0.2}}},
+    {"g = 0.9", 3e5, 0.01, 0.01, 100, 100, 30, 1, {{1.4, 1, 100, 0.9, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
+};
+#define MEDIA ((int)(sizeof media / sizeof *media))
+
+static ms_mcml_result simulate(const medium *m, double photons, int level, double roulette_weight)
+{
+    ms_mcml_tissue tissue;
+    ms_mcml_grid grid;
+    ms_mcml_options options = ms_mcml_defaults();
+    ms_mcml_result result;
+    ms_error error;
+    tissue.n_above = tissue.n_below = 1;
+    tissue.layer_count = m->layer_count;
+    tissue.layers = m->layers;
+    memset(&grid, 0, sizeof grid);
+    grid.dr_cm = m->dr;
+    grid.dz_cm = m->dz;
+    grid.nr = m->nr;
+    grid.nz = m->nz;
+    grid.na = m->na;
+    options.photons = (uint64_t)photons;
+    options.simd = (ms_simd)level;
+    options.roulette_weight = roulette_weight;
+    if (ms_mcml_simulate(&tissue, &grid, &options, &result, &error) != MS_OK) {
+        fprintf(stderr, "%s\n", error.message);
+        exit(1);
+    }
+    return result;
+}
+
+/* Variance of one photon: of Rd, and of the profile Rd(r) in the L2 norm, both over the squared value. */
+static void variances(const ms_mcml_result *r, double *total, double *profile)
+{
+    double error = 0, value = 0;
+    int i;
+    for (i = 0; i + 1 < r->grid.nr; ++i) {
+        error += (2 * i + 1) * r->rd_r_error[i] * r->rd_r_error[i];
+        value += (2 * i + 1) * r->rd_r[i] * r->rd_r[i];
+    }
+    *total = (double)r->photons * (r->rd_error / r->rd) * (r->rd_error / r->rd);
+    *profile = (double)r->photons * error / value;
+}
+
+static double children(void)
+{
+    struct rusage u;
+    getrusage(RUSAGE_CHILDREN, &u);
+    return (double)u.ru_utime.tv_sec + 1e-6 * (double)u.ru_utime.tv_usec;
+}
+
+/* Seconds a photon of original MCML. */
+static double run_peer(const medium *m, const char *program, double photons)
+{
+    FILE *f = bench_open("peer.mci");
+    char command[1200];
+    double start;
+    int i;
+    fprintf(f, "1.0\n1\npeer.mco A\n%.0f\n%g %g\n%d %d %d\n%d\n1\n", photons, m->dz, m->dr, m->nz, m->nr, m->na, m->layer_count);
+    for (i = 0; i < m->layer_count; ++i)
+        fprintf(f, "%g %g %g %g %g\n", m->layers[i].n, m->layers[i].mu_a_per_cm, m->layers[i].mu_s_per_cm, m->layers[i].g,
+                m->layers[i].thickness_cm);
+    fprintf(f, "1\n");
+    fclose(f);
+    snprintf(command, sizeof command, "cd build/bench && '%s' peer.mci >/dev/null", program);
+    start = children();
+    if (system(command) != 0) {
+        fprintf(stderr, "'%s' failed (give an absolute path in MCML)\n", program);
+        exit(1);
+    }
+    return (children() - start) / photons;
+}
+
+int main(void)
+{
+    static double peer[MEDIA], speed[LEVELS + 1][MEDIA];
+    static plot p;
+    const char *program = getenv("MCML");
+    const ms_simd best = ms__simd_pick(MS_SIMD_AUTO);
+    FILE *csv = bench_open("mcml.csv"), *md = bench_open("mcml.md");
+    int m, level, k;
+
+    if (program == NULL) printf("original MCML: not named (MCML=path), its columns stay empty\n");
+    fprintf(csv, "medium,level,ns_per_photon,mcml_ns_per_photon,times_mcml,equal_error_rd,equal_error_profile\n");
+    fprintf(md, "\nNanoseconds a photon on one core of %s, all tallies of an `.mco` file (%s; `MCML=... make bench`). Equal error:\n"
+                "how many times less time than MCML for the same standard error, at the best level.\n\n",
+            bench_processor(), program ? "MCML 1.2.2 built with -O3, in turn with ours" : "without MCML");
+    fprintf(md, "| medium | MCML | scalar | base | AVX2 | AVX-512 | equal error of Rd | of Rd(r) |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
+    for (m = 0; m < MEDIA; ++m) {
+        double t[LEVELS + 1][RUNS], peer_total = 0, peer_profile = 0, total = 0, profile = 0, fastest = 0;
+        for (k = 0; k < RUNS; ++k) {
+            for (level = 1; level <= (int)best; ++level) {
+                const double photons = media[m].photons / (level == 1 ? 5 : level == 2 ? 2 : 1), start = bench_cpu();
+                ms_mcml_result r = simulate(&media[m], photons, level, 0);
+                t[level][k] = (bench_cpu() - start) / photons;
+                if (level == (int)best) variances(&r, &total, &profile);
+                ms_mcml_result_destroy(&r);
+            }
+            t[0][k] = program ? run_peer(&media[m], program, media[m].photons / 20) : 0;
+        }
+        if (program) { /* MCML prints no errors: its estimator is ours with its roulette, so that its variance is, too */
+            ms_mcml_result r = simulate(&media[m], media[m].photons, (int)best, 1e-4);
+            variances(&r, &peer_total, &peer_profile);
+            ms_mcml_result_destroy(&r);
+        }
+        peer[m] = 1e9 * bench_median(t[0], RUNS);
+        fprintf(md, "| %s |", media[m].name);
+        if (program) fprintf(md, " %.0f |", peer[m]);
+        else fprintf(md, " |");
+        printf("%-26s MCML %7.0f ns", media[m].name, peer[m]);
+        for (level = 1; level <= LEVELS; ++level) {
+            double ns = level <= (int)best ? 1e9 * bench_median(t[level], RUNS) : 0;
+            if (level > (int)best) {
+                fprintf(md, " |");
+                continue;
+            }
+            speed[level][m] = peer[m] / ns;
+            fastest = ns;
+            printf("  %s %.0f (%.1fx)", ms_simd_string((ms_simd)level), ns, peer[m] / ns);
+            if (program) fprintf(md, " %.0f (%.1fx) |", ns, peer[m] / ns);
+            else fprintf(md, " %.0f |", ns);
+            fprintf(csv, "%s,%s,%.1f,%.1f,%.2f,%.2f,%.2f\n", media[m].name, ms_simd_string((ms_simd)level), ns, peer[m], peer[m] / ns,
+                    peer[m] * peer_total / (ns * total), peer[m] * peer_profile / (ns * profile));
+        }
+        printf("  equal error: Rd %.1fx, Rd(r) %.1fx\n", peer[m] * peer_total / (fastest * total),
+               peer[m] * peer_profile / (fastest * profile));
+        if (program)
+            fprintf(md, " %.1fx | %.1fx |\n", peer[m] * peer_total / (fastest * total), peer[m] * peer_profile / (fastest * profile));
+        else fprintf(md, " | |\n");
+    }
+    fprintf(md, "\n");
+    if (program) {
+        plot_begin(&p, "Layered Monte Carlo: photons a second over original MCML's", "MCML, ns a photon", "times MCML", PLOT_LOG_X | PLOT_LOG_Y);
+        for (level = 1; level <= (int)best; ++level) plot_series(&p, ms_simd_string((ms_simd)level), peer, speed[level], MEDIA, PLOT_DOTS);
+        if (!plot_write(&p, "build/bench/mcml.svg")) return 1;
+    }
+    return fclose(csv) != 0 || fclose(md) != 0;
+}
