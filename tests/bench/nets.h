@@ -14,12 +14,11 @@ typedef struct nets_file {
     char layers[8192], input[64];
     char names[NETS_MAX][40];
     size_t shapes[NETS_MAX][4];
-    float limits[NETS_MAX]; /* uniform in [-limit, limit] */
+    float limits[NETS_MAX]; /* uniform in [-limit, limit]; negative: scales of the weights two entries before */
     ms_nn_tensor tensors[NETS_MAX];
     int count;
     unsigned char *bytes; /* the file */
     size_t size, room;
-    uint64_t state;
 } nets_file;
 
 static inline float nets_uniform(uint64_t *state)
@@ -80,14 +79,48 @@ static inline void nets_layer(nets_file *f, const char *json, const char *name, 
         float limit = sqrtf(3.0f / (float)(in * (rank > 2 ? kh : 1) * (rank > 3 ? kw : 1)));
         nets_add(f, name, "weight", dtype, limit, rank, out, in, kh, kw);
         nets_add(f, name, "bias", MS_NN_F32, 0.1f, 1, out, 0, 0, 0);
-        if (dtype == MS_NN_I8) nets_add(f, name, "weight_scale", MS_NN_F32, -limit / 127, 1, out, 0, 0, 0);
+        if (dtype == MS_NN_I8) nets_add(f, name, "weight_scale", MS_NN_F32, -limit, 1, out, 0, 0, 0);
     }
+}
+
+/* The numbers of a tensor: a stream of its own for each name, so that files of other element types hold the same
+   network. I8: rows scaled so that the largest weight is 127; the scales are made of the same stream. */
+static inline int nets_fill(const nets_file *f, int t, unsigned char *to)
+{
+    const ms_nn_tensor *tensor = &f->tensors[t];
+    int scales = f->limits[t] < 0, quantised = tensor->dtype == MS_NN_I8, source = scales ? t - 2 : t;
+    size_t rows = tensor->shape[0], cols = 1, r, c;
+    float limit = fabsf(f->limits[t]), *row;
+    uint64_t state = 7;
+    const char *p;
+    int d;
+    for (p = f->names[source]; *p; ++p) state = (state ^ (unsigned char)*p) * 0x100000001B3u;
+    for (d = 1; d < f->tensors[source].rank; ++d) cols *= f->tensors[source].shape[d];
+    row = (float *)malloc(cols * sizeof(float));
+    if (row == NULL) return 1;
+    for (r = 0; r < rows; ++r) {
+        float largest = 1e-30f, scale;
+        for (c = 0; c < cols; ++c) {
+            row[c] = limit * nets_uniform(&state);
+            if (fabsf(row[c]) > largest) largest = fabsf(row[c]);
+        }
+        scale = largest / 127;
+        if (scales) memcpy(to + 4 * r, &scale, 4);
+        else if (tensor->dtype == MS_NN_F32) memcpy(to + 4 * r * cols, row, 4 * cols);
+        else
+            for (c = 0; c < cols; ++c) {
+                uint16_t h = tensor->dtype == MS_NN_F16 ? nets_f16(row[c]) : nets_bf16(row[c]);
+                if (quantised) to[r * cols + c] = (unsigned char)(signed char)lrintf(row[c] / scale);
+                else memcpy(to + 2 * (r * cols + c), &h, 2);
+            }
+    }
+    free(row);
+    return 0;
 }
 
 static inline int nets_sink(void *user, const void *bytes, size_t size)
 {
     nets_file *f = (nets_file *)user;
-    size_t i;
     int t;
     if (f->bytes == NULL) {
         size_t total = size + 64;
@@ -97,23 +130,8 @@ static inline int nets_sink(void *user, const void *bytes, size_t size)
         if (f->bytes == NULL) return 1;
     }
     for (t = 0; t < f->count && f->tensors[t].data != bytes; ++t) continue;
-    if (t == f->count) {
-        memcpy(f->bytes + f->size, bytes, size);
-    } else {
-        unsigned char *to = f->bytes + f->size;
-        float limit = f->limits[t];
-        uint64_t state = f->state + 1000003u * (uint64_t)t;
-        for (i = 0; f->tensors[t].dtype == MS_NN_F32 && i < size / 4; ++i) {
-            float x = limit < 0 ? -limit : limit * nets_uniform(&state);
-            memcpy(to + 4 * i, &x, 4);
-        }
-        for (i = 0; f->tensors[t].dtype == MS_NN_I8 && i < size; ++i) to[i] = (unsigned char)(signed char)lrintf(127 * nets_uniform(&state));
-        for (i = 0; (f->tensors[t].dtype == MS_NN_F16 || f->tensors[t].dtype == MS_NN_BF16) && i < size / 2; ++i) {
-            float x = limit * nets_uniform(&state);
-            uint16_t h = f->tensors[t].dtype == MS_NN_F16 ? nets_f16(x) : nets_bf16(x);
-            memcpy(to + 2 * i, &h, 2);
-        }
-    }
+    if (t == f->count) memcpy(f->bytes + f->size, bytes, size);
+    else if (nets_fill(f, t, f->bytes + f->size)) return 1;
     f->size += size;
     return 0;
 }
@@ -123,7 +141,6 @@ static inline void nets_begin(nets_file *f, const char *input)
     memset(f, 0, sizeof *f);
     snprintf(f->input, sizeof f->input, "%s", input);
     strcpy(f->layers, "[");
-    f->state = 7;
 }
 
 /* Makes the file; 0 on success. Release with free(f->bytes). */
