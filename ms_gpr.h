@@ -3088,7 +3088,8 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
     if (o->best < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "best is %g: expected a score of at least 0", o->best);
     if (o->caution < 0 || o->min_distance < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "caution is %g and min_distance %g: expected at least 0", o->caution, o->min_distance);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "caution is %g and min_distance %g: expected at least 0", o->caution,
+                        o->min_distance);
     if (o->climb_size < 0 || o->climb_steps < 0 || o->rounds < 0 || o->max_candidates < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rounds, climb_steps, climb_size or max_candidates is negative");
     if ((int)o->search < 0 || (int)o->search > (int)MS_GPR_SEARCH_CLIMB)
@@ -3405,13 +3406,14 @@ static int ms_gpr__embedding_evaluate(const ms_gpr__embedding *e, const double *
     const ms_gpr__kernels *f = e->kernels;
     int padded = ms_gpr__padded(e->z), columns = (int)e->columns, i, j, k;
     size_t matrix = (size_t)padded * e->stride, materials = (size_t)padded * e->columns, list = e->columns * e->stride, at;
-    double fit = 0, *minus = e->weight, *plus = e->weight + list;
+    double fit, determinant, *minus = e->weight, *plus = e->weight + list;
     ms_gpr__covariance(f, points, e->stride, e->z, e->l, sf2, e->kernel);
     if (!ms_gpr__factor(f, e->kernel, e->stride, e->z, sf2, noise, e->upper)) return 0;
     memcpy(e->whitened, e->x, materials * sizeof(double));
     ms_gpr__forward(f, e->upper, e->stride, padded, e->whitened, e->columns, columns);
     fit = f->dot(e->whitened, e->whitened, (int)materials);
-    *likelihood = -0.5 * (fit + e->m * (ms_gpr__log_determinant(e->upper, e->stride, e->z) + e->z * 1.8378770664093454836)); /* log 2 pi */
+    determinant = ms_gpr__log_determinant(e->upper, e->stride, e->z);
+    *likelihood = -0.5 * (fit + e->m * (determinant + e->z * 1.8378770664093454836)); /* log 2 pi */
     if (gradient == NULL) return 1;
     memset(e->inverse, 0, matrix * sizeof(double));
     ms_gpr__invert(f, e->upper, e->stride, padded, e->inverse);
@@ -3557,7 +3559,7 @@ static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_error *error)
         }
         return MS_OK;
     }
-    return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix of %d latents is not positive definite even with 1e-6 sf^2 added to sn^2",
+    return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance of %d latents is not positive definite even with 1e-6 sf^2 added to sn^2",
                     p->z);
 }
 
@@ -3861,8 +3863,8 @@ static void ms_gpr__latent_scratch_layout(const ms_gpr_latent *p, ms_gpr__latent
 }
 
 /* Latents and theta: every start for a while, then the best of them to the end. spread: root mean square of the materials. */
-static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, const ms_gpr_latent_options *o, double spread, ms_gpr__latent_problem *problem,
-                                       const ms_gpr__latent_scratch *s, ms_error *error)
+static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, const ms_gpr_latent_options *o, double spread,
+                                       ms_gpr__latent_problem *problem, const ms_gpr__latent_scratch *s, ms_error *error)
 {
     static const double scale[] = {0.5, 0.3, 1, 0.2, 2}; /* of the principal components, in lengths */
     int count = plane->l * plane->z, starts = o->starts ? o->starts : 3, i, k;
@@ -3920,9 +3922,11 @@ MS_GPR_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_g
     *out = NULL;
     if (options) o = *options;
     else memset(&o, 0, sizeof o);
-    if (!ms__finite(o.prior) || o.prior < 0 || !ms__finite(o.noise_floor) || o.noise_floor < 0 || o.starts < 0 || o.starts > 5 || o.evaluations < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prior is %g, noise_floor %g, starts %d, evaluations %d: expected at least 0, starts at most 5",
-                        o.prior, o.noise_floor, o.starts, o.evaluations);
+    if (!ms__finite(o.prior) || o.prior < 0 || !ms__finite(o.noise_floor) || o.noise_floor < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prior is %g and noise_floor %g: expected at least 0", o.prior, o.noise_floor);
+    if (o.starts < 0 || o.starts > 5 || o.evaluations < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "starts is %d and evaluations %d: expected 0 to 5 and at least 0", o.starts,
+                        o.evaluations);
     status = ms_gpr__latent_make(x, z, m, 1, &o, &p, error);
     if (status != MS_OK) return status;
     spread = sqrt(p->kernels->dot(p->x, p->x, z * (int)p->columns) / ((double)z * m));
@@ -3947,8 +3951,8 @@ MS_GPR_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_g
     problem.limit = o.evaluations ? o.evaluations : 2000;
     status = ms_gpr__latent_search(p, &o, spread, &problem, &scratch, error);
     if (status == MS_OK && report) {
-        double sf2 = exp(2 * p->theta[p->l]);
-        ms_gpr__embedding_evaluate(&problem.e, p->points, sf2, exp(2 * p->theta[p->l + 1]) + p->jitter * sf2, &report->likelihood, NULL, NULL);
+        double sf2 = exp(2 * p->theta[p->l]), noise = exp(2 * p->theta[p->l + 1]) + p->jitter * sf2;
+        ms_gpr__embedding_evaluate(&problem.e, p->points, sf2, noise, &report->likelihood, NULL, NULL);
         report->error = ms_gpr__latent_error(p, scratch.work, scratch.work + p->stride);
         report->evaluations = problem.evaluations;
     }
@@ -4012,8 +4016,8 @@ static ms_status ms_gpr__grid_check(const ms_gpr_latent *plane, const ms_gpr_gri
 {
     if (plane == NULL || grid == NULL || plane->l != 2)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane or grid is NULL, or the latent space has not 2 dimensions");
-    if (grid->columns < 2 || grid->rows < 2 || grid->columns > 32768 || grid->rows > 32768 || !ms__finite(grid->x0) || !ms__finite(grid->y0) || 
-        !ms__finite(grid->x1) || !ms__finite(grid->y1) || !(grid->x0 < grid->x1) || !(grid->y0 < grid->y1))
+    if (grid->columns < 2 || grid->rows < 2 || grid->columns > 32768 || grid->rows > 32768 || !ms__finite(grid->x0) ||
+        !ms__finite(grid->y0) || !ms__finite(grid->x1) || !ms__finite(grid->y1) || !(grid->x0 < grid->x1) || !(grid->y0 < grid->y1))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a grid of %d x %d points from (%g, %g) to (%g, %g)", grid->columns, grid->rows,
                         grid->x0, grid->y0, grid->x1, grid->y1);
     return MS_OK;
@@ -4064,7 +4068,8 @@ static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid
     materials = ms__size_mul(ms__size_mul((size_t)grid->columns, (size_t)grid->rows), (size_t)plane->m);
     *doubles = ms__size_add(ms__size_add(materials, ms__size_mul((size_t)grid->columns + 2, padded)), plane->columns);
     *x = ms_gpr__doubles(&plane->allocator, *doubles, block);
-    if (*x == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the materials of %d x %d points", grid->columns, grid->rows);
+    if (*x == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the materials of %d x %d points", grid->columns, grid->rows);
     ms_gpr__grid_materials(plane, grid, *x, *x + materials);
     return MS_OK;
 }
@@ -4113,7 +4118,7 @@ MS_GPR_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_
 static ms_status ms_gpr__similarity_check(const ms_gpr_latent *plane, const ms_gpr_similarity *s, ms_error *error)
 {
     if (plane == NULL || s == NULL || s->x == NULL || !ms__finite(s->scale) || s->scale < 0 || (s->pixels > 0 && s->render == NULL))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane, the similarity, its x or its render is NULL, or its scale is no number >= 0");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane, similarity, its x or its render is NULL, or its scale is below 0");
     return ms_gpr__check_rows(s->x, 1, plane->m, "reference", error);
 }
 
@@ -4272,7 +4277,7 @@ MS_GPR_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *g
     if (status == MS_OK) status = ms_gpr__similarity_check(plane, similarity, error);
     if (status != MS_OK) return status;
     if (gp == NULL || gp->m != plane->m || lambda == NULL || variant == NULL || count < 1 || !ms__finite(best) || best < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp, lambda or variant is NULL, gp has another m than plane, count is %d, or best %g",
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp, lambda or variant is NULL, gp has another m than plane, count is %d, best %g",
                         count, best);
     for (i = 0; i < count; ++i)
         if (!ms__finite(lambda[i]) || lambda[i] < 0 || lambda[i] > 1)
