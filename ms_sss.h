@@ -81,8 +81,8 @@
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
-   another, under 1 MB (rotated: to 20 MB), and gives it back. The filter allocates nothing: the caller lends a workspace. No globals. At most
-   160 KB of stack, in ms_sss_kernel_choose; 20 KB in the filter.
+   another, under 1 MB (rotated: to 20 MB), and gives it back. The filter allocates nothing: the caller lends a workspace.
+   No globals. At most 160 KB of stack, in ms_sss_kernel_choose; 20 KB in the filter.
    Profiles, designers and kernels are only read once made: calls may overlap. ms_sss_filter cuts the picture into rows for
    ms_parallel. Kernels are made on one thread.
    The filter runs scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd.
@@ -388,6 +388,10 @@ MS_SSS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
    MS_INVALID_ARGUMENT: an option outside its range (the message names it). MS_OUT_OF_MEMORY. kernel untouched then. */
 MS_SSS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
                                          const ms_sss_kernel_options *options, ms_error *error);
+
+/* The two-Gaussian model of least squares to a_p, for artists to start from. A channel without light: near_weight 1 and
+   sigmas of a thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
+MS_SSS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artist *artist);
 
 /* The sum of count Gaussians that is closest to the profile in the sense of MS_SSS_GAUSSIANS: sigma_mm and weight
    [count][3], weights sum to 1; 1 <= count <= MS_SSS_TERMS_MAX. With ms_sss_transmittance's formula it is translucency in
@@ -2486,7 +2490,7 @@ static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, ms_s
 }
 
 /* The two-Gaussian model of least squares to a_p (5.6): sigmas in cells. */
-static void ms_sss__fit_artist(const ms_sss_designer *d, int c, const double *ap, double *sigma_near, double *sigma_far,
+static void ms_sss__artist_cells(const ms_sss_designer *d, int c, const double *ap, double *sigma_near, double *sigma_far,
                                double *share)
 {
     double x[3], trial[3], H[9], g[3], work[9], step[3], lambda = 1e-2, best = HUGE_VAL;
@@ -2661,7 +2665,7 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
         } else if (o->model == MS_SSS_ARTIST) {
             double near_sigma = o->artist.sigma_near_mm[c] / d->cell_mm, far_sigma = o->artist.sigma_far_mm[c] / d->cell_mm;
             double share = o->artist.near_weight[c], far_cells[MS_SSS__CELLS_MAX + 1];
-            if (near_sigma == 0) ms_sss__fit_artist(d, c, w, &near_sigma, &far_sigma, &share);
+            if (near_sigma == 0) ms_sss__artist_cells(d, c, w, &near_sigma, &far_sigma, &share);
             ms_sss__gaussian_cells(near_sigma, M, w, slope);
             ms_sss__gaussian_cells(far_sigma, M, far_cells, slope);
             for (i = 0; i <= M; ++i) w[i] = share * w[i] + (1 - share) * far_cells[i];
@@ -2894,6 +2898,22 @@ MS_SSS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_des
         }
     ms_sss__curve_normalise(&taps);
     ms_sss__store_kernel(d, &taps, kernel);
+    return MS_OK;
+}
+
+MS_SSS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *artist)
+{
+    double ap[MS_SSS__CELLS_MAX + 1];
+    int c;
+    if (d == NULL || artist == NULL) return MS_INVALID_ARGUMENT;
+    for (c = 0; c < 3; ++c) {
+        double near_sigma = 1e-3, far_sigma = 1e-3, share = 1;
+        ms_sss__row_sums(d, c, ap);
+        if (d->reflectance[c] > 0) ms_sss__artist_cells(d, c, ap, &near_sigma, &far_sigma, &share);
+        artist->sigma_near_mm[c] = near_sigma * d->cell_mm;
+        artist->sigma_far_mm[c] = far_sigma * d->cell_mm;
+        artist->near_weight[c] = share;
+    }
     return MS_OK;
 }
 

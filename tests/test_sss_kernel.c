@@ -458,8 +458,10 @@ static void reference_errors(void)
     ms_sss_profile *skin = skin_profile();
     ms_sss_designer *d = designer_for(skin, 96);
     static ms_sss_kernel k;
+    ms_sss_artist artist;
     double worst = 0, worst_texture = 0;
     size_t n;
+    int c;
     for (n = 0; n < sizeof row / sizeof row[0]; ++n) {
         const json *err = json_get(json_get(models, row[n].name), "err");
         const char *const signal[5] = {"vstep", "dstep", "disk_small_r10", "disk_large_r120", "natural_1f"};
@@ -488,6 +490,13 @@ static void reference_errors(void)
         }
     }
     TEST_NOTE("%d models: steps and disks within %.2f%%, texture within %.1f%%", (int)n, 100 * worst, 100 * worst_texture);
+    CHECK(ms_sss_fit_artist(d, &artist) == MS_OK && ms_sss_fit_artist(NULL, &artist) == MS_INVALID_ARGUMENT);
+    for (c = 0; c < 3; ++c) { /* the study's parameters, printed with 5 digits, from its own few starts */
+        const json *fit = &json_get(json_get(json_get(j, "deon_skin"), "info"), "artist_fit_to_ap_[sigma_n_mm,sigma_f_mm,w]")->child[c];
+        CHECK_NEAR(artist.sigma_near_mm[c] / json_number(&fit->child[0]), 1, 0.01);
+        CHECK_NEAR(artist.sigma_far_mm[c] / json_number(&fit->child[1]), 1, 0.01);
+        CHECK_NEAR(artist.near_weight[c] / json_number(&fit->child[2]), 1, 0.01);
+    }
     ms_sss_designer_destroy(d);
     ms_sss_profile_destroy(skin);
     json_free(j);
