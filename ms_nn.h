@@ -1,6 +1,107 @@
 /* ms_nn.h - v0.1.0 - small networks from safetensors - MIT or public domain, see the end
 
-   HEAD
+   Runs small trained networks - a neural renderer (parameters to picture), inversion networks (picture to parameters) - from
+   safetensors files at the speed at which memory delivers the weights: forward, vector-Jacobian product, Jacobian-vector
+   product, Jacobian. Reads and writes safetensors strictly. No dependency but the C library; never trains.
+
+   USE IT. In one C or C++ file:
+
+      #define MS_NN_IMPLEMENTATION
+      #include "ms_nn.h"
+
+   and include the header alone elsewhere. A complete program, C99 and C++11 (it writes a network of its own first):
+
+   Example:
+      #define MS_NN_IMPLEMENTATION
+      #include "ms_nn.h"
+      #include <stdio.h>
+      int main(void)
+      {
+          static const float weight[6] = {1, 2, 3, 4, 5, 6}, bias[2] = {0.5f, -0.5f};
+          static const size_t shape[2] = {2, 3};
+          ms_nn_tensor tensors[2] = {{"f.weight", MS_NN_F32, 2, shape, weight, sizeof weight}, {"f.bias", MS_NN_F32, 1, shape, bias, sizeof bias}};
+          ms_nn_entry metadata[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", "[3]"},
+                                     {"ms_nn_layers", "[{\"type\":\"dense\",\"name\":\"f\",\"activation\":\"tanh\"}]"}};
+          float x[3] = {0.1f, -0.2f, 0.1f}, y[2], g_y[2] = {1, 0}, g_x[3];
+          ms_nn *nn;
+          ms_error error;
+          if (ms_nn_file_save("example.safetensors", tensors, 2, metadata, 3, NULL, &error) != MS_OK ||
+              ms_nn_load_file("example.safetensors", NULL, &nn, &error) != MS_OK) {
+              printf("byte %lu: %s\n", (unsigned long)error.position, error.message);
+              return 1;
+          }
+          if (ms_nn_forward(nn, 1, x, y, NULL) != MS_OK || ms_nn_vjp(nn, 1, x, g_y, NULL, g_x, NULL) != MS_OK) return 1;
+          printf("outputs %g %g, slopes of the first %g %g %g\n", (double)y[0], (double)y[1], (double)g_x[0], (double)g_x[1], (double)g_x[2]);
+          ms_nn_destroy(nn);
+          return remove("example.safetensors");
+      }
+   End of example.
+
+   THE FILE. safetensors: a length of 8 bytes, a JSON header, the data. A network is a file whose __metadata__ has
+
+      "format"         "pt": weights as PyTorch lays them out (may be absent)
+      "ms_nn_version"  "1"
+      "ms_nn_input"    JSON list: [n], [channels, length] or [channels, height, width] of one sample
+      "ms_nn_layers"   JSON list of layers, in a string; each runs on the output of the one before
+
+   Data lies row-major, channels first. A layer is an object with "type" and, as the type allows, the fields below; any other
+   field is refused. Sizes that are left out are read from the tensors. Sizes marked * are a number or a pair [height, width].
+
+      dense            name, units, activation, alpha, bias        <name>.weight [units][inputs]; the input must be flat
+      conv1d           name, filters, kernel, stride, padding,     <name>.weight [filters][channels][kernel]
+                       activation, alpha, bias
+      conv2d           the same, kernel* and stride*               <name>.weight [filters][channels][height][width]
+      upsample1d       factor (2)                                  nearest
+      upsample2d       factor* (2)
+      maxpool1d        size (2), stride (size)                     what does not fill a window is dropped
+      maxpool2d        size* (2), stride* (size)
+      flatten          order: channels_first (default, PyTorch) or channels_last (Keras)
+      activation       activation, alpha                           alone
+      dropout          rate                                        does nothing
+      add              from, activation, alpha                     adds the output of the layer with that name, or "input"
+      shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
+
+   <name>.bias [outputs] belongs to every dense and convolution layer unless "bias":false stands in the list. Weights are F64, F32,
+   F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]): weight = scale of its output x integer. Convolutions are
+   correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2 zeros in front, rounded down, and as many behind as make
+   ceil(size / stride) outputs. "activation": linear (default), relu, leaky_relu (slope alpha, 0.01), elu (alpha, 1), tanh,
+   sigmoid, softplus. shared_channels evaluates the rest of the list once for each of its lists of input indices and puts the
+   outputs one after the other: one small network for the red, green and blue of a scene without colours of its own.
+   examples/export_torch.py saves PyTorch and Keras networks in this form.
+
+   WHAT IT COSTS. `make bench FILTER=nn` makes the table, with peers:
+
+   (table of the last run: see README.md)
+
+   MEMORY. A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights, float
+   copies of F64 and of folded dense weights, nothing else of the weights. The products allocate nothing when they are given a
+   workspace of ms_nn_workspace_size bytes. Stack: below 8 kB.
+   THREADS. No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ.
+   options.parallel takes a thread pool; the work is cut by the problem alone.
+   SIMD. SSE2, AVX2, AVX-512 (with VNNI where there is) and NEON, chosen at load, capped by options.simd. MS_NO_SIMD: plain C.
+   DETERMINISM. At one level the same bits for any number of threads, and for a sample alone or in a batch. Dense layers of I8 are
+   summed in integers and equal at every level; all else agrees between levels within the error below.
+   ERROR. Arithmetic is in floats: about 1e-6 of the largest output against double precision for the networks above, at most
+   1e-5 in the tests. I8 layers take their input in 21-bit fixed point: 5e-7 of its largest element. The collapse is in double.
+   ERRORS. Every call that can fail returns a status; loaders also fill an ms_error with a byte offset and a sentence. On failure
+   outputs are untouched. Weights and inputs that are NaN or infinite run through (ms_nn_check_weights finds them).
+
+   CONFIGURATION, all before the #include of the implementation
+      MS_NN_NO_STDIO    no <stdio.h>, no files by name
+      MS_NO_SIMD        plain C only
+      MS_DEF            linkage of the functions, e.g. static
+      MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
+      MS_ASSERT(x)      nothing; checks of the library's own invariants
+
+   LIMITS. Refused with MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes unless
+   options.allow_trailing, NUL in names, null metadata, header over 100,000,000 bytes, rank over 32) and layers that do not fit
+   their tensors; 4096 layers at most. MS_UNSUPPORTED: other element types than the five as weights. Tensors of 2^31 bytes and
+   more need a 64-bit machine. A mapped file must not shrink while it is used. Networks are chains with additive skips:
+   no concatenation, recurrence, grouped or dilated convolution.
+
+   SOURCES. safetensors: its format description and reference implementation. Networks: Zsolnai-Feher, PhD thesis, sections 3.4.2
+   and 4.3.1. Collapse: Golub & Van Loan, Matrix Computations, chapter 5; Schreiber & Van Loan 1989; Bjoerck 1987; Chambers 1971.
+   Low rank: Hestenes 1958.
 */
 #ifndef MS_NN_H
 #define MS_NN_H
@@ -4211,22 +4312,45 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
     (void)level;
     return &ms_nn__table_scalar;
 }
+
+#undef MS_NN__BIG_ENDIAN
+#undef MS_NN__MMAP
+#undef MS_NN__BIT
+#undef MS_NN__WEIGHTED
+#undef MS_NN__CONVS
+#undef MS_NN__POOLS
+#undef MS_NN__UPSAMPLES
+#undef MS_NN__ACTIVATED
+#undef MS_NN__RUN
+#undef MS_NN__DIGIT_MAX
+#undef MS_NN__OVERRUN
+#undef MS_NN__TASK_BYTES
+#undef MS_NN__TASK_MACS
+#undef MS_NN__STRIPE
+#undef MS_NN__QR_ROWS
+#undef MS_NN__QR_PANEL
+#undef MS_NN__QR_PARTS
+#undef MS_NN__UNROLL
+#undef MS_NN__INLINE
+#undef MS_NN__FN
+#undef MS_NN__JOIN
+#undef MS_NN__JOIN2
 #endif /* MS_NN_IMPLEMENTATION */
 
 #if defined(MS_NN_IMPLEMENTATION) && defined(MS_NN__PASS)
 /* === kernels === */
 
-/* Read once a level. V is a vector of L floats; V_PART loads n < L floats and zeros; W_... load weights as floats.
-   BLOCK outputs x TILE vectors of positions are a convolution's registers; ROWS rows x 3 samples x CHAINS sums are a
+/* Read once a level. V_FLOATS is a vector of V_LANES floats; W_... load weights as floats.
+   V_BLOCK outputs x V_TILE vectors of positions are a convolution's registers; W_ROWS rows x 3 samples x W_CHAINS sums are a
    dense layer's. MAX(a, b) is a > b ? a : b, which is b, hence NaN if b is one: constants stand first. */
 #if MS_NN__ISA == 1
-#define L 1
-#define BLOCK 4
-#define TILE 2
-#define ROWS 1
-#define CHAINS 4
-#define INT8_ROWS 1
-#define V float
+#define V_LANES 1
+#define V_BLOCK 4
+#define V_TILE 2
+#define W_ROWS 1
+#define W_CHAINS 4
+#define B_ROWS 1
+#define V_FLOATS float
 #define V_LOAD(p) ms_nn__float_at((const unsigned char *)(p), 0)
 #define V_STORE(p, v) (*(p) = (v))
 #define V_SET(x) (x)
@@ -4249,13 +4373,13 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define W_BRAIN(p) ms_nn__float_of(ms_nn__u16(p) << 16)
 #define W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p) - 256))
 #elif MS_NN__ISA == 2 && defined(MS__X64)
-#define L 4
-#define BLOCK 4
-#define TILE 2
-#define ROWS 2
-#define CHAINS 2
-#define INT8_ROWS 1
-#define V __m128
+#define V_LANES 4
+#define V_BLOCK 4
+#define V_TILE 2
+#define W_ROWS 2
+#define W_CHAINS 2
+#define B_ROWS 1
+#define V_FLOATS __m128
 #define V_LOAD(p) _mm_loadu_ps((const float *)(const void *)(p))
 #define V_STORE(p, v) _mm_storeu_ps(p, v)
 #define V_SET(x) _mm_set1_ps(x)
@@ -4277,32 +4401,32 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define W_HALF(p) MS_NN__FN(half)(p)
 #define W_BRAIN(p) _mm_castsi128_ps(_mm_unpacklo_epi16(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)(p))))
 #define W_INT8(p) MS_NN__FN(int8)(p)
-MS_NN__INLINE V MS_NN__FN(if_greater)(V a, V b, V x, V y)
+MS_NN__INLINE V_FLOATS MS_NN__FN(if_greater)(V_FLOATS a, V_FLOATS b, V_FLOATS x, V_FLOATS y)
 {
-    V m = _mm_cmpgt_ps(a, b);
+    V_FLOATS m = _mm_cmpgt_ps(a, b);
     return _mm_or_ps(_mm_and_ps(m, x), _mm_andnot_ps(m, y));
 }
-MS_NN__INLINE float MS_NN__FN(sum)(V a)
+MS_NN__INLINE float MS_NN__FN(sum)(V_FLOATS a)
 {
     a = _mm_add_ps(a, _mm_movehl_ps(a, a));
     return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
 }
-MS_NN__INLINE V MS_NN__FN(max_nan)(V a, V b)
+MS_NN__INLINE V_FLOATS MS_NN__FN(max_nan)(V_FLOATS a, V_FLOATS b)
 {
-    V nan = _mm_cmpunord_ps(a, a);
+    V_FLOATS nan = _mm_cmpunord_ps(a, a);
     return _mm_or_ps(_mm_and_ps(nan, a), _mm_andnot_ps(nan, _mm_max_ps(a, b)));
 }
 /* As ms_nn__half: the magnitude moves to the float's place and is scaled by 2^112; the top exponent stays special. */
-MS_NN__INLINE V MS_NN__FN(half)(const unsigned char *p)
+MS_NN__INLINE V_FLOATS MS_NN__FN(half)(const unsigned char *p)
 {
     __m128i h = _mm_unpacklo_epi16(_mm_loadl_epi64((const __m128i *)(const void *)p), _mm_setzero_si128());
     __m128i magnitude = _mm_slli_epi32(_mm_and_si128(h, _mm_set1_epi32(0x7fff)), 13);
     __m128i sign = _mm_slli_epi32(_mm_and_si128(h, _mm_set1_epi32(0x8000)), 16);
     __m128i special = _mm_and_si128(_mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x0f7fffff)), _mm_set1_epi32(0x7f800000));
-    V value = _mm_mul_ps(_mm_castsi128_ps(magnitude), _mm_set1_ps(5.192296858534828e33f));
+    V_FLOATS value = _mm_mul_ps(_mm_castsi128_ps(magnitude), _mm_set1_ps(5.192296858534828e33f));
     return _mm_or_ps(_mm_or_ps(value, _mm_castsi128_ps(sign)), _mm_castsi128_ps(special));
 }
-MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
+MS_NN__INLINE V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 {
     int32_t four;
     __m128i q;
@@ -4312,13 +4436,13 @@ MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
     return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(q, q), 24));
 }
 #elif MS_NN__ISA == 2
-#define L 4
-#define BLOCK 8
-#define TILE 2
-#define ROWS 4
-#define CHAINS 2
-#define INT8_ROWS 1
-#define V float32x4_t
+#define V_LANES 4
+#define V_BLOCK 8
+#define V_TILE 2
+#define W_ROWS 4
+#define W_CHAINS 2
+#define B_ROWS 1
+#define V_FLOATS float32x4_t
 #define V_LOAD(p) vreinterpretq_f32_u8(vld1q_u8((const unsigned char *)(p)))
 #define V_STORE(p, v) vst1q_f32(p, v)
 #define V_SET(x) vdupq_n_f32(x)
@@ -4340,20 +4464,20 @@ MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
 #define W_HALF(p) vcvt_f32_f16(vreinterpret_f16_u8(vld1_u8(p)))
 #define W_BRAIN(p) vreinterpretq_f32_u32(vshll_n_u16(vreinterpret_u16_u8(vld1_u8(p)), 16))
 #define W_INT8(p) MS_NN__FN(int8)(p)
-MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
+MS_NN__INLINE V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 {
     uint32_t four;
     memcpy(&four, p, 4);
     return vcvtq_f32_s32(vmovl_s16(vget_low_s16(vmovl_s8(vcreate_s8(four)))));
 }
 #elif MS_NN__ISA == 3
-#define L 8
-#define BLOCK 4
-#define TILE 3
-#define ROWS 2
-#define CHAINS 2
-#define INT8_ROWS 2
-#define V __m256
+#define V_LANES 8
+#define V_BLOCK 4
+#define V_TILE 3
+#define W_ROWS 2
+#define W_CHAINS 2
+#define B_ROWS 2
+#define V_FLOATS __m256
 #define V_LOAD(p) _mm256_loadu_ps((const float *)(const void *)(p))
 #define V_STORE(p, v) _mm256_storeu_ps(p, v)
 #define V_SET(x) _mm256_set1_ps(x)
@@ -4375,25 +4499,25 @@ MS_NN__INLINE V MS_NN__FN(int8)(const unsigned char *p)
 #define W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
 #define W_BRAIN(p) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
 #define W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
-MS_NN__INLINE V MS_NN__FN(pair_max)(V a, V b)
+MS_NN__INLINE V_FLOATS MS_NN__FN(pair_max)(V_FLOATS a, V_FLOATS b)
 {
-    V even = _mm256_shuffle_ps(a, b, 0x88), odd = _mm256_shuffle_ps(a, b, 0xDD);
+    V_FLOATS even = _mm256_shuffle_ps(a, b, 0x88), odd = _mm256_shuffle_ps(a, b, 0xDD);
     return _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(V_MAX_NAN(even, odd)), 0xD8));
 }
-MS_NN__INLINE float MS_NN__FN(sum)(V v)
+MS_NN__INLINE float MS_NN__FN(sum)(V_FLOATS v)
 {
     __m128 a = _mm_add_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1));
     a = _mm_add_ps(a, _mm_movehl_ps(a, a));
     return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
 }
 #else /* maskz_ forms: the plain ones of GCC 12 warn in C++ */
-#define L 16
-#define BLOCK 8
-#define TILE 3
-#define ROWS 4
-#define CHAINS 2
-#define INT8_ROWS 4
-#define V __m512
+#define V_LANES 16
+#define V_BLOCK 8
+#define V_TILE 3
+#define W_ROWS 4
+#define W_CHAINS 2
+#define B_ROWS 4
+#define V_FLOATS __m512
 #define V_LOAD(p) _mm512_loadu_ps(p)
 #define V_STORE(p, v) _mm512_storeu_ps(p, v)
 #define V_SET(x) _mm512_set1_ps(x)
@@ -4415,12 +4539,12 @@ MS_NN__INLINE float MS_NN__FN(sum)(V v)
 #define W_HALF(p) _mm512_maskz_cvtph_ps(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
 #define W_BRAIN(p) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
 #define W_INT8(p) _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
-MS_NN__INLINE V MS_NN__FN(pair_max)(V a, V b)
+MS_NN__INLINE V_FLOATS MS_NN__FN(pair_max)(V_FLOATS a, V_FLOATS b)
 {
-    V even = _mm512_shuffle_ps(a, b, 0x88), odd = _mm512_shuffle_ps(a, b, 0xDD);
+    V_FLOATS even = _mm512_shuffle_ps(a, b, 0x88), odd = _mm512_shuffle_ps(a, b, 0xDD);
     return _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xFF, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(V_MAX_NAN(even, odd))));
 }
-MS_NN__INLINE float MS_NN__FN(sum)(V v)
+MS_NN__INLINE float MS_NN__FN(sum)(V_FLOATS v)
 {
     __m512d w = _mm512_castps_pd(v);
     __m256 b = _mm256_add_ps(_mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 0)), _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 1)));
@@ -4430,8 +4554,8 @@ MS_NN__INLINE float MS_NN__FN(sum)(V v)
 }
 #endif
 
-/* L weights of a type that is a constant where this is inlined. */
-MS_NN__INLINE V MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
+/* V_LANES weights of a type that is a constant where this is inlined. */
+MS_NN__INLINE V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
 {
     if (dtype == MS_NN_F32) return V_LOAD(p);
     if (dtype == MS_NN_F16) return W_HALF(p);
@@ -4439,29 +4563,29 @@ MS_NN__INLINE V MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
     return W_INT8(p);
 }
 
-/* n < L weights, zeros behind them; nothing behind them is read. */
-MS_NN__INLINE V MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype, size_t n)
+/* n < V_LANES weights, zeros behind them; nothing behind them is read. */
+MS_NN__INLINE V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype, size_t n)
 {
 #if MS_NN__ISA >= 4
     if (dtype == MS_NN_F32) return _mm512_maskz_loadu_ps((__mmask16)((1u << n) - 1), p);
 #endif
     {
-        unsigned char copy[4 * L];
+        unsigned char copy[4 * V_LANES];
         memset(copy, 0, sizeof copy);
-        memcpy(copy, p, ms_nn__min(n, L) * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2));
+        memcpy(copy, p, ms_nn__min(n, V_LANES) * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2));
         return MS_NN__FN(weight)(copy, dtype);
     }
 }
 
-/* rows x batch dot products. Sum c runs over the columns L c + (0..L-1) modulo L CHAINS; then the rest; the sums are
+/* rows x batch dot products. Sum c runs over the columns V_LANES c + (0..V_LANES-1) modulo V_LANES W_CHAINS; then the rest; the sums are
    added in pairs. The order depends on nothing but cols, so that tiles of any shape agree. */
 MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch)
 {
     const ms_nn__matrix *m = job->m;
     size_t cols = m->cols, size = dtype == MS_NN_F32 ? 4 : 2, k = 0;
-    const unsigned char *w[ROWS];
+    const unsigned char *w[W_ROWS];
     const float *x[3];
-    V sum[ROWS][3][CHAINS];
+    V_FLOATS sum[W_ROWS][3][W_CHAINS];
     int r, b, c;
     MS_NN__UNROLL
     for (r = 0; r < rows; ++r) {
@@ -4469,33 +4593,33 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
             MS_NN__UNROLL
-            for (c = 0; c < CHAINS; ++c) sum[r][b][c] = V_SET(0.0f);
+            for (c = 0; c < W_CHAINS; ++c) sum[r][b][c] = V_SET(0.0f);
         }
     }
     MS_NN__UNROLL
     for (b = 0; b < batch; ++b) x[b] = job->x + ms_nn__min(sample + (size_t)b, (size_t)job->batch - 1) * cols;
-    for (; k + L * CHAINS <= cols; k += L * CHAINS) {
+    for (; k + V_LANES * W_CHAINS <= cols; k += V_LANES * W_CHAINS) {
         MS_NN__UNROLL
-        for (c = 0; c < CHAINS; ++c) {
-            V v[3];
+        for (c = 0; c < W_CHAINS; ++c) {
+            V_FLOATS v[3];
             MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) v[b] = V_LOAD(x[b] + k + (size_t)c * L);
+            for (b = 0; b < batch; ++b) v[b] = V_LOAD(x[b] + k + (size_t)c * V_LANES);
             MS_NN__UNROLL
             for (r = 0; r < rows; ++r) {
-                V u = MS_NN__FN(weight)(w[r] + (k + (size_t)c * L) * size, dtype);
+                V_FLOATS u = MS_NN__FN(weight)(w[r] + (k + (size_t)c * V_LANES) * size, dtype);
                 MS_NN__UNROLL
                 for (b = 0; b < batch; ++b) sum[r][b][c] = V_MADD(u, v[b], sum[r][b][c]);
             }
         }
     }
-    for (; k < cols; k += L) {
-        size_t n = ms_nn__min(cols - k, L);
+    for (; k < cols; k += V_LANES) {
+        size_t n = ms_nn__min(cols - k, V_LANES);
         MS_NN__UNROLL
         for (r = 0; r < rows; ++r) {
-            V u = n == L ? MS_NN__FN(weight)(w[r] + k * size, dtype) : MS_NN__FN(weight_part)(w[r] + k * size, dtype, n);
+            V_FLOATS u = n == V_LANES ? MS_NN__FN(weight)(w[r] + k * size, dtype) : MS_NN__FN(weight_part)(w[r] + k * size, dtype, n);
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) {
-                V v = n == L ? V_LOAD(x[b] + k) : MS_NN__FN(weight_part)((const unsigned char *)(x[b] + k), MS_NN_F32, n);
+                V_FLOATS v = n == V_LANES ? V_LOAD(x[b] + k) : MS_NN__FN(weight_part)((const unsigned char *)(x[b] + k), MS_NN_F32, n);
                 sum[r][b][0] = V_MADD(u, v, sum[r][b][0]);
             }
         }
@@ -4505,8 +4629,8 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
         float bias = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + (size_t)r) : 0.0f;
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
-            V s = V_ADD(sum[r][b][0], sum[r][b][1]);
-#if CHAINS == 4
+            V_FLOATS s = V_ADD(sum[r][b][0], sum[r][b][1]);
+#if W_CHAINS == 4
             s = V_ADD(s, V_ADD(sum[r][b][2], sum[r][b][3]));
 #endif
             if (sample + (size_t)b < (size_t)job->batch) job->y[(sample + (size_t)b) * m->rows + row + (size_t)r] = V_SUM(s) + bias;
@@ -4515,14 +4639,14 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
 }
 
 /* A large matrix for one sample is read row by row, at the speed of memory; where it is read more than once or lies in
-   the cache, ROWS at a time. */
+   the cache, W_ROWS at a time. */
 MS_NN__INLINE void MS_NN__FN(dense_typed)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
 {
     size_t row = row0, b;
     if (job->batch > 1 || !ms_nn__large(job)) {
-        for (; row + ROWS <= row1; row += ROWS) {
-            if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, ROWS, 1);
-            else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, ROWS, 3);
+        for (; row + W_ROWS <= row1; row += W_ROWS) {
+            if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, W_ROWS, 1);
+            else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, W_ROWS, 3);
         }
     }
     for (; row < row1; ++row) {
@@ -4534,18 +4658,18 @@ MS_NN__INLINE void MS_NN__FN(dense_typed)(const ms_nn__dense *job, size_t row0, 
 /* Sums of products of 8-bit weights with 8-bit digits. On x86 unsigned times signed bytes: (w + 128) d, put right at the
    end by 128 sum d; |255 * 64 * 2| fits 16 bits. */
 #if MS_NN__ISA >= 4
-#define B __m512i
+#define B_INTS __m512i
 #define B_BYTES 64
 #define B_ZERO _mm512_setzero_si512()
 #define B_LOAD(p) _mm512_loadu_si512(p)
 #define B_PART(p, n) _mm512_maskz_loadu_epi8(((__mmask64)1 << (n)) - 1, p)
 #define B_FLIP(u) _mm512_xor_si512(u, _mm512_set1_epi8((char)-128))
 #define B_SUM4(out, a, b, c, d) MS_NN__FN(int_sum4)(out, a, b, c, d)
-MS_NN__INLINE void MS_NN__FN(int_sum4)(int32_t *out, B a, B b, B c, B d)
+MS_NN__INLINE void MS_NN__FN(int_sum4)(int32_t *out, B_INTS a, B_INTS b, B_INTS c, B_INTS d)
 {
-    B ab = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, a, b), _mm512_maskz_unpackhi_epi32(0xFFFF, a, b));
-    B cd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, c, d), _mm512_maskz_unpackhi_epi32(0xFFFF, c, d));
-    B abcd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi64(0xFF, ab, cd), _mm512_maskz_unpackhi_epi64(0xFF, ab, cd));
+    B_INTS ab = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, a, b), _mm512_maskz_unpackhi_epi32(0xFFFF, a, b));
+    B_INTS cd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, c, d), _mm512_maskz_unpackhi_epi32(0xFFFF, c, d));
+    B_INTS abcd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi64(0xFF, ab, cd), _mm512_maskz_unpackhi_epi64(0xFF, ab, cd));
     __m256i half = _mm256_add_epi32(_mm512_maskz_extracti64x4_epi64(0xF, abcd, 0), _mm512_maskz_extracti64x4_epi64(0xF, abcd, 1));
     _mm_storeu_si128((__m128i *)(void *)out, _mm_add_epi32(_mm256_castsi256_si128(half), _mm256_extracti128_si256(half, 1)));
 }
@@ -4555,7 +4679,7 @@ MS_NN__INLINE void MS_NN__FN(int_sum4)(int32_t *out, B a, B b, B c, B d)
 #define B_DOT(s, u, e) _mm512_add_epi32(s, _mm512_madd_epi16(_mm512_maddubs_epi16(u, e), _mm512_set1_epi16(1)))
 #endif
 #elif MS_NN__ISA == 3
-#define B __m256i
+#define B_INTS __m256i
 #define B_BYTES 32
 #define B_ZERO _mm256_setzero_si256()
 #define B_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
@@ -4569,7 +4693,7 @@ MS_NN__INLINE int32_t MS_NN__FN(int_sum)(__m256i s)
     return _mm_cvtsi128_si32(_mm_add_epi32(t, _mm_shuffle_epi32(t, 0xB1)));
 }
 #elif MS_NN__ISA == 2 && defined(MS__X64)
-#define B __m128i
+#define B_INTS __m128i
 #define B_BYTES 16
 #define B_ZERO _mm_setzero_si128()
 #define B_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
@@ -4580,25 +4704,25 @@ MS_NN__INLINE int32_t MS_NN__FN(int_sum)(__m128i s)
     s = _mm_add_epi32(s, _mm_shuffle_epi32(s, 0x4E));
     return _mm_cvtsi128_si32(_mm_add_epi32(s, _mm_shuffle_epi32(s, 0xB1)));
 }
-MS_NN__INLINE B MS_NN__FN(int_dot)(B s, B u, B e)
+MS_NN__INLINE B_INTS MS_NN__FN(int_dot)(B_INTS s, B_INTS u, B_INTS e)
 {
-    B zero = _mm_setzero_si128(); /* bytes to 16 bits with their sign */
+    B_INTS zero = _mm_setzero_si128(); /* bytes to 16 bits with their sign */
     s = _mm_add_epi32(s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpacklo_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpacklo_epi8(zero, e), 8)));
     return _mm_add_epi32(s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpackhi_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpackhi_epi8(zero, e), 8)));
 }
 #elif MS_NN__ISA == 2
-#define B int32x4_t
+#define B_INTS int32x4_t
 #define B_BYTES 16
 #define B_ZERO vdupq_n_s32(0)
 #define B_LOAD(p) vreinterpretq_s32_u8(vld1q_u8((const unsigned char *)(p)))
 #define B_SUM(s) vaddvq_s32(s)
 #define B_DOT(s, u, e) MS_NN__FN(int_dot)(s, vreinterpretq_s8_s32(u), vreinterpretq_s8_s32(e))
-MS_NN__INLINE B MS_NN__FN(int_dot)(B s, int8x16_t u, int8x16_t e)
+MS_NN__INLINE B_INTS MS_NN__FN(int_dot)(B_INTS s, int8x16_t u, int8x16_t e)
 {
     return vpadalq_s16(s, vmlal_s8(vmull_s8(vget_low_s8(u), vget_low_s8(e)), vget_high_s8(u), vget_high_s8(e)));
 }
 #else
-#define B int32_t
+#define B_INTS int32_t
 #define B_BYTES 1
 #define B_ZERO 0
 #define B_LOAD(p) ((int32_t)(signed char)*(p))
@@ -4607,7 +4731,7 @@ MS_NN__INLINE B MS_NN__FN(int_dot)(B s, int8x16_t u, int8x16_t e)
 #endif
 #ifndef B_PART
 #define B_PART(p, n) MS_NN__FN(int8_part)(p, n)
-MS_NN__INLINE B MS_NN__FN(int8_part)(const unsigned char *p, size_t n)
+MS_NN__INLINE B_INTS MS_NN__FN(int8_part)(const unsigned char *p, size_t n)
 {
     unsigned char copy[B_BYTES];
     memset(copy, 0, sizeof copy);
@@ -4623,10 +4747,10 @@ MS_NN__INLINE B MS_NN__FN(int8_part)(const unsigned char *p, size_t n)
 #endif
 
 /* Adds the products of n <= B_BYTES columns of `rows` neighbouring rows; the digits behind the end are zero. */
-MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, size_t cols, const signed char *const *d, size_t at, size_t n, B s[3][INT8_ROWS],
+MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, size_t cols, const signed char *const *d, size_t at, size_t n, B_INTS s[3][B_ROWS],
                                         int rows)
 {
-    B u[INT8_ROWS];
+    B_INTS u[B_ROWS];
     int r, k;
     MS_NN__UNROLL
     for (r = 0; r < rows; ++r) u[r] = n == B_BYTES ? B_LOAD(w + (size_t)r * cols + at) : B_PART(w + (size_t)r * cols + at, n);
@@ -4634,7 +4758,7 @@ MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, size_t cols, con
     for (r = 0; r < rows; ++r) u[r] = B_FLIP(u[r]);
     MS_NN__UNROLL
     for (k = 0; k < 3; ++k) {
-        B e = B_LOAD(d[k] + at);
+        B_INTS e = B_LOAD(d[k] + at);
         MS_NN__UNROLL
         for (r = 0; r < rows; ++r) s[k][r] = B_DOT(s[k][r], u[r], e);
     }
@@ -4642,11 +4766,11 @@ MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, size_t cols, con
 
 /* sums[k][r] = sum_j w_r,j d_k,j over columns [at, end) of a run of MS_NN__RUN: integers, so exact in any order. */
 MS_NN__INLINE void MS_NN__FN(int8_sums)(const unsigned char *w, size_t cols, const ms_nn__digits *x, size_t at, size_t end,
-                                        int32_t sums[3][INT8_ROWS], int rows)
+                                        int32_t sums[3][B_ROWS], int rows)
 {
     const signed char *d[3];
     size_t run = at / MS_NN__RUN;
-    B s[3][INT8_ROWS];
+    B_INTS s[3][B_ROWS];
     int r, k;
     MS_NN__UNROLL
     for (k = 0; k < 3; ++k) {
@@ -4656,7 +4780,7 @@ MS_NN__INLINE void MS_NN__FN(int8_sums)(const unsigned char *w, size_t cols, con
     }
     for (; at + B_BYTES <= end; at += B_BYTES) MS_NN__FN(int8_step)(w, cols, d, at, B_BYTES, s, rows);
     if (at < end) MS_NN__FN(int8_step)(w, cols, d, at, end - at, s, rows);
-#if INT8_ROWS == 4
+#if B_ROWS == 4
     if (rows == 1) {
         int32_t three[4];
         B_SUM4(three, s[0][0], s[1][0], s[2][0], B_ZERO);
@@ -4686,11 +4810,11 @@ MS_NN__INLINE void MS_NN__FN(int8_rows)(const ms_nn__dense *job, size_t row, int
     int b, r;
     for (b = 0; b < job->batch; ++b) {
         const ms_nn__digits *x = &job->digits[b];
-        int64_t total[INT8_ROWS];
+        int64_t total[B_ROWS];
         MS_NN__UNROLL
         for (r = 0; r < rows; ++r) total[r] = 0;
         for (at = 0; at < m->cols; at += MS_NN__RUN) {
-            int32_t sums[3][INT8_ROWS];
+            int32_t sums[3][B_ROWS];
             MS_NN__FN(int8_sums)(m->w + row * m->cols, m->cols, x, at, ms_nn__min(m->cols, at + MS_NN__RUN), sums, rows);
             MS_NN__UNROLL
             for (r = 0; r < rows; ++r) total[r] += (int64_t)sums[0][r] * 16384 + (int64_t)sums[1][r] * 128 + sums[2][r];
@@ -4707,7 +4831,7 @@ MS_NN__INLINE void MS_NN__FN(int8_rows)(const ms_nn__dense *job, size_t row, int
 static void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
     size_t row = row0;
-    for (; !ms_nn__large(job) && row + INT8_ROWS <= row1; row += INT8_ROWS) MS_NN__FN(int8_rows)(job, row, INT8_ROWS);
+    for (; !ms_nn__large(job) && row + B_ROWS <= row1; row += B_ROWS) MS_NN__FN(int8_rows)(job, row, B_ROWS);
     for (; row < row1; ++row) MS_NN__FN(int8_rows)(job, row, 1);
 }
 
@@ -4725,20 +4849,20 @@ MS_NN__INLINE void MS_NN__FN(axpy)(const ms_nn__matrix *m, const float *g, size_
 {
     size_t size = dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2, k;
     const unsigned char *w = m->w + row * m->cols * size;
-    V factor[4];
+    V_FLOATS factor[4];
     int r;
     MS_NN__UNROLL
     for (r = 0; r < rows; ++r) factor[r] = V_SET(dtype == MS_NN_I8 ? g[r] * ms_nn__float_at(m->scale, row + (size_t)r) : g[r]);
-    for (k = col0; k + L <= col1; k += L) {
-        V sum = V_LOAD(out + k);
+    for (k = col0; k + V_LANES <= col1; k += V_LANES) {
+        V_FLOATS sum = V_LOAD(out + k);
         MS_NN__UNROLL
         for (r = 0; r < rows; ++r) sum = V_MADD(factor[r], MS_NN__FN(weight)(w + ((size_t)r * m->cols + k) * size, dtype), sum);
         V_STORE(out + k, sum);
     }
     if (k < col1) {
-        float last[L];
+        float last[V_LANES];
         size_t n = col1 - k;
-        V sum;
+        V_FLOATS sum;
         memset(last, 0, sizeof last);
         memcpy(last, out + k, n * sizeof(float));
         sum = V_LOAD(last);
@@ -4775,37 +4899,37 @@ static void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t r
     else MS_NN__FN(dense_back_typed)(job, row0, row1, col0, col1, out, MS_NN_I8);
 }
 
-/* BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x + t). */
+/* V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x + t). */
 MS_NN__INLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out, size_t out_plane,
                                         size_t outs, int tile)
 {
     size_t taps = v->kernel[0] * v->kernel[1], c, t;
-    V sum[BLOCK][TILE];
+    V_FLOATS sum[V_BLOCK][V_TILE];
     int i, j;
     MS_NN__UNROLL
-    for (i = 0; i < BLOCK; ++i) {
+    for (i = 0; i < V_BLOCK; ++i) {
         MS_NN__UNROLL
         for (j = 0; j < tile; ++j) sum[i][j] = V_SET(bias[i]);
     }
     for (c = 0; c < v->in.c; ++c, in += v->plane) {
-        for (t = 0; t < taps; ++t, w += BLOCK) {
+        for (t = 0; t < taps; ++t, w += V_BLOCK) {
             const float *p = in + v->offset[t];
-            V x[TILE];
+            V_FLOATS x[V_TILE];
             MS_NN__UNROLL
-            for (j = 0; j < tile; ++j) x[j] = V_LOAD(p + j * L);
+            for (j = 0; j < tile; ++j) x[j] = V_LOAD(p + j * V_LANES);
             MS_NN__UNROLL
-            for (i = 0; i < BLOCK; ++i) {
-                V u = V_SET(w[i]);
+            for (i = 0; i < V_BLOCK; ++i) {
+                V_FLOATS u = V_SET(w[i]);
                 MS_NN__UNROLL
                 for (j = 0; j < tile; ++j) sum[i][j] = V_MADD(u, x[j], sum[i][j]);
             }
         }
     }
     MS_NN__UNROLL
-    for (i = 0; i < BLOCK; ++i) {
+    for (i = 0; i < V_BLOCK; ++i) {
         if ((size_t)i < outs) {
             MS_NN__UNROLL
-            for (j = 0; j < tile; ++j) V_STORE(out + (size_t)i * out_plane + j * L, sum[i][j]);
+            for (j = 0; j < tile; ++j) V_STORE(out + (size_t)i * out_plane + j * V_LANES, sum[i][j]);
         }
     }
 }
@@ -4817,26 +4941,26 @@ static void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation
 static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t item0, size_t item1)
 {
     const ms_nn__conv *v = job->conv;
-    size_t blocks = (v->out.c + BLOCK - 1) / BLOCK, item, x, i, j;
-    size_t stride = v->in.c * v->kernel[0] * v->kernel[1] * BLOCK;
+    size_t blocks = (v->out.c + V_BLOCK - 1) / V_BLOCK, item, x, i, j;
+    size_t stride = v->in.c * v->kernel[0] * v->kernel[1] * V_BLOCK;
     for (item = item0; item < item1; ++item) {
-        size_t row = item / blocks, o = item % blocks * BLOCK, outs = ms_nn__min(BLOCK, v->out.c - o);
+        size_t row = item / blocks, o = item % blocks * V_BLOCK, outs = ms_nn__min(V_BLOCK, v->out.c - o);
         const float *in = job->padded + row * v->stride[0] * v->pitch, *w = v->packed + item % blocks * stride, *bias = v->bias + o;
-        float zero[BLOCK], *out = job->y + o * job->y_plane + row * job->y_row;
-        for (i = 0; i < BLOCK; ++i) zero[i] = 0;
+        float zero[V_BLOCK], *out = job->y + o * job->y_plane + row * job->y_row;
+        for (i = 0; i < V_BLOCK; ++i) zero[i] = 0;
         if (job->linear) bias = zero;
         for (x = 0; x < v->out.w;) {
-            size_t left = v->out.w - x, tile = left > (TILE - 1) * L ? TILE : 1, width = ms_nn__min(left, tile * L);
-            float buffer[BLOCK * TILE * L];
-            int direct = width == tile * L && job->y_step == 1 && !job->accumulate;
+            size_t left = v->out.w - x, tile = left > (V_TILE - 1) * V_LANES ? V_TILE : 1, width = ms_nn__min(left, tile * V_LANES);
+            float buffer[V_BLOCK * V_TILE * V_LANES];
+            int direct = width == tile * V_LANES && job->y_step == 1 && !job->accumulate;
             float *to = direct ? out + x : buffer;
-            size_t plane = direct ? job->y_plane : TILE * L;
-            if (tile == TILE) MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, TILE);
+            size_t plane = direct ? job->y_plane : V_TILE * V_LANES;
+            if (tile == V_TILE) MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, V_TILE);
             else MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, 1);
             for (i = 0; !direct && i < outs; ++i)
                 for (j = 0; j < width; ++j) {
                     float *y = out + i * job->y_plane + (x + j) * job->y_step;
-                    *y = job->accumulate ? *y + buffer[i * TILE * L + j] : buffer[i * TILE * L + j];
+                    *y = job->accumulate ? *y + buffer[i * V_TILE * V_LANES + j] : buffer[i * V_TILE * V_LANES + j];
                 }
             x += width;
         }
@@ -4847,9 +4971,9 @@ static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t item0, size_t ite
 
 /* e^x - c, c = 0 or 1, for x in [-87, 88]: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c); e^r - 1 = r + r^2 q(r) with the
    Taylor coefficients 1/2 to 1/5040, |r| <= 0.347: relative error below 2 ulp. */
-MS_NN__INLINE V MS_NN__FN(exp_minus)(V x, float c)
+MS_NN__INLINE V_FLOATS MS_NN__FN(exp_minus)(V_FLOATS x, float c)
 {
-    V r, q, s, t;
+    V_FLOATS r, q, s, t;
     V_INT n;
     x = V_MAX(V_SET(-87.0f), V_MIN(V_SET(88.0f), x));
     n = V_ROUND(V_MUL(x, V_SET(1.44269504f)));
@@ -4868,9 +4992,9 @@ MS_NN__INLINE V MS_NN__FN(exp_minus)(V x, float c)
 }
 
 /* ln(1 + e) for e in [0, 1]: 2 artanh(z), z = e / (2 + e) <= 1/3; the series to z^15 leaves 1e-9. */
-MS_NN__INLINE V MS_NN__FN(log1p)(V e)
+MS_NN__INLINE V_FLOATS MS_NN__FN(log1p)(V_FLOATS e)
 {
-    V z = V_DIV(e, V_ADD(e, V_SET(2.0f))), s = V_MUL(z, z), q = V_SET(1.0f / 15);
+    V_FLOATS z = V_DIV(e, V_ADD(e, V_SET(2.0f))), s = V_MUL(z, z), q = V_SET(1.0f / 15);
     q = V_MADD(q, s, V_SET(1.0f / 13));
     q = V_MADD(q, s, V_SET(1.0f / 11));
     q = V_MADD(q, s, V_SET(1.0f / 9));
@@ -4880,9 +5004,9 @@ MS_NN__INLINE V MS_NN__FN(log1p)(V e)
     return V_MUL(V_ADD(z, z), V_MADD(q, s, V_SET(1.0f)));
 }
 
-MS_NN__INLINE V MS_NN__FN(activated)(V x, ms_nn__activation activation, float alpha)
+MS_NN__INLINE V_FLOATS MS_NN__FN(activated)(V_FLOATS x, ms_nn__activation activation, float alpha)
 {
-    V zero = V_SET(0.0f), one = V_SET(1.0f), magnitude, e;
+    V_FLOATS zero = V_SET(0.0f), one = V_SET(1.0f), magnitude, e;
     if (activation == MS_NN__RELU) return V_MAX(zero, x);
     if (activation == MS_NN__LEAKY) return V_IF_GREATER(x, zero, x, V_MUL(x, V_SET(alpha)));
     if (activation == MS_NN__ELU) return V_IF_GREATER(x, zero, x, V_MUL(V_SET(alpha), MS_NN__FN(exp_minus)(V_MIN(zero, x), 1.0f)));
@@ -4898,9 +5022,9 @@ MS_NN__INLINE V MS_NN__FN(activated)(V x, ms_nn__activation activation, float al
 }
 
 /* Slope where the activation's value is y. */
-MS_NN__INLINE V MS_NN__FN(slope)(V y, ms_nn__activation activation, float alpha)
+MS_NN__INLINE V_FLOATS MS_NN__FN(slope)(V_FLOATS y, ms_nn__activation activation, float alpha)
 {
-    V zero = V_SET(0.0f), one = V_SET(1.0f);
+    V_FLOATS zero = V_SET(0.0f), one = V_SET(1.0f);
     if (activation == MS_NN__RELU) return V_IF_GREATER(y, zero, one, zero);
     if (activation == MS_NN__LEAKY) return V_IF_GREATER(y, zero, one, V_SET(alpha));
     if (activation == MS_NN__ELU) return V_IF_GREATER(y, zero, one, V_ADD(y, V_SET(alpha)));
@@ -4912,9 +5036,9 @@ MS_NN__INLINE V MS_NN__FN(slope)(V y, ms_nn__activation activation, float alpha)
 /* y = f(y), or g = f'(y) g where y is f's value. */
 MS_NN__INLINE void MS_NN__FN(activate_as)(float *y, size_t n, ms_nn__activation activation, float alpha)
 {
-    float last[L];
+    float last[V_LANES];
     size_t i;
-    for (i = 0; i + L <= n; i += L) V_STORE(y + i, MS_NN__FN(activated)(V_LOAD(y + i), activation, alpha));
+    for (i = 0; i + V_LANES <= n; i += V_LANES) V_STORE(y + i, MS_NN__FN(activated)(V_LOAD(y + i), activation, alpha));
     if (i == n) return;
     memset(last, 0, sizeof last);
     memcpy(last, y + i, (n - i) * sizeof(float));
@@ -4924,9 +5048,9 @@ MS_NN__INLINE void MS_NN__FN(activate_as)(float *y, size_t n, ms_nn__activation 
 
 MS_NN__INLINE void MS_NN__FN(derive_as)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha)
 {
-    float last[2][L];
+    float last[2][V_LANES];
     size_t i;
-    for (i = 0; i + L <= n; i += L) V_STORE(g + i, V_MUL(V_LOAD(g + i), MS_NN__FN(slope)(V_LOAD(y + i), activation, alpha)));
+    for (i = 0; i + V_LANES <= n; i += V_LANES) V_STORE(g + i, V_MUL(V_LOAD(g + i), MS_NN__FN(slope)(V_LOAD(y + i), activation, alpha)));
     if (i == n) return;
     memset(last, 0, sizeof last);
     memcpy(last[0], y + i, (n - i) * sizeof(float));
@@ -4965,8 +5089,8 @@ static void MS_NN__FN(derive)(const float *y, float *g, size_t n, ms_nn__activat
 static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 {
     size_t j = 0;
-    for (; j + L <= n; j += L, x += 2 * L) {
-        V a = V_LOAD(x), b = V_LOAD(x + L), c = V_LOAD(x + row), d = V_LOAD(x + row + L);
+    for (; j + V_LANES <= n; j += V_LANES, x += 2 * V_LANES) {
+        V_FLOATS a = V_LOAD(x), b = V_LOAD(x + V_LANES), c = V_LOAD(x + row), d = V_LOAD(x + row + V_LANES);
         a = V_MAX_NAN(a, c);
         b = V_MAX_NAN(b, d);
         V_STORE(y + j, V_PAIR_MAX(a, b));
@@ -4974,43 +5098,43 @@ static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
     for (; j < n; ++j, x += 2) y[j] = ms_nn__max_nan(ms_nn__max_nan(x[0], x[row]), ms_nn__max_nan(x[1], x[row + 1]));
 }
 
-/* --- double precision, for the collapse: vectors of M --- */
+/* --- double precision, for the collapse: vectors of D_LANES --- */
 
 #if MS_NN__ISA == 1
-#define M 1
-#define D double
+#define D_LANES 1
+#define D_DOUBLES double
 #define D_LOAD(p) (*(p))
 #define D_STORE(p, v) (*(p) = (v))
 #define D_SET(x) (x)
 #define D_ADD(a, b) ((a) + (b))
 #define D_MADD(a, b, c) ((a) * (b) + (c))
 #elif MS_NN__ISA == 2 && defined(MS__X64)
-#define M 2
-#define D __m128d
+#define D_LANES 2
+#define D_DOUBLES __m128d
 #define D_LOAD(p) _mm_loadu_pd(p)
 #define D_STORE(p, v) _mm_storeu_pd(p, v)
 #define D_SET(x) _mm_set1_pd(x)
 #define D_ADD(a, b) _mm_add_pd(a, b)
 #define D_MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
 #elif MS_NN__ISA == 2
-#define M 2
-#define D float64x2_t
+#define D_LANES 2
+#define D_DOUBLES float64x2_t
 #define D_LOAD(p) vld1q_f64(p)
 #define D_STORE(p, v) vst1q_f64(p, v)
 #define D_SET(x) vdupq_n_f64(x)
 #define D_ADD(a, b) vaddq_f64(a, b)
 #define D_MADD(a, b, c) vfmaq_f64(c, a, b)
 #elif MS_NN__ISA == 3
-#define M 4
-#define D __m256d
+#define D_LANES 4
+#define D_DOUBLES __m256d
 #define D_LOAD(p) _mm256_loadu_pd(p)
 #define D_STORE(p, v) _mm256_storeu_pd(p, v)
 #define D_SET(x) _mm256_set1_pd(x)
 #define D_ADD(a, b) _mm256_add_pd(a, b)
 #define D_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
 #else
-#define M 8
-#define D __m512d
+#define D_LANES 8
+#define D_DOUBLES __m512d
 #define D_LOAD(p) _mm512_loadu_pd(p)
 #define D_STORE(p, v) _mm512_storeu_pd(p, v)
 #define D_SET(x) _mm512_set1_pd(x)
@@ -5021,8 +5145,8 @@ static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 /* out[i][k] = a_i . b_k for na x nb columns (at most 4 x 2) of n elements, `stride` apart. */
 MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t stride, size_t n, double *out, size_t out_stride, int na, int nb)
 {
-    D s[4][2];
-    double lane[M];
+    D_DOUBLES s[4][2];
+    double lane[D_LANES];
     size_t j = 0;
     int i, k, l;
     MS_NN__UNROLL
@@ -5030,13 +5154,13 @@ MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t
         MS_NN__UNROLL
         for (k = 0; k < nb; ++k) s[i][k] = D_SET(0.0);
     }
-    for (; j + M <= n; j += M) {
-        D v[2];
+    for (; j + D_LANES <= n; j += D_LANES) {
+        D_DOUBLES v[2];
         MS_NN__UNROLL
         for (k = 0; k < nb; ++k) v[k] = D_LOAD(b + (size_t)k * stride + j);
         MS_NN__UNROLL
         for (i = 0; i < na; ++i) {
-            D u = D_LOAD(a + (size_t)i * stride + j);
+            D_DOUBLES u = D_LOAD(a + (size_t)i * stride + j);
             MS_NN__UNROLL
             for (k = 0; k < nb; ++k) s[i][k] = D_MADD(u, v[k], s[i][k]);
         }
@@ -5048,7 +5172,7 @@ MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t
             double sum = 0;
             size_t rest;
             D_STORE(lane, s[i][k]);
-            for (l = 0; l < M; ++l) sum += lane[l];
+            for (l = 0; l < D_LANES; ++l) sum += lane[l];
             for (rest = j; rest < n; ++rest) sum += a[(size_t)i * stride + rest] * b[(size_t)k * stride + rest];
             out[(size_t)i * out_stride + (size_t)k] = sum;
         }
@@ -5075,13 +5199,13 @@ static void MS_NN__FN(gram)(const double *a, size_t na, const double *b, size_t 
 /* y += s_0 a_0 + ... + s_3 a_3 over n elements. */
 MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride, size_t n, const double *s, size_t s_stride, int na)
 {
-    D f[4];
+    D_DOUBLES f[4];
     size_t j = 0;
     int i;
     MS_NN__UNROLL
     for (i = 0; i < na; ++i) f[i] = D_SET(s[(size_t)i * s_stride]);
-    for (; j + M <= n; j += M) {
-        D sum = D_LOAD(y + j);
+    for (; j + D_LANES <= n; j += D_LANES) {
+        D_DOUBLES sum = D_LOAD(y + j);
         MS_NN__UNROLL
         for (i = 0; i < na; ++i) sum = D_MADD(f[i], D_LOAD(a + (size_t)i * stride + j), sum);
         D_STORE(y + j, sum);
@@ -5101,10 +5225,10 @@ static void MS_NN__FN(add)(double *y, const double *a, size_t na, size_t stride,
 /* (a, b) = (c a - s b, s a + c b). */
 static void MS_NN__FN(rotate)(double *a, double *b, size_t n, double c, double s)
 {
-    D vc = D_SET(c), vs = D_SET(s), minus = D_SET(-s);
+    D_DOUBLES vc = D_SET(c), vs = D_SET(s), minus = D_SET(-s);
     size_t j = 0;
-    for (; j + M <= n; j += M) {
-        D u = D_LOAD(a + j), v = D_LOAD(b + j);
+    for (; j + D_LANES <= n; j += D_LANES) {
+        D_DOUBLES u = D_LOAD(a + j), v = D_LOAD(b + j);
         D_STORE(a + j, D_MADD(vc, u, D_MADD(minus, v, D_SET(0.0))));
         D_STORE(b + j, D_MADD(vs, u, D_MADD(vc, v, D_SET(0.0))));
     }
@@ -5120,26 +5244,26 @@ static void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, float *out)
 {
     size_t size = m->dtype == MS_NN_F32 ? 4 : m->dtype == MS_NN_I8 ? 1 : 2, k = 0;
     const unsigned char *w = m->w + row * m->cols * size;
-    for (; k + L <= m->cols; k += L) V_STORE(out + k, MS_NN__FN(weight)(w + k * size, m->dtype));
+    for (; k + V_LANES <= m->cols; k += V_LANES) V_STORE(out + k, MS_NN__FN(weight)(w + k * size, m->dtype));
     if (k < m->cols) {
-        float last[L];
+        float last[V_LANES];
         V_STORE(last, MS_NN__FN(weight_part)(w + k * size, m->dtype, m->cols - k));
         memcpy(out + k, last, (m->cols - k) * sizeof(float));
     }
 }
 
-static const ms_nn__kernels MS_NN__FN(table) = {BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(activate),
+static const ms_nn__kernels MS_NN__FN(table) = {V_BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(activate),
                                                 MS_NN__FN(derive), MS_NN__FN(pool2), MS_NN__FN(gram), MS_NN__FN(add), MS_NN__FN(rotate),
                                                 MS_NN__FN(row)};
 
 #undef MS_NN__LEVEL
 #undef MS_NN__ISA
-#undef L
-#undef BLOCK
-#undef TILE
-#undef ROWS
-#undef CHAINS
-#undef B
+#undef V_LANES
+#undef V_BLOCK
+#undef V_TILE
+#undef W_ROWS
+#undef W_CHAINS
+#undef B_INTS
 #undef B_BYTES
 #undef B_ZERO
 #undef B_LOAD
@@ -5149,10 +5273,10 @@ static const ms_nn__kernels MS_NN__FN(table) = {BLOCK, MS_NN__FN(dense), MS_NN__
 #undef B_SUM4
 #undef B_PART
 #undef B_DOT
-#undef INT8_ROWS
+#undef B_ROWS
 #undef V_MAX_NAN
 #undef V_PAIR_MAX
-#undef V
+#undef V_FLOATS
 #undef V_LOAD
 #undef V_STORE
 #undef V_SET
@@ -5172,8 +5296,8 @@ static const ms_nn__kernels MS_NN__FN(table) = {BLOCK, MS_NN__FN(dense), MS_NN__
 #undef W_HALF
 #undef W_BRAIN
 #undef W_INT8
-#undef M
-#undef D
+#undef D_LANES
+#undef D_DOUBLES
 #undef D_LOAD
 #undef D_STORE
 #undef D_SET
