@@ -2406,8 +2406,8 @@ static void ms_mcml__cone_make(ms_mcml__cone *cone, double eta)
 {
     double mu_c = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0, step = 6.6 / MS_MCML_CONE_MAX;
     int i;
-    cone->count = 0;
-    for (i = 0; i < MS_MCML_CONE_MAX; ++i) {
+    cone->count = MS_MCML_CONE_MAX;
+    for (i = 0; i < cone->count; ++i) {
         double x = (i + 0.5 - 0.5 * MS_MCML_CONE_MAX) * step;
         double e = exp(-3.14159265358979324 * sinh(x));
         double above = (1 - mu_c) / (1 + e), below = (1 - mu_c) * e / (1 + e); /* mu - mu_c, 1 - mu */
@@ -2418,7 +2418,6 @@ static void ms_mcml__cone_make(ms_mcml__cone *cone, double eta)
         cone->mu[i] = mu;
         cone->sin2[i] = below * (1 + mu);
         cone->weight[i] = 0.5 * transmitted * step * 3.14159265358979324 * cosh(x) * above * e / (1 + e);
-        cone->count = i + 1;
     }
 }
 
@@ -2744,7 +2743,7 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
     s.specular *= s.specular;
     absorption = medium->mu_a_per_mm / s.mu_t_per_mm;
     entering = 1 - s.specular;
-    if (!(s.albedo > 0)) { /* nothing comes back */
+    if (!(s.albedo > 1e-100)) { /* nothing comes back */
         s.decay_per_mm = s.mu_t_per_mm;
         *out = s;
         return;
@@ -3900,7 +3899,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         U word_flight, word_cosine, word_azimuth, word_chance, events;
         V x = V_LOAD(t->x), y = V_LOAD(t->y), z = V_LOAD(t->z);
         V ux = V_LOAD(t->ux), uy = V_LOAD(t->uy), uz = V_LOAD(t->uz);
-        V w = V_LOAD(t->w), u, flight, steep, gap, step, lost;
+        V w = V_LOAD(t->w), u, flight, steep, gap, step;
         const V depth = V_LOAD(t->depth), mfp = V_LOAD(t->mfp), g = V_LOAD(t->g);
         unsigned boundary, crossing = 0, ended, halving;
         M hit, up;
@@ -3929,23 +3928,26 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         z = V_SELECT(hit, V_SELECT(up, zero, depth), V_MADD(step, uz, z));
         V_STORE(t->path, V_MADD(step, V_LOAD(t->n), V_LOAD(t->path)));
 
-        /* absorption at a collision, in units of 2^-30, rounded up with a chance equal to the remainder */
-        lost = V_SELECT(hit, zero, V_MUL(w, V_LOAD(t->absorbed)));
-        if (t->volume_a || t->volume_phi) {
-            const V r = V_SQRT(V_MADD(x, x, V_MUL(y, y))), ring = V_MIN(V_MUL(r, V_SET(t->inverse_dr)), V_SET(t->last_r));
-            const V slab = V_MUL(V_ADD(z, V_LOAD(t->top)), V_SET(t->inverse_dz));
-            const U row = U_MUL(V_TO_INT(V_MAX(ring, zero)), U_SET(t->nz));
-            const V column = V_MAX(V_MIN(slab, V_SET(t->last_z)), zero);
-            U_STORE(t->cell, U_ADD(row, V_TO_INT(column)));
-            V_STORE(t->units_a, V_MADD(lost, V_SET(MS_MCML__UNITS), u));
-            V_STORE(t->units_phi, V_SELECT(hit, zero, V_MADD(V_MUL(w, mfp), V_SET(t->phi_units), u)));
-        }
-        w = V_SUB(w, lost);
-        V_STORE(t->kept, V_ADD(lost, V_LOAD(t->kept)));
-        w = V_SELECT(V_LESS(V_SELECT(hit, one, w), V_SET(t->low_weight)),
-                     V_SELECT(V_LESS(u, V_SET(MS_MCML__CHANCE)), V_MUL(w, V_SET(1 / MS_MCML__CHANCE)), zero), w);
+        if (M_BITS(hit) == all) {
+            V_STORE(t->units_a, zero);
+            V_STORE(t->units_phi, zero);
+        } else {
+            /* absorption at a collision, in units of 2^-30, rounded up with a chance equal to the remainder */
+            const V lost = V_SELECT(hit, zero, V_MUL(w, V_LOAD(t->absorbed)));
+            if (t->volume_a || t->volume_phi) {
+                const V r = V_SQRT(V_MADD(x, x, V_MUL(y, y))), ring = V_MIN(V_MUL(r, V_SET(t->inverse_dr)), V_SET(t->last_r));
+                const V slab = V_MUL(V_ADD(z, V_LOAD(t->top)), V_SET(t->inverse_dz));
+                const U row = U_MUL(V_TO_INT(V_MAX(ring, zero)), U_SET(t->nz));
+                const V column = V_MAX(V_MIN(slab, V_SET(t->last_z)), zero);
+                U_STORE(t->cell, U_ADD(row, V_TO_INT(column)));
+                V_STORE(t->units_a, V_MADD(lost, V_SET(MS_MCML__UNITS), u));
+                V_STORE(t->units_phi, V_SELECT(hit, zero, V_MADD(V_MUL(w, mfp), V_SET(t->phi_units), u)));
+            }
+            w = V_SUB(w, lost);
+            V_STORE(t->kept, V_ADD(lost, V_LOAD(t->kept)));
+            w = V_SELECT(V_LESS(V_SELECT(hit, one, w), V_SET(t->low_weight)),
+                         V_SELECT(V_LESS(u, V_SET(MS_MCML__CHANCE)), V_MUL(w, V_SET(1 / MS_MCML__CHANCE)), zero), w);
 
-        if (M_BITS(hit) != all) {
             /* Henyey-Greenstein, v = 2 xi - 1:
                1 - cos = (1 - g)^2 (1 - v) (2 + g + g v) / (2 (1 + g v)^2), 1 + cos the same with -g and -v */
             const V xi = MS_MCML__FN(uniform)(word_cosine), gv = V_MUL(g, V_MADD(two, xi, V_SET(-1.0f)));
@@ -3981,13 +3983,14 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
             uz = V_SELECT(hit, uz, V_MUL(vz, scale));
         }
 
-        if (boundary) { /* Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0, and R = 1 by itself */
+        if (boundary) { /* Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0 and so R = 1 */
             const V ratio = V_SELECT(up, V_LOAD(t->ratio_up), V_LOAD(t->ratio_down));
             const V sin2_i = V_MAX(V_NMADD(steep, steep, one), zero);
             const V cos_t = V_SQRT(V_MAX(V_NMADD(V_MUL(ratio, ratio), sin2_i, one), zero));
-            const V si = V_MUL(ratio, steep), pt = V_MUL(ratio, cos_t);
-            const V rs = V_DIV(V_SUB(si, cos_t), V_ADD(si, cos_t)), rp = V_DIV(V_SUB(pt, steep), V_ADD(pt, steep));
-            const M back = V_LESS(u, V_MUL(half, V_MADD(rs, rs, V_MUL(rp, rp))));
+            const V si = V_MUL(ratio, steep), pt = V_MUL(ratio, cos_t); /* R = (rs^2 + rp^2) / 2, u < R without division */
+            const V s_sum = V_ADD(si, cos_t), p_sum = V_ADD(pt, steep), both = V_MUL(s_sum, p_sum);
+            const V rs = V_MUL(V_SUB(si, cos_t), p_sum), rp = V_MUL(V_SUB(pt, steep), s_sum);
+            const M back = V_LESS(V_MUL(u, V_MUL(both, both)), V_MUL(half, V_ADD(V_MUL(rs, rs), V_MUL(rp, rp))));
             uz = V_SELECT(hit, V_SELECT(back, V_SUB(zero, uz), uz), uz);
             V_STORE(t->cos_t, cos_t);
             crossing = boundary & ~M_BITS(back);

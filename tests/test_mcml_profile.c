@@ -198,6 +198,8 @@ static void totals_at_the_edges(void)
     /* a^2 and more of small albedos: the total is single scattering to first order */
     s = solve(medium_of(1e-9, 1.3));
     CHECK_NEAR(s.total / s.total_single, 1, 1e-8);
+    CHECK_NEAR(solve(medium_of(1e-90, 1.3)).total / s.total, 1e-81, 1e-89);
+    CHECK(solve(medium_of(1e-300, 1.3)).total <= 1e-100);
     /* units: per km and per nm */
     m = medium_of(0.9, 1.3);
     m.mu_a_per_mm *= 1e-6;
