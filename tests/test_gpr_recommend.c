@@ -1152,6 +1152,16 @@ static void test_map_refusals(void)
     CHECK_INT(ms_gpr_variants(p.plane, p.t.gp, &s, &p.grid, &lambda, 1, 0, &v, NULL, &error), MS_INVALID_ARGUMENT);
     CHECK(strstr(error.message, "lambda[0] is 2") != NULL);
     {
+        ms_gpr_latent_options o;
+        ms_gpr_latent *line;
+        memset(&o, 0, sizeof o);
+        o.dimensions = 1;
+        CHECK_INT(ms_gpr_latent_fit(p.liked, p.z, 12, &o, &line, NULL, NULL), MS_OK);
+        bad = ms_gpr_grid_around(line, 4);
+        CHECK_INT(ms_gpr_map_confidence(line, &bad, map, &error), MS_INVALID_ARGUMENT);
+        ms_gpr_latent_destroy(line);
+    }
+    {
         taste other = taste_make(1, 20, 5, 0.5, NULL);
         CHECK_INT(ms_gpr_map_preference(p.plane, other.gp, &p.grid, map, NULL, &error), MS_INVALID_ARGUMENT);
         taste_free(&other);
