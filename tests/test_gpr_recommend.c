@@ -550,6 +550,65 @@ static void test_recommend_memory(void)
     });
 }
 
+static void *alloc_filled(void *fill, size_t size)
+{
+    void *p = malloc(size);
+    if (p) memset(p, *(int *)fill, size);
+    return p;
+}
+
+static void release_filled(void *fill, void *p, size_t size)
+{
+    (void)fill;
+    (void)size;
+    free(p);
+}
+
+/* Whatever memory held before, zeros or NaN, results are the same to the bit. */
+static void test_memory_content(void)
+{
+    static double first[2000], second[2000];
+    int fills[] = {0, 0xff}, i, kind;
+    for (i = 0; i < 2; ++i) {
+        double *out = i ? second : first;
+        ms_gpr_options options;
+        ms_gpr_latent_options latent_options;
+        ms_gpr_latent *plane;
+        taste t;
+        memset(&options, 0, sizeof options);
+        memset(&latent_options, 0, sizeof latent_options);
+        options.allocator.user = &fills[i];
+        options.allocator.alloc = alloc_filled;
+        options.allocator.release = release_filled;
+        latent_options.allocator = options.allocator;
+        t = taste_make(9, 61, 5, 0.3, &options); /* 61: three padded points */
+        memset(out, 0, sizeof first);
+        for (kind = 0; kind < 4; ++kind) {
+            ms_gpr_recommend_options o = recommend_options();
+            o.search = (ms_gpr_search)kind;
+            o.caution = kind % 2 ? 0.5 : 0;
+            CHECK_INT(ms_gpr_recommend(t.gp, &o, 40, out + 200 * kind, NULL, NULL, NULL, NULL), MS_OK);
+        }
+        for (kind = 0; kind < 5; ++kind) {
+            ms_gpr_gallery_options g;
+            memset(&g, 0, sizeof g);
+            g.kind = (ms_gpr_gallery_kind)kind;
+            CHECK_INT(ms_gpr_gallery(t.gp, &g, 20, out + 800 + 100 * kind, NULL), MS_OK);
+        }
+        CHECK_INT(ms_gpr_latent_fit(t.x, 19, 5, &latent_options, &plane, NULL, NULL), MS_OK);
+        {
+            ms_gpr_grid grid = ms_gpr_grid_around(plane, 9);
+            CHECK_INT(ms_gpr_map_preference(plane, t.gp, &grid, out + 1300, out + 1400, NULL), MS_OK);
+            CHECK_INT(ms_gpr_map_confidence(plane, &grid, out + 1500, NULL), MS_OK);
+            CHECK_INT(ms_gpr_latent_likelihood(plane, out + 1600, out + 1601, out + 1610, NULL), MS_OK);
+            CHECK_INT(ms_gpr_latent_find(plane, t.x, out + 1700, out + 1703, out + 1704, NULL), MS_OK);
+        }
+        ms_gpr_latent_destroy(plane);
+        taste_free(&t);
+    }
+    CHECK(memcmp(first, second, sizeof first) == 0);
+}
+
 /* --- galleries --- */
 
 /* P(u > 0) sigma of x under a model. */
@@ -1230,6 +1289,7 @@ static const test_case cases[] = {
     {"recommend hard cases", test_recommend_hard},
     {"recommend precision", test_precision},
     {"recommend memory", test_recommend_memory},
+    {"memory content", test_memory_content},
     {"gallery greedy choices", test_gallery_greedy},
     {"gallery intermediate distribution", test_gallery_intermediate},
     {"gallery kinds", test_gallery_kinds},
