@@ -4427,6 +4427,32 @@ MS_GPR_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *g
     return status;
 }
 
+#undef MS_GPR__BLOCK
+#undef MS_GPR__CHUNK
+#undef MS_GPR__SLAB
+#undef MS_GPR__UPPER
+#undef MS_GPR__LOWER
+#undef MS_GPR__MEMORY
+#undef MS_GPR__DROPPED
+#undef MS_GPR__N_MAX
+#undef MS_GPR__PRIOR_LENGTH
+#undef MS_GPR__PRIOR_SF
+#undef MS_GPR__PRIOR_SN
+#undef MS_GPR__PRIOR_SD
+#undef MS_GPR__HEADER
+#undef MS_GPR__BATCH
+#undef MS_GPR__BATCHES
+#undef MS_GPR__PILOT
+#undef MS_GPR__GROUP
+#undef MS_GPR__GROUPS
+#undef MS_GPR__SUMMITS
+#undef MS_GPR__RARE
+#undef MS_GPR__RARE_CAUTIOUS
+#undef MS_GPR__NEIGHBOURS
+#undef MS_GPR__LATENT_TRIAL
+#undef MS_GPR__LATENT_STARTS
+#undef MS_GPR__MOVES
+#undef MS_GPR__HALVINGS
 #endif /* MS_GPR_IMPLEMENTATION */
 
 #ifdef MS_GPR__PASS
