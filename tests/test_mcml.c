@@ -238,13 +238,13 @@ static void errors_are_honest(void)
         for (k = 0; k < 9; ++k) {
             sum[k] += v[k];
             square[k] += v[k] * v[k];
-            claimed[k] += e[k] * e[k] / RUNS;
+            claimed[k] += e[k] * e[k] / (double)RUNS;
         }
         ms_mcml_result_destroy(&r);
     }
     TEST_NOTE("variance found / claimed:");
     for (k = 0; k < 9; ++k) {
-        double variance = (square[k] - sum[k] * sum[k] / RUNS) / (RUNS - 1), ratio = variance / claimed[k];
+        double variance = (square[k] - sum[k] * sum[k] / (double)RUNS) / (double)(RUNS - 1), ratio = variance / claimed[k];
         if (!(ratio > 0.5 && ratio < 2)) TEST_FAIL("%s: variance %.3g, claimed %.3g", name[k], variance, claimed[k]);
         TEST_NOTE("%s %.2f", name[k], ratio);
     }
@@ -788,7 +788,7 @@ static void refuses(const char *gist, double n, double mu_a, double mu_s, double
 
 static void bad_arguments(void)
 {
-    const double nan = NAN, inf = INFINITY;
+    const double nan = (double)NAN, inf = (double)INFINITY;
     ms_mcml_layer l = layer(1.4, 1, 1, 0, 1);
     ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
     ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
