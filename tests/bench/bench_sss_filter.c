@@ -1,0 +1,301 @@
+/* The filter of ms_sss.h at 1920 x 1080: 7 taps beside a plain loop and a memory copy of the same run, masks, layouts,
+   two threads, the pyramid. Build: see Makefile (make bench). */
+#define MS_SSS_IMPLEMENTATION
+#include "ms_sss.h"
+#include "bench.h"
+#include "plot.h"
+#include "test.h"
+
+enum { W = 1920, H = 1080, N = W * H, RUNS = 9 };
+static float *in[3], *out[3], *between[3], *expected[3], *depth, *mask, *packed, *packed_out;
+static uint16_t *halves, *halves_out;
+static ms_sss_kernel kernel, whole; /* radius 24 pixels in the middle of the picture; taps at whole pixels */
+static ms_sss_pyramid pyramid;
+
+/* --- what it is compared with --- */
+
+static void pass(float *const *from, float *const *to, int dx, int dy, int nearest)
+{
+    const float size = (float)H / (2 * tanf(17.5f * 3.14159265f / 180)), sigma = kernel.radius_mm / 3;
+    int x, y, i, c, h;
+    for (y = 0; y < H; ++y) {
+        for (x = 0; x < W; ++x) {
+            const float z = depth[y * W + x], pixels = size / z;
+            float sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0};
+            for (i = 0; i < kernel.tap_count; ++i) {
+                const float t = kernel.offset_mm[i] * pixels;
+                const int whole_part = (int)floorf(nearest ? t + 0.5f : t);
+                for (h = 0; h < (nearest ? 1 : 2); ++h) {
+                    const int px = x + dx * (whole_part + h), py = y + dy * (whole_part + h);
+                    const float share = nearest ? 1 : h ? t - (float)whole_part : 1 - (t - (float)whole_part);
+                    float dz, f;
+                    if (px < 0 || py < 0 || px >= W || py >= H) continue;
+                    dz = depth[py * W + px] - z;
+                    f = share * expf(-dz * dz / (2 * sigma * sigma));
+                    if (!(fabsf(dz) < kernel.radius_mm)) continue;
+                    for (c = 0; c < 3; ++c) {
+                        sum[c] += kernel.weight[0][i][c] * f * from[c][py * W + px];
+                        norm[c] += kernel.weight[0][i][c] * f;
+                    }
+                }
+            }
+            for (c = 0; c < 3; ++c) to[c][y * W + x] = sum[c] / norm[c];
+        }
+    }
+}
+
+static void plain_linear(void *unused)
+{
+    (void)unused;
+    pass(in, between, 1, 0, 0);
+    pass(between, expected, 0, 1, 0);
+}
+
+static void plain_nearest(void *unused)
+{
+    (void)unused;
+    pass(in, between, 1, 0, 1);
+    pass(between, out, 0, 1, 1);
+}
+
+static void copies(void *unused) /* what two passes must read and write at least */
+{
+    int c;
+    (void)unused;
+    for (c = 0; c < 3; ++c) memcpy(between[c], in[c], (size_t)N * sizeof(float));
+    for (c = 0; c < 3; ++c) memcpy(out[c], between[c], (size_t)N * sizeof(float));
+}
+
+/* --- the filter --- */
+
+typedef struct setup {
+    ms_sss_frame frame;
+    ms_sss_filter_options options;
+    const ms_sss_kernel *kernel;
+    void *workspace;
+    size_t size;
+    int use_pyramid;
+} setup;
+
+enum { DEPTH = 1, MASK = 2, IN_PLACE = 4, RGB = 8, RGBZ = 16, HALF = 32, PYRAMID = 64, DELTA = 128 };
+
+static setup prepare(int kind, ms_simd level)
+{
+    setup s;
+    memset(&s, 0, sizeof s);
+    s.kernel = kind & (DEPTH | DELTA) ? &kernel : &whole;
+    s.use_pyramid = kind & PYRAMID;
+    s.options.simd = level;
+    s.frame.width = W;
+    s.frame.height = H;
+    s.frame.input = ms_sss_planar(in[0], in[1], in[2], 0);
+    s.frame.output = ms_sss_planar(out[0], out[1], out[2], 0);
+    if (kind & RGB) {
+        s.frame.input = ms_sss_interleaved(packed, 3, 0);
+        s.frame.output = ms_sss_interleaved(packed_out, 3, 0);
+    }
+    if (kind & RGBZ) {
+        s.frame.input = ms_sss_interleaved(packed, 4, 0);
+        s.frame.output = ms_sss_interleaved(packed_out, 4, 0);
+    }
+    if (kind & HALF) {
+        s.frame.input = ms_sss_interleaved(halves, 4, 1);
+        s.frame.output = ms_sss_interleaved(halves_out, 4, 1);
+    }
+    if (kind & IN_PLACE) s.frame.output = s.frame.input;
+    if (kind & DEPTH) {
+        s.frame.depth = ms_sss_map(depth, 1, 0);
+        s.options.fov_degrees = 35;
+        s.options.mm_per_unit = kind & PYRAMID ? 0.375f : 1; /* radius 64 pixels instead of 24 */
+    } else {
+        s.options.pixels_per_mm[0] = (kind & PYRAMID ? 64 : 24) / kernel.radius_mm;
+    }
+    if (kind & MASK) s.frame.strength = ms_sss_map(mask, 1, 0);
+    s.size = kind & PYRAMID ? ms_sss_pyramid_workspace(W, H) : ms_sss_filter_workspace(W, H, s.kernel, 1, &s.options);
+    s.workspace = malloc(s.size);
+    return s;
+}
+
+static void filter(void *context)
+{
+    setup *s = (setup *)context;
+    ms_error error;
+    ms_status status = s->use_pyramid
+                           ? ms_sss_pyramid_filter(&s->frame, &pyramid, &s->options, s->workspace, s->size, &error)
+                           : ms_sss_filter(&s->frame, s->kernel, 1, &s->options, s->workspace, s->size, &error);
+    if (status != MS_OK) {
+        fprintf(stderr, "bench_sss_filter: %s\n", error.message);
+        exit(1);
+    }
+}
+
+static bench_time time_of(int kind, ms_simd level, int runs)
+{
+    setup s = prepare(kind, level);
+    bench_time t = bench_run(filter, &s, runs);
+    free(s.workspace);
+    return t;
+}
+
+static double wall_of(int kind, int threads)
+{
+    setup s = prepare(kind, MS_SIMD_AUTO);
+    test_pool pool;
+    double t[RUNS];
+    int i;
+    if (threads > 1) s.options.parallel = test_parallel(&pool, threads);
+    filter(&s);
+    for (i = 0; i < RUNS; ++i) {
+        t[i] = bench_wall();
+        filter(&s);
+        t[i] = bench_wall() - t[i];
+    }
+    free(s.workspace);
+    return bench_median(t, RUNS);
+}
+
+static void make_inputs(void)
+{
+    static const double variance[6] = {0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41};
+    static const double weight[6][3] = {{0.233, 0.455, 0.649}, {0.1, 0.336, 0.344}, {0.118, 0.198, 0},
+                                        {0.113, 0.007, 0.007}, {0.358, 0.004, 0},   {0.078, 0, 0}}; /* d'Eon's skin */
+    double sigma[6][3];
+    ms_sss_kernel_options o = ms_sss_kernel_defaults();
+    ms_sss_profile *profile;
+    int i, c, x, y;
+    for (i = 0; i < 6; ++i)
+        for (c = 0; c < 3; ++c) sigma[i][c] = sqrt(variance[i]);
+    o.no_delta = 1;
+    if (ms_sss_profile_from_gaussians(&profile, 6, (const double(*)[3])sigma, weight, NULL, NULL) != MS_OK ||
+        ms_sss_kernel_make(&kernel, NULL, profile, 24, &o, NULL, NULL) != MS_OK || ms_sss_pyramid_make(&pyramid, profile, NULL) != MS_OK)
+        exit(1);
+    ms_sss_profile_destroy(profile);
+    whole = kernel;
+    for (i = 0; i < kernel.tap_count; ++i)
+        whole.offset_mm[i] = floorf(kernel.offset_mm[i] * 24 / kernel.radius_mm + 0.5f) * kernel.radius_mm / 24;
+    for (c = 0; c < 3; ++c) {
+        in[c] = (float *)malloc((size_t)N * sizeof(float));
+        out[c] = (float *)malloc((size_t)N * sizeof(float));
+        between[c] = (float *)malloc((size_t)N * sizeof(float));
+        expected[c] = (float *)malloc((size_t)N * sizeof(float));
+    }
+    depth = (float *)malloc((size_t)N * sizeof(float));
+    mask = (float *)malloc((size_t)N * sizeof(float));
+    packed = (float *)malloc((size_t)N * 4 * sizeof(float));
+    packed_out = (float *)malloc((size_t)N * 4 * sizeof(float));
+    halves = (uint16_t *)malloc((size_t)N * 4 * sizeof(uint16_t));
+    halves_out = (uint16_t *)malloc((size_t)N * 4 * sizeof(uint16_t));
+    for (y = 0; y < H; ++y) {
+        for (x = 0; x < W; ++x) { /* a ball in front of a wall; the mask: a disc that covers a quarter */
+            const double u = (x - W / 2) / 540.0, v = (y - H / 2) / 540.0, r = 0.8 - u * u - v * v;
+            i = y * W + x;
+            depth[i] = (float)((r > 0 ? 100 - 20 * sqrt(r) : 130 + 5 * u) * (double)kernel.radius_mm / 1.25);
+            mask[i] = u * u + v * v < 0.5659 ? 1.0f : 0.0f;
+            for (c = 0; c < 4; ++c) {
+                const float value = (float)(((uint32_t)i * 2654435761u >> (8 + c)) & 255u) / 255 + 0.1f;
+                if (c < 3) in[c][i] = value;
+                packed[4 * i + c] = value;
+                halves[4 * i + c] = ms_sss__to_half(value);
+            }
+        }
+    }
+}
+
+int main(void)
+{
+    static const struct row {
+        const char *name;
+        int kind;
+    } rows[] = {
+        {"**depth-aware, planar**", DEPTH},
+        {"depth-aware, RGB + depth packed", DEPTH | RGBZ},
+        {"depth-aware, half RGBA", DEPTH | HALF},
+        {"depth-aware, a quarter masked in", DEPTH | MASK},
+        {"the same in place", DEPTH | MASK | IN_PLACE},
+        {"fixed whole-pixel offsets, planar", 0},
+        {"fixed offsets between pixels", DELTA},
+        {"fixed whole-pixel offsets, RGB", RGB},
+        {"fixed, a quarter masked in, in place", MASK | IN_PLACE},
+        {"pyramid, R 64 px, no depth", PYRAMID},
+        {"pyramid, R 64 px, depth", PYRAMID | DEPTH},
+        {"pyramid, R 64 px, depth, a quarter masked in", PYRAMID | DEPTH | MASK},
+    };
+    enum { ROWS = sizeof rows / sizeof rows[0] };
+    static const ms_simd levels[4] = {MS_SIMD_SCALAR, MS_SIMD_BASE, MS_SIMD_AVX2, MS_SIMD_AVX512};
+    static plot p;
+    FILE *csv = bench_open("sss_filter.csv"), *md = bench_open("sss_filter.md");
+    bench_time linear, nearest, copy, t[ROWS][4];
+    double worst = 0, pixels = (double)N * 1e-6;
+    int r, l, c, i;
+    make_inputs();
+    linear = bench_run(plain_linear, NULL, 3);
+    copy = bench_run(copies, NULL, RUNS);
+    fprintf(csv, "setting,level,ms,spread_ms\nplain loop with linear taps,compiler,%.3f,%.3f\ncopies,memcpy,%.3f,%.3f\n", 1e3 * linear.median,
+            1e3 * linear.spread, 1e3 * copy.median, 1e3 * copy.spread);
+    for (r = 0; r < ROWS; ++r) {
+        for (l = 0; l < 4; ++l) {
+            setup check;
+            t[r][l].median = 0;
+            if (ms__simd_pick(levels[l]) != levels[l]) continue;
+            if (rows[r].kind & IN_PLACE)
+                for (c = 0; c < 3; ++c) memcpy(between[c], in[c], (size_t)N * sizeof(float)); /* put back below */
+            t[r][l] = time_of(rows[r].kind, levels[l], l == 0 ? 3 : RUNS);
+            if (rows[r].kind & IN_PLACE)
+                for (c = 0; c < 3; ++c) memcpy(in[c], between[c], (size_t)N * sizeof(float));
+            fprintf(csv, "%s,%s,%.3f,%.3f\n", rows[r].name, ms_simd_string(levels[l]), 1e3 * t[r][l].median, 1e3 * t[r][l].spread);
+            if (r > 0) continue;
+            check = prepare(DEPTH, levels[l]); /* the same picture as the plain loop's */
+            filter(&check);
+            free(check.workspace);
+            for (c = 0; c < 3; ++c)
+                for (i = 0; i < N; ++i)
+                    if (!(fabs((double)out[c][i] - (double)expected[c][i]) <= worst)) worst = fabs((double)out[c][i] - (double)expected[c][i]);
+        }
+    }
+    nearest = bench_run(plain_nearest, NULL, 3);
+    fprintf(md, "%s, %s -O2, 1920 x 1080, one core, medians of %d runs, `make bench FILTER=sss_filter`. 7 taps of d'Eon's skin, R = 24 pixels.\n"
+                "Plain scalar loop of the same sums: %.0f ms (largest difference %.0e); one that reads the nearest pixel only: %.0f ms.\n"
+                "Copying what two passes read and write: %.2f ms.\n\n"
+                "| setting | scalar ms | SSE2/NEON | AVX2 | AVX-512 | x plain loop (AVX2) | x copies (AVX2) |\n|---|---:|---:|---:|---:|---:|---:|\n",
+            bench_processor(),
+#if defined(__clang__)
+            "clang",
+#else
+            "gcc",
+#endif
+            RUNS, 1e3 * linear.median, worst, 1e3 * nearest.median, 1e3 * copy.median);
+    for (r = 0; r < ROWS; ++r) {
+        fprintf(md, "| %s |", rows[r].name);
+        for (l = 0; l < 4; ++l) {
+            if (t[r][l].median > 0) fprintf(md, " %.2f +- %.2f |", 1e3 * t[r][l].median, 1e3 * t[r][l].spread);
+            else fprintf(md, " - |");
+        }
+        if (t[r][2].median > 0) fprintf(md, " %.1f | %.2f |\n", linear.median / t[r][2].median, t[r][2].median / copy.median);
+        else fprintf(md, " - | - |\n");
+    }
+    fprintf(md, "\nTwo threads against one, wall clock: depth-aware x %.2f, fixed x %.2f, pyramid x %.2f.\n", wall_of(DEPTH, 1) / wall_of(DEPTH, 2),
+            wall_of(0, 1) / wall_of(0, 2), wall_of(PYRAMID | DEPTH, 1) / wall_of(PYRAMID | DEPTH, 2));
+    plot_begin(&p, "Filter, 1920 x 1080, 7 taps", "level (0 plain loop, 1 scalar ... 4 AVX-512)", "megapixels a second", PLOT_LOG_Y);
+    for (r = 0; r < ROWS; ++r) {
+        double x[5], y[5];
+        int n = 0;
+        if (rows[r].kind != DEPTH && rows[r].kind != 0 && rows[r].kind != (PYRAMID | DEPTH)) continue;
+        if (rows[r].kind == DEPTH) {
+            x[n] = 0;
+            y[n++] = pixels / linear.median;
+        }
+        for (l = 0; l < 4; ++l) {
+            if (!(t[r][l].median > 0)) continue;
+            x[n] = l + 1;
+            y[n++] = pixels / t[r][l].median;
+        }
+        plot_series(&p, rows[r].kind == DEPTH ? "depth-aware" : rows[r].kind ? "pyramid" : "fixed", x, y, n, PLOT_LINE);
+    }
+    plot_write(&p, "build/bench/sss_filter.svg");
+    fclose(csv);
+    fclose(md);
+    md = fopen("build/bench/sss_filter.md", "r");
+    while (md && (c = getc(md)) != EOF) putchar(c);
+    if (md) fclose(md);
+    return 0;
+}
