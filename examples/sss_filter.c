@@ -65,125 +65,144 @@ static ms_status profile_of_file(const char *path, ms_sss_profile **profile, ms_
     ms_status status = MS_IO;
     memset(&text, 0, sizeof text);
     problem = image__load(path, &text);
-    if (problem)
-        snprintf(error->message, sizeof error->message, "%s", problem);
-    else
-        status = ms_sss_profile_from_csv(profile, (const char *)text.data, text.size, NULL, error);
+    if (problem) snprintf(error->message, sizeof error->message, "%s", problem);
+    else status = ms_sss_profile_from_csv(profile, (const char *)text.data, text.size, NULL, error);
     free(text.data);
     return status;
 }
 
-int main(int argc, char **argv)
-{
-    const char *path[3] = {NULL, NULL, NULL}, *material = NULL, *csv = NULL, *problem;
-    double taps = 17, mm_per_unit = 1, fov = 45, ortho = 0, strength = 1, reach[3], radius_mm = 0, nearest = HUGE_VAL;
-    int i, paths = 0, perspective = 0, pixel_count;
-    image input, depth, output;
-    ms_error error;
-    ms_sss_profile *profile = NULL;
-    ms_sss_kernel_options design = ms_sss_kernel_defaults();
-    ms_sss_filter_options options = ms_sss_filter_defaults();
-    ms_sss_frame frame;
-    static ms_sss_kernel kernel;
-    size_t workspace_size;
-    void *workspace;
+typedef struct settings {
+    const char *path[3], *material, *csv;           /* irradiance, depth, result; one of the other two is NULL */
+    double taps, mm_per_unit, fov, ortho, strength; /* ortho 0: perspective */
+} settings;
 
+/* What has to be released, however the program ends. */
+typedef struct job {
+    image input, depth, output;
+    ms_sss_profile *profile;
+    void *workspace;
+} job;
+
+/* 0, or the exit code after saying what is wrong. */
+static int parse(int argc, char **argv, settings *s)
+{
+    int i, paths = 0, perspective = 0;
+    memset(s, 0, sizeof *s);
+    s->taps = 17;
+    s->mm_per_unit = 1;
+    s->fov = 45;
+    s->strength = 1;
     for (i = 1; i < argc; ++i) {
         const char *name = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
         int known = 1, good = 1;
         if (name[0] != '-' || name[1] != '-') {
             if (paths == 3) return fail(2, name, "a fourth file name is not expected");
-            path[paths++] = name;
+            s->path[paths++] = name;
             continue;
         }
-        if (strcmp(name, "--help") == 0) return fputs(usage, stdout) < 0;
-        if (strcmp(name, "--material") == 0)
-            material = value;
-        else if (strcmp(name, "--profile") == 0)
-            csv = value;
+        if (strcmp(name, "--material") == 0) s->material = value;
+        else if (strcmp(name, "--profile") == 0) s->csv = value;
         else if (strcmp(name, "--taps") == 0)
-            good = value && number(value, 3, MS_SSS_TAPS_MAX, &taps) && fmod(taps, 2) == 1;
-        else if (strcmp(name, "--mm-per-unit") == 0)
-            good = value && number(value, 1e-9, 1e9, &mm_per_unit);
-        else if (strcmp(name, "--fov") == 0)
-            good = perspective = value && number(value, 0.01, 179.9, &fov);
-        else if (strcmp(name, "--ortho") == 0)
-            good = value && number(value, 1e-9, 1e9, &ortho);
-        else if (strcmp(name, "--strength") == 0)
-            good = value && number(value, 0, 1, &strength);
-        else
-            known = 0;
+            good = value && number(value, 3, MS_SSS_TAPS_MAX, &s->taps) && fmod(s->taps, 2) == 1;
+        else if (strcmp(name, "--mm-per-unit") == 0) good = value && number(value, 1e-9, 1e9, &s->mm_per_unit);
+        else if (strcmp(name, "--fov") == 0) good = perspective = value && number(value, 0.01, 179.9, &s->fov);
+        else if (strcmp(name, "--ortho") == 0) good = value && number(value, 1e-9, 1e9, &s->ortho);
+        else if (strcmp(name, "--strength") == 0) good = value && number(value, 0, 1, &s->strength);
+        else known = 0;
         if (!known) return fail(2, name, "unknown option; --help lists them");
         if (value == NULL) return fail(2, name, "a value is expected behind it");
         if (!good) return fail(2, name, "its value is malformed or out of range; --help lists the ranges");
         ++i;
     }
-    if (paths < 3 || (material == NULL) == (csv == NULL) || (perspective && ortho > 0)) {
-        fputs(usage, stderr);
-        return fail(2, "arguments",
-                    paths < 3                  ? "three file names are expected"
-                    : perspective && ortho > 0 ? "--fov and --ortho exclude each other"
-                                               : "one of --material and --profile is expected");
-    }
-    if (!image__has_extension(path[2], ".pfm") && !image__has_extension(path[2], ".png"))
-        return fail(2, path[2], "the result's name should end in .pfm or .png");
+    if (paths < 3) fputs(usage, stderr);
+    if (paths < 3) return fail(2, "arguments", "three file names are expected");
+    if ((s->material == NULL) == (s->csv == NULL))
+        return fail(2, "arguments", "one of --material and --profile is expected");
+    if (perspective && s->ortho > 0) return fail(2, "arguments", "--fov and --ortho exclude each other");
+    if (!image__has_extension(s->path[2], ".pfm") && !image__has_extension(s->path[2], ".png"))
+        return fail(2, s->path[2], "the result's name should end in .pfm or .png");
+    return 0;
+}
 
-    if ((problem = image_read(path[0], &input)) != NULL) return fail(1, path[0], problem);
-    if ((problem = image_read(path[1], &depth)) != NULL) return fail(1, path[1], problem);
-    if (input.channels != 3) return fail(1, path[0], "three channels (RGB) are expected");
-    if (depth.channels != 1) return fail(1, path[1], "one channel is expected");
-    if (depth.width != input.width || depth.height != input.height)
-        return fail(1, path[1], "its size differs from the irradiance's");
+/* A pre-integrated kernel for the nearest pixel, where it is largest. */
+static ms_status make_kernel(const settings *s, const job *j, ms_sss_kernel *kernel, ms_error *error)
+{
+    ms_sss_kernel_options options = ms_sss_kernel_defaults();
+    double reach[3], radius_mm = 0, nearest = HUGE_VAL, height_mm;
+    int i, pixel_count = j->depth.width * j->depth.height;
+    for (i = 0; i < pixel_count; ++i)
+        if (j->depth.pixels[i] > 0 && (double)j->depth.pixels[i] < nearest) nearest = (double)j->depth.pixels[i];
+    ms_sss_profile_radius(j->profile, 0.99, reach);
+    for (i = 0; i < 3; ++i) radius_mm = reach[i] > radius_mm ? reach[i] : radius_mm;
+    height_mm = s->mm_per_unit * (s->ortho > 0 ? s->ortho : 2 * tan(s->fov * 3.14159265358979 / 360) * nearest);
+    options.model = MS_SSS_PREINTEGRATED;
+    options.tap_count = (int)s->taps;
+    options.placement = s->taps <= 33 ? MS_SSS_OPTIMISED : MS_SSS_QUANTILE;
+    return ms_sss_kernel_make(kernel, NULL, j->profile,
+                              nearest < HUGE_VAL ? radius_mm / height_mm * j->depth.height : 1, &options, NULL, error);
+}
+
+static int run(const settings *s, job *j)
+{
+    static ms_sss_kernel kernel;
+    const char *problem;
+    ms_error error;
+    ms_status status;
+    ms_sss_frame frame;
+    ms_sss_filter_options options = ms_sss_filter_defaults();
+    size_t size;
+
+    if ((problem = image_read(s->path[0], &j->input)) != NULL) return fail(1, s->path[0], problem);
+    if ((problem = image_read(s->path[1], &j->depth)) != NULL) return fail(1, s->path[1], problem);
+    if (j->input.channels != 3) return fail(1, s->path[0], "three channels (RGB) are expected");
+    if (j->depth.channels != 1) return fail(1, s->path[1], "one channel is expected");
+    if (j->depth.width != j->input.width || j->depth.height != j->input.height)
+        return fail(1, s->path[1], "its size differs from the irradiance's");
 
     memset(&error, 0, sizeof error);
-    if ((material ? profile_of_material(material, &profile, &error) : profile_of_file(csv, &profile, &error)) !=
-        MS_OK) {
-        if (error.position)
-            fprintf(stderr, "sss_filter: %s:%lu: %s\n", csv, (unsigned long)error.position, error.message);
-        else
-            fail(1, material ? material : csv, error.message);
-        return 1;
-    }
+    status = s->material ? profile_of_material(s->material, &j->profile, &error)
+                         : profile_of_file(s->csv, &j->profile, &error);
+    if (status != MS_OK && error.position)
+        fprintf(stderr, "sss_filter: %s:%lu: %s\n", s->csv, (unsigned long)error.position, error.message);
+    if (status != MS_OK) return error.position ? 1 : fail(1, s->material ? s->material : s->csv, error.message);
+    if (make_kernel(s, j, &kernel, &error) != MS_OK) return fail(1, "kernel", error.message);
 
-    pixel_count = depth.width * depth.height; /* the kernel is designed for the nearest pixel, where it is largest */
-    for (i = 0; i < pixel_count; ++i)
-        if (depth.pixels[i] > 0 && (double)depth.pixels[i] < nearest) nearest = (double)depth.pixels[i];
-    ms_sss_profile_radius(profile, 0.99, reach);
-    for (i = 0; i < 3; ++i) radius_mm = reach[i] > radius_mm ? reach[i] : radius_mm;
-    design.model = MS_SSS_PREINTEGRATED;
-    design.tap_count = (int)taps;
-    design.placement = taps <= 33 ? MS_SSS_OPTIMISED : MS_SSS_QUANTILE;
-    {
-        double height_mm = mm_per_unit * (ortho > 0 ? ortho : 2 * tan(fov * 3.14159265358979 / 360) * nearest);
-        double radius_px = nearest < HUGE_VAL ? radius_mm / height_mm * depth.height : 1;
-        if (ms_sss_kernel_make(&kernel, NULL, profile, radius_px, &design, NULL, &error) != MS_OK)
-            return fail(1, "kernel", error.message);
-    }
-    ms_sss_profile_destroy(profile);
-
-    output = image_new(input.width, input.height, 3);
+    j->output = image_new(j->input.width, j->input.height, 3);
     memset(&frame, 0, sizeof frame);
-    frame.width = input.width;
-    frame.height = input.height;
-    frame.input = ms_sss_interleaved(input.pixels, 3, 0);
-    frame.output = ms_sss_interleaved(output.pixels, 3, 0);
-    frame.depth = ms_sss_map(depth.pixels, 1, 0);
-    if (ortho > 0)
-        options.ortho_height = (float)ortho;
-    else
-        options.fov_degrees = (float)fov;
-    options.mm_per_unit = (float)mm_per_unit;
-    options.fade = (float)(1 - strength);
-    workspace_size = ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);
-    workspace = malloc(workspace_size);
-    if (output.pixels == NULL || workspace == NULL) return fail(1, path[2], "out of memory");
-    if (ms_sss_filter(&frame, &kernel, 1, &options, workspace, workspace_size, &error) != MS_OK)
-        return fail(1, path[0], error.message);
-    if (image__has_extension(path[2], ".png")) image_to_srgb(&output);
-    if ((problem = image_write(path[2], &output)) != NULL) return fail(1, path[2], problem);
-    free(workspace);
-    image_free(&input);
-    image_free(&depth);
-    image_free(&output);
-    return 0;
+    frame.width = j->input.width;
+    frame.height = j->input.height;
+    frame.input = ms_sss_interleaved(j->input.pixels, 3, 0);
+    frame.output = ms_sss_interleaved(j->output.pixels, 3, 0);
+    frame.depth = ms_sss_map(j->depth.pixels, 1, 0);
+    options.ortho_height = (float)s->ortho;
+    options.fov_degrees = s->ortho > 0 ? 0 : (float)s->fov;
+    options.mm_per_unit = (float)s->mm_per_unit;
+    options.fade = (float)(1 - s->strength);
+    size = ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);
+    j->workspace = malloc(size);
+    if (j->output.pixels == NULL || j->workspace == NULL) return fail(1, s->path[2], "out of memory");
+    if (ms_sss_filter(&frame, &kernel, 1, &options, j->workspace, size, &error) != MS_OK)
+        return fail(1, s->path[0], error.message);
+
+    if (image__has_extension(s->path[2], ".png")) image_to_srgb(&j->output);
+    problem = image_write(s->path[2], &j->output);
+    return problem ? fail(1, s->path[2], problem) : 0;
+}
+
+int main(int argc, char **argv)
+{
+    settings s;
+    job j;
+    int code;
+    if (argc == 2 && strcmp(argv[1], "--help") == 0) return fputs(usage, stdout) < 0;
+    code = parse(argc, argv, &s);
+    if (code) return code;
+    memset(&j, 0, sizeof j);
+    code = run(&s, &j);
+    image_free(&j.input);
+    image_free(&j.depth);
+    image_free(&j.output);
+    ms_sss_profile_destroy(j.profile);
+    free(j.workspace);
+    return code;
 }
