@@ -30,11 +30,10 @@ static const medium media[] = {
 };
 #define MEDIA ((int)(sizeof media / sizeof *media))
 
-static ms_mcml_result simulate(const medium *m, double photons, int level, double roulette_weight)
+static ms_mcml_result simulate(const medium *m, double photons, ms_mcml_options options)
 {
     ms_mcml_tissue tissue;
     ms_mcml_grid grid;
-    ms_mcml_options options = ms_mcml_defaults();
     ms_mcml_result result;
     ms_error error;
     tissue.n_above = tissue.n_below = 1;
@@ -47,8 +46,6 @@ static ms_mcml_result simulate(const medium *m, double photons, int level, doubl
     grid.nz = m->nz;
     grid.na = m->na;
     options.photons = (uint64_t)photons;
-    options.simd = (ms_simd)level;
-    options.roulette_weight = roulette_weight;
     if (ms_mcml_simulate(&tissue, &grid, &options, &result, &error) != MS_OK) {
         fprintf(stderr, "%s\n", error.message);
         exit(1);
@@ -98,6 +95,39 @@ static double run_peer(const medium *m, const char *program, double photons)
     return (children() - start) / photons;
 }
 
+/* What the options cost, at the best level: time, and time to equal error of Rd(r), against the defaults. */
+static void options_table(FILE *md)
+{
+    static const char *const name[] = {"defaults", "roulette_weight 1e-4", "roulette_weight 0.1", "no_absorption", "absorption_error"};
+    int m, k, i;
+    fprintf(md, "Time against the defaults, and in brackets time for an equal error of Rd(r).\n\n| medium |");
+    for (i = 0; i < 5; ++i) fprintf(md, " %s |", name[i]);
+    fprintf(md, "\n|---|---:|---:|---:|---:|---:|\n");
+    for (m = 0; m < MEDIA; ++m) {
+        double t[5][RUNS], total, profile[5];
+        for (k = 0; k < RUNS; ++k)
+            for (i = 0; i < 5; ++i) {
+                ms_mcml_options options = ms_mcml_defaults();
+                ms_mcml_result r;
+                const double start = bench_cpu();
+                options.roulette_weight = i == 1 ? 1e-4 : i == 2 ? 0.1 : 0;
+                options.no_absorption = i == 3;
+                options.absorption_error = i == 4;
+                r = simulate(&media[m], media[m].photons / 2, options);
+                t[i][k] = bench_cpu() - start;
+                variances(&r, &total, &profile[i]);
+                ms_mcml_result_destroy(&r);
+            }
+        fprintf(md, "| %s |", media[m].name);
+        for (i = 0; i < 5; ++i) {
+            const double ratio = bench_median(t[i], RUNS) / bench_median(t[0], RUNS);
+            fprintf(md, " %.2f (%.2f) |", ratio, ratio * profile[i] / profile[0]);
+        }
+        fprintf(md, "\n");
+    }
+    fprintf(md, "\n");
+}
+
 int main(void)
 {
     static double peer[MEDIA], speed[LEVELS + 1][MEDIA];
@@ -118,7 +148,10 @@ int main(void)
         for (k = 0; k < RUNS; ++k) {
             for (level = 1; level <= (int)best; ++level) {
                 const double photons = media[m].photons / (level == 1 ? 5 : level == 2 ? 2 : 1), start = bench_cpu();
-                ms_mcml_result r = simulate(&media[m], photons, level, 0);
+                ms_mcml_options options = ms_mcml_defaults();
+                ms_mcml_result r;
+                options.simd = (ms_simd)level;
+                r = simulate(&media[m], photons, options);
                 t[level][k] = (bench_cpu() - start) / photons;
                 if (level == (int)best) variances(&r, &total, &profile);
                 ms_mcml_result_destroy(&r);
@@ -126,7 +159,10 @@ int main(void)
             t[0][k] = program ? run_peer(&media[m], program, media[m].photons / 20) : 0;
         }
         if (program) { /* MCML prints no errors: its estimator is ours with its roulette, so that its variance is, too */
-            ms_mcml_result r = simulate(&media[m], media[m].photons, (int)best, 1e-4);
+            ms_mcml_options options = ms_mcml_defaults();
+            ms_mcml_result r;
+            options.roulette_weight = 1e-4;
+            r = simulate(&media[m], media[m].photons, options);
             variances(&r, &peer_total, &peer_profile);
             ms_mcml_result_destroy(&r);
         }
@@ -156,6 +192,7 @@ int main(void)
         else fprintf(md, " | |\n");
     }
     fprintf(md, "\n");
+    options_table(md);
     if (program) {
         plot_begin(&p, "Layered Monte Carlo: photons a second over original MCML's", "MCML, ns a photon", "times MCML", PLOT_LOG_X | PLOT_LOG_Y);
         for (level = 1; level <= (int)best; ++level) plot_series(&p, ms_simd_string((ms_simd)level), peer, speed[level], MEDIA, PLOT_DOTS);
