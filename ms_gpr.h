@@ -3335,7 +3335,7 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
 /* How much candidate j is worth seeing. */
 static double ms_gpr__pool_worth(const ms_gpr__pool *p, int j)
 {
-    double sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0, sum = 0;
+    double sum = 0, sigma;
     int i;
     if (p->kind == MS_GPR_GALLERY_NOVEL) {
         for (i = 0; i < MS_GPR__NEIGHBOURS; ++i) sum += sqrt(p->nearest[(size_t)i * (size_t)p->size + (size_t)j]);
@@ -3344,6 +3344,7 @@ static double ms_gpr__pool_worth(const ms_gpr__pool *p, int j)
     /* Draws without replacement with probabilities in proportion to max(u, 0): largest log(uniform) / weight first (Efraimidis
        and Spirakis 2006); candidates without weight come last */
     if (p->kind == MS_GPR_GALLERY_INTERMEDIATE) return p->mean[j] > 0 ? p->luck[j] / p->mean[j] : -1e300;
+    sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0;
     if (p->kind == MS_GPR_GALLERY_UNCERTAIN || !(sigma > 0)) return sigma;
     return sigma * 0.5 * erfc(-p->mean[j] / (1.4142135623730951 * sigma)); /* P(u > 0) sigma */
 }
@@ -3367,7 +3368,7 @@ static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
     const ms_gpr *gp = p->gp;
     size_t size = (size_t)p->size;
     double *place = p->scratch, *row = place + 4 * (size_t)gp->m, *basis = p->basis + (size_t)q * size;
-    double sf2 = ms_gpr__sf2(gp), scale = 1 / sqrt((p->variance[j] > 0 ? p->variance[j] : 0) + ms_gpr__sn2(gp) + 1e-12 * sf2);
+    double sf2 = ms_gpr__sf2(gp), scale;
     int i, k;
     for (k = 0; k < gp->active; ++k)
         for (i = 0; i < 4; ++i) place[4 * k + i] = p->points[(size_t)k * size + (size_t)j];
@@ -3385,6 +3386,7 @@ static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
         const double *b = p->basis + (size_t)i * size;
         gp->kernels->axpy(row, -b[j], b, p->size);
     }
+    scale = 1 / sqrt((p->variance[j] > 0 ? p->variance[j] : 0) + ms_gpr__sn2(gp) + 1e-12 * sf2);
     for (i = 0; i < p->size; ++i) {
         basis[i] = scale * row[i];
         p->variance[i] -= basis[i] * basis[i];
