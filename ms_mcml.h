@@ -543,7 +543,7 @@ typedef enum ms_mcml_method {
                                   channel absorbs less than 1e-3 of what it meets: there it needs less time */
     MS_MCML_DETERMINISTIC = 1, /* no noise, milliseconds a channel; exact for g = 0, similarity for other g */
     MS_MCML_WHITE = 2,         /* Monte Carlo, one run for all channels; g = 0 and one eta only */
-    MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g; rings of equal width; mu_a > 1e-10 mu_s */
+    MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g; rings of equal width */
 } ms_mcml_method;
 
 typedef struct ms_mcml_profile_options {
@@ -3537,8 +3537,6 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
         return ms__fail(error, MS_UNSUPPORTED, 0, "white Monte Carlo needs g = 0 and one eta for all channels");
     if (o.method == MS_MCML_DIRECT && o.edge_mm)
         return ms__fail(error, MS_UNSUPPORTED, 0, "direct Monte Carlo needs rings of equal width: ring_mm instead of edge_mm");
-    if (o.method == MS_MCML_DIRECT && least <= 1e-10)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "direct Monte Carlo without absorption: paths have no mean length; use white");
     if (o.method == MS_MCML_DIRECT && o.rings == 0) ms_mcml__profile_equal_rings(media, channels, &o);
 
     memset(&job, 0, sizeof job);
