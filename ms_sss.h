@@ -4504,7 +4504,7 @@ static ms_sss__layout ms_sss__tower_plan(ms_sss__tower *tower, int width, int he
     l = ms_sss__plan(width, height, &one_term, 1, &options);
     tower->row = MS_SSS__LEFT + ms_sss__round_up(width, 32) + MS_SSS__RIGHT;
     *floats = ms__size_add(ms_sss__tower_levels(tower, width, height, NULL),
-                           ms__size_mul((size_t)tower->row, MS_SSS__TASKS * MS_SSS__TOWER_ROWS + 1));
+                           ms__size_mul((size_t)tower->row, (size_t)MS_SSS__TASKS * (size_t)MS_SSS__TOWER_ROWS + 1));
     l.total = ms__size_add(ms__size_add(l.total, ms__size_mul(*floats, sizeof(float))), 64);
     return l;
 }

@@ -7,7 +7,7 @@
 static const double pi = 3.14159265358979323846;
 
 /* d'Eon's skin (GPU Gems 3, chapter 14): six Gaussians, standard deviations in mm. */
-static const double skin_sigma[6] = {0.0800, 0.2200, 0.4327, 0.7531, 1.2610, 2.7230}; /* sqrt of the variances there */
+static const double skin_sigma[6] = {0.0800, 0.2200, 0.432435, 0.752994, 1.410674, 2.722132}; /* roots of the variances there */
 static const double skin_weight[6][3] = {{0.233, 0.455, 0.649}, {0.100, 0.336, 0.344}, {0.118, 0.198, 0.000},
                                          {0.113, 0.007, 0.007}, {0.358, 0.004, 0.000}, {0.078, 0.000, 0.000}};
 
