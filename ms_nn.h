@@ -3584,8 +3584,8 @@ static ms_status ms_nn__collapse_factor(ms_nn_collapse *c, ms_error *error)
     job.parts = parts;
     job.r = (double *)ms_nn__alloc(o, r_bytes);
     job.b = (double *)ms_nn__alloc(o, b_bytes);
-    job.row = (float *)(void *)(job.b + parts * h * MS_NN__QR_ROWS);
     if (job.r && job.b) {
+        job.row = (float *)(void *)(job.b + parts * h * MS_NN__QR_ROWS);
         ms__run(&o->parallel, (int)parts, ms_nn__qr_task, &job);
         for (p = 1; p < parts; ++p) /* the rows of each further R, a block at a time */
             for (i = 0; i < h; i += n) {

@@ -6,6 +6,7 @@
 #include "bench.h"
 #include "nets.h"
 #include <pthread.h>
+#include <unistd.h>
 #include "test.h"
 #if defined(HAVE_DNNL)
 #include <dnnl.h>
@@ -516,7 +517,12 @@ static void bench_collapse(void)
 
 int main(int argc, char **argv)
 {
-    const char *only = argc > 1 && strcmp(argv[1], "small") ? argv[1] : "";
+    const char *only, *threads = getenv("OMP_NUM_THREADS");
+    if (threads == NULL || strcmp(threads, "1")) { /* oneDNN's threads are set when its library starts */
+        setenv("OMP_NUM_THREADS", "1", 1);
+        execv(argv[0], argv);
+    }
+    only = argc > 1 && strcmp(argv[1], "small") ? argv[1] : "";
     if (argc > 1 && strcmp(argv[1], "small") == 0) side = 128;
     csv = bench_open("nn.csv");
     md = bench_open("nn.md");

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""PyTorch's times for tests/bench/bench_nn.c: prints a line "name threads seconds" for each network. Medians of wall time."""
+"""PyTorch's times for tests/bench/bench_nn.c: prints a line "name threads seconds" for each network. Medians; thread CPU time
+for one thread, as bench_nn.c has it, wall time for two."""
 import sys, time
 import numpy as np
 import torch
@@ -8,12 +9,12 @@ from torch import nn
 torch.set_grad_enabled(False)
 
 
-def median(net, x, n=9):
-    times = []
+def median(net, x, threads, n=9):
+    clock, times = time.thread_time if threads == 1 else time.perf_counter, []
     for i in range(n + 1):
-        start = time.perf_counter()
+        start = clock()
         net(x)
-        times.append(time.perf_counter() - start)
+        times.append(clock() - start)
     return float(np.median(times[1:]))
 
 
@@ -39,6 +40,6 @@ for name, make in (("renderer", renderer), ("inversion", inversion), ("convoluti
     net.eval()
     for threads in (1, 2):
         torch.set_num_threads(threads)
-        print(name, threads, median(net, x))
+        print(name, threads, median(net, x, threads))
         sys.stdout.flush()
     del net
