@@ -70,7 +70,7 @@
      RProp, 100 evaluations     0.205,  7 ms  0.107, 17 ms  0.084, 58 ms  0.051, 381 ms
 
    Those users like one class of materials. Where a user likes two and rates 25 materials of 250 above 0, nothing does well:
-   0.15 to 0.2 for all methods. Below 100 scores plain ML is the better choice: the priors of MAP expect little.
+   about 0.2 for all methods. Below 100 scores plain ML is the better choice: the priors of MAP expect little.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------

@@ -125,7 +125,7 @@ static void reference_problem(const json *problem, ms_simd level, double *worst)
     double *mean = json_numbers(json_get(problem, "mean"), &count), *variance = json_numbers(json_get(problem, "var"), NULL);
     double likelihood = json_number(json_get(problem, "lml")), density = json_number(json_get(problem, "loo_lpd"));
     double *x, *y, *xs = NULL, got, g[64], mu[16], s2[16];
-    reference_user user;
+    reference_user taste;
     ms_gpr_options options;
     ms_gpr *gp;
     if (json_find(problem, "X")) {
@@ -139,10 +139,10 @@ static void reference_problem(const json *problem, ms_simd level, double *worst)
         for (i = 0; i < n; ++i) memcpy(x + i * m, rows + i * (m + 1), (size_t)m * sizeof *x);
         free(rows);
     } else {
-        load_user(&user, 19);
-        x = user.x;
+        load_user(&taste, 19);
+        x = taste.x;
         y = (double *)malloc((size_t)n * sizeof *y);
-        memcpy(y, user.y, (size_t)n * sizeof *y);
+        memcpy(y, taste.y, (size_t)n * sizeof *y);
         xs = (double *)malloc(8 * 19 * sizeof *xs);
         memcpy(xs, x + 750 * 19, 8 * 19 * sizeof *xs);
     }
@@ -482,9 +482,9 @@ static void test_fit_gradient(void)
     }
 }
 
-static int stop_after(void *user, double fraction)
+static int stop_after(void *context, double fraction)
 {
-    int *left = (int *)user;
+    int *left = (int *)context;
     CHECK(fraction >= 0 && fraction <= 1);
     return --*left < 0;
 }
