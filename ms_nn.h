@@ -2640,6 +2640,7 @@ typedef struct ms_nn__conv_job {
 typedef struct ms_nn__kernels {
     size_t block; /* outputs that a convolution computes together */
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
+    void (*dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out);
     void (*conv)(const ms_nn__conv_job *job, size_t item0, size_t item1);
     void (*activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
@@ -2675,7 +2676,8 @@ static void ms_nn__dense_task(void *context, int index)
     const ms_nn__dense *job = (const ms_nn__dense *)context;
     size_t row0 = (size_t)index * job->chunk_rows, row1 = ms_nn__min(row0 + job->chunk_rows, job->m->rows);
     int b;
-    job->kernels->dense(job, row0, row1);
+    if (job->m->dtype == MS_NN_I8) job->kernels->dense_int8(job, row0, row1);
+    else job->kernels->dense(job, row0, row1);
     if (!job->linear && job->activation != MS_NN__LINEAR)
         for (b = 0; b < job->batch; ++b)
             job->kernels->activate(job->y + (size_t)b * job->m->rows + row0, row1 - row0, job->activation, job->alpha);
@@ -4554,107 +4556,6 @@ MS_NN__INLINE float MS_NN__FN(sum)(V_FLOATS v)
 }
 #endif
 
-/* V_LANES weights of a type that is a constant where this is inlined. */
-MS_NN__INLINE V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
-{
-    if (dtype == MS_NN_F32) return V_LOAD(p);
-    if (dtype == MS_NN_F16) return W_HALF(p);
-    if (dtype == MS_NN_BF16) return W_BRAIN(p);
-    return W_INT8(p);
-}
-
-/* n < V_LANES weights, zeros behind them; nothing behind them is read. */
-MS_NN__INLINE V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype, size_t n)
-{
-#if MS_NN__ISA >= 4
-    if (dtype == MS_NN_F32) return _mm512_maskz_loadu_ps((__mmask16)((1u << n) - 1), p);
-#endif
-    {
-        unsigned char copy[4 * V_LANES];
-        memset(copy, 0, sizeof copy);
-        memcpy(copy, p, ms_nn__min(n, V_LANES) * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2));
-        return MS_NN__FN(weight)(copy, dtype);
-    }
-}
-
-/* rows x batch dot products. Sum c runs over the columns V_LANES c + (0..V_LANES-1) modulo V_LANES W_CHAINS; then the rest; the sums are
-   added in pairs. The order depends on nothing but cols, so that tiles of any shape agree. */
-MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch)
-{
-    const ms_nn__matrix *m = job->m;
-    size_t cols = m->cols, size = dtype == MS_NN_F32 ? 4 : 2, k = 0;
-    const unsigned char *w[W_ROWS];
-    const float *x[3];
-    V_FLOATS sum[W_ROWS][3][W_CHAINS];
-    int r, b, c;
-    MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) {
-        w[r] = m->w + (row + (size_t)r) * cols * size;
-        MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) {
-            MS_NN__UNROLL
-            for (c = 0; c < W_CHAINS; ++c) sum[r][b][c] = V_SET(0.0f);
-        }
-    }
-    MS_NN__UNROLL
-    for (b = 0; b < batch; ++b) x[b] = job->x + ms_nn__min(sample + (size_t)b, (size_t)job->batch - 1) * cols;
-    for (; k + V_LANES * W_CHAINS <= cols; k += V_LANES * W_CHAINS) {
-        MS_NN__UNROLL
-        for (c = 0; c < W_CHAINS; ++c) {
-            V_FLOATS v[3];
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) v[b] = V_LOAD(x[b] + k + (size_t)c * V_LANES);
-            MS_NN__UNROLL
-            for (r = 0; r < rows; ++r) {
-                V_FLOATS u = MS_NN__FN(weight)(w[r] + (k + (size_t)c * V_LANES) * size, dtype);
-                MS_NN__UNROLL
-                for (b = 0; b < batch; ++b) sum[r][b][c] = V_MADD(u, v[b], sum[r][b][c]);
-            }
-        }
-    }
-    for (; k < cols; k += V_LANES) {
-        size_t n = ms_nn__min(cols - k, V_LANES);
-        MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) {
-            V_FLOATS u = n == V_LANES ? MS_NN__FN(weight)(w[r] + k * size, dtype) : MS_NN__FN(weight_part)(w[r] + k * size, dtype, n);
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) {
-                V_FLOATS v = n == V_LANES ? V_LOAD(x[b] + k) : MS_NN__FN(weight_part)((const unsigned char *)(x[b] + k), MS_NN_F32, n);
-                sum[r][b][0] = V_MADD(u, v, sum[r][b][0]);
-            }
-        }
-    }
-    MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) {
-        float bias = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + (size_t)r) : 0.0f;
-        MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) {
-            V_FLOATS s = V_ADD(sum[r][b][0], sum[r][b][1]);
-#if W_CHAINS == 4
-            s = V_ADD(s, V_ADD(sum[r][b][2], sum[r][b][3]));
-#endif
-            if (sample + (size_t)b < (size_t)job->batch) job->y[(sample + (size_t)b) * m->rows + row + (size_t)r] = V_SUM(s) + bias;
-        }
-    }
-}
-
-/* A large matrix for one sample is read row by row, at the speed of memory; where it is read more than once or lies in
-   the cache, W_ROWS at a time. */
-MS_NN__INLINE void MS_NN__FN(dense_typed)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
-{
-    size_t row = row0, b;
-    if (job->batch > 1 || !ms_nn__large(job)) {
-        for (; row + W_ROWS <= row1; row += W_ROWS) {
-            if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, W_ROWS, 1);
-            else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, W_ROWS, 3);
-        }
-    }
-    for (; row < row1; ++row) {
-        if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, 1, 1);
-        else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, 1, 3);
-    }
-}
-
 /* Sums of products of 8-bit weights with 8-bit digits. On x86 unsigned times signed bytes: (w + 128) d, put right at the
    end by 128 sum d; |255 * 64 * 2| fits 16 bits. */
 #if MS_NN__ISA >= 4
@@ -4835,12 +4736,113 @@ static void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, size_t r
     for (; row < row1; ++row) MS_NN__FN(int8_rows)(job, row, 1);
 }
 
+#if MS_NN__ISA < 5 /* the VNNI pass is for I8 only; the rest is AVX-512's */
+/* V_LANES weights of a type that is a constant where this is inlined. */
+MS_NN__INLINE V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
+{
+    if (dtype == MS_NN_F32) return V_LOAD(p);
+    if (dtype == MS_NN_F16) return W_HALF(p);
+    if (dtype == MS_NN_BF16) return W_BRAIN(p);
+    return W_INT8(p);
+}
+
+/* n < V_LANES weights, zeros behind them; nothing behind them is read. */
+MS_NN__INLINE V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype, size_t n)
+{
+#if MS_NN__ISA >= 4
+    if (dtype == MS_NN_F32) return _mm512_maskz_loadu_ps((__mmask16)((1u << n) - 1), p);
+#endif
+    {
+        unsigned char copy[4 * V_LANES];
+        memset(copy, 0, sizeof copy);
+        memcpy(copy, p, ms_nn__min(n, V_LANES) * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2));
+        return MS_NN__FN(weight)(copy, dtype);
+    }
+}
+
+/* rows x batch dot products. Sum c runs over the columns V_LANES c + (0..V_LANES-1) modulo V_LANES W_CHAINS; then the rest; the sums are
+   added in pairs. The order depends on nothing but cols, so that tiles of any shape agree. */
+MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch)
+{
+    const ms_nn__matrix *m = job->m;
+    size_t cols = m->cols, size = dtype == MS_NN_F32 ? 4 : 2, k = 0;
+    const unsigned char *w[W_ROWS];
+    const float *x[3];
+    V_FLOATS sum[W_ROWS][3][W_CHAINS];
+    int r, b, c;
+    MS_NN__UNROLL
+    for (r = 0; r < rows; ++r) {
+        w[r] = m->w + (row + (size_t)r) * cols * size;
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) {
+            MS_NN__UNROLL
+            for (c = 0; c < W_CHAINS; ++c) sum[r][b][c] = V_SET(0.0f);
+        }
+    }
+    MS_NN__UNROLL
+    for (b = 0; b < batch; ++b) x[b] = job->x + ms_nn__min(sample + (size_t)b, (size_t)job->batch - 1) * cols;
+    for (; k + V_LANES * W_CHAINS <= cols; k += V_LANES * W_CHAINS) {
+        MS_NN__UNROLL
+        for (c = 0; c < W_CHAINS; ++c) {
+            V_FLOATS v[3];
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) v[b] = V_LOAD(x[b] + k + (size_t)c * V_LANES);
+            MS_NN__UNROLL
+            for (r = 0; r < rows; ++r) {
+                V_FLOATS u = MS_NN__FN(weight)(w[r] + (k + (size_t)c * V_LANES) * size, dtype);
+                MS_NN__UNROLL
+                for (b = 0; b < batch; ++b) sum[r][b][c] = V_MADD(u, v[b], sum[r][b][c]);
+            }
+        }
+    }
+    for (; k < cols; k += V_LANES) {
+        size_t n = ms_nn__min(cols - k, V_LANES);
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) {
+            V_FLOATS u = n == V_LANES ? MS_NN__FN(weight)(w[r] + k * size, dtype) : MS_NN__FN(weight_part)(w[r] + k * size, dtype, n);
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) {
+                V_FLOATS v = n == V_LANES ? V_LOAD(x[b] + k) : MS_NN__FN(weight_part)((const unsigned char *)(x[b] + k), MS_NN_F32, n);
+                sum[r][b][0] = V_MADD(u, v, sum[r][b][0]);
+            }
+        }
+    }
+    MS_NN__UNROLL
+    for (r = 0; r < rows; ++r) {
+        float bias = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + (size_t)r) : 0.0f;
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) {
+            V_FLOATS s = V_ADD(sum[r][b][0], sum[r][b][1]);
+#if W_CHAINS == 4
+            s = V_ADD(s, V_ADD(sum[r][b][2], sum[r][b][3]));
+#endif
+            if (sample + (size_t)b < (size_t)job->batch) job->y[(sample + (size_t)b) * m->rows + row + (size_t)r] = V_SUM(s) + bias;
+        }
+    }
+}
+
+/* A large matrix for one sample is read row by row, at the speed of memory; where it is read more than once or lies in
+   the cache, W_ROWS at a time. */
+MS_NN__INLINE void MS_NN__FN(dense_typed)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
+{
+    size_t row = row0, b;
+    if (job->batch > 1 || !ms_nn__large(job)) {
+        for (; row + W_ROWS <= row1; row += W_ROWS) {
+            if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, W_ROWS, 1);
+            else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, W_ROWS, 3);
+        }
+    }
+    for (; row < row1; ++row) {
+        if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, 1, 1);
+        else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, 1, 3);
+    }
+}
+
 static void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
     if (job->m->dtype == MS_NN_F32) MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_F32);
     else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_F16);
-    else if (job->m->dtype == MS_NN_BF16) MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_BF16);
-    else MS_NN__FN(dense_int8)(job, row0, row1);
+    else MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_BF16);
 }
 
 /* out += g_0 w_0 + ... + g_{rows-1} w_{rows-1} over columns [col0, col1), the rows in order. */
@@ -5252,9 +5254,17 @@ static void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, float *out)
     }
 }
 
-static const ms_nn__kernels MS_NN__FN(table) = {V_BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(activate),
+#endif
+
+#if MS_NN__ISA == 5
+static const ms_nn__kernels ms_nn__table_avx512vnni = {V_BLOCK, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512,
+                                                       ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512, ms_nn__gram_avx512,
+                                                       ms_nn__add_avx512, ms_nn__rotate_avx512, ms_nn__row_avx512};
+#else
+static const ms_nn__kernels MS_NN__FN(table) = {V_BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_int8), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(activate),
                                                 MS_NN__FN(derive), MS_NN__FN(pool2), MS_NN__FN(gram), MS_NN__FN(add), MS_NN__FN(rotate),
                                                 MS_NN__FN(row)};
+#endif
 
 #undef MS_NN__LEVEL
 #undef MS_NN__ISA
