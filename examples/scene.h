@@ -10,7 +10,7 @@
      problem = scene_compose(&s, &s.irradiance, &picture);    albedo * irradiance + specular, outlines, tone map, sRGB
      scene_free(&s);
 
-   Lengths are millimetres, y is up. A few seconds on one core at 1080p. */
+   Lengths are millimetres, y is up. Under ten seconds on one core at 1080p. */
 #ifndef EXAMPLES_SCENE_H
 #define EXAMPLES_SCENE_H
 #include "image.h"
