@@ -40,9 +40,9 @@ build/lightmap: examples/lightmap.c ms_sss.h $(IMAGE)
 	$(BUILD) examples/lightmap.c $(LDLIBS)
 build/demo_sss: examples/demo_sss.c examples/scene.h ms_sss.h ms_mcml.h $(IMAGE) $(PLOT)
 	$(BUILD) examples/demo_sss.c $(LDLIBS)
-build/recommend: examples/recommend.c ms_gpr.h
+build/recommend: examples/recommend.c examples/scores.h ms_gpr.h
 	$(BUILD) examples/recommend.c $(LDLIBS)
-build/latent: examples/latent.c ms_gpr.h $(IMAGE)
+build/latent: examples/latent.c examples/scores.h ms_gpr.h $(IMAGE)
 	$(BUILD) examples/latent.c $(LDLIBS)
 build/nn_info: examples/nn_info.c ms_nn.h
 	$(BUILD) examples/nn_info.c $(LDLIBS)

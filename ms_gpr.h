@@ -85,7 +85,7 @@
 
    Configuration (define before the implementation)
    ------------------------------------------------
-   MS_GPR_API       linkage of the functions (MS_API, which is MS_DEF, which is nothing)
+   MS_API       linkage of the functions (MS_API, which is MS_DEF, which is nothing)
    MS_GPR_FILENAME  this file's name, if it is not "ms_gpr.h"
    MS_GPR_NO_STDIO  no files, no <stdio.h>
    MS_NO_SIMD       scalar text only
@@ -220,10 +220,6 @@ static inline const char *ms_simd_string(ms_simd level)
 
 /* ---------------------------------------------------------------------------------------------------- MODEL */
 
-#ifndef MS_GPR_API
-#define MS_GPR_API MS_API
-#endif
-
 /* A Gaussian process that has seen n inputs of m dimensions and their scores. With d^2(a, b) = sum over k of
    ((a_k - b_k) / l_k)^2, scores are mean + N(0, K'), K'_ij = sf^2 exp(-d^2(x_i, x_j) / 2) + sn^2 delta_ij. */
 typedef struct ms_gpr ms_gpr;
@@ -245,54 +241,54 @@ typedef struct ms_gpr_options {
    MS_BAD_DATA: a value of x or y that is not finite (position: its row, from 1). MS_INVALID_ARGUMENT: theta not finite.
    MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter (see ms_gpr_jitter). MS_OUT_OF_MEMORY.
    *out is NULL unless MS_OK. Cost n^3 / 6 multiply-adds; memory n^2 + n m doubles. */
-MS_GPR_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta,
+MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta,
                                    const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 
 /* NULL is allowed. */
-MS_GPR_API void ms_gpr_destroy(ms_gpr *gp);
+MS_API void ms_gpr_destroy(ms_gpr *gp);
 
 /* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
-MS_GPR_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *error);
+MS_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *error);
 
 /* One more scored point, x [m], at the cost of n^2; the hyperparameters stay. Equal to a new model of n + 1 points but for
    rounding. The model is unchanged unless MS_OK. */
-MS_GPR_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error);
+MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error);
 
 /* Forgets point `index`, at the cost of n^2: later points move up by one. */
-MS_GPR_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error);
+MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error);
 
 /* Drops dimensions that matter little, least first, while the sum of their relevances is at most `tolerance` (such as 0.02):
    "model only what a scene needs". The model of the rest is exact, as if the dropped length scales were infinite; predictions
    still take all m columns and ignore the dropped ones. kept: how many dimensions are left; NULL is allowed. */
-MS_GPR_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_error *error);
+MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_error *error);
 
 /* How much each dimension matters, [m] out: the mean of ((a_k - b_k) / l_k)^2 over pairs of training inputs. Of a pair that
    differs in dimension k alone, the scores correlate by about exp(-relevance / 2). 0 for a dropped dimension. */
-MS_GPR_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance);
+MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance);
 
-MS_GPR_API int ms_gpr_count(const ms_gpr *gp);               /* n */
-MS_GPR_API int ms_gpr_dimensions(const ms_gpr *gp);          /* m */
-MS_GPR_API const double *ms_gpr_theta(const ms_gpr *gp);     /* [m + 2]; a dropped dimension has log l_k = 700 */
-MS_GPR_API const double *ms_gpr_inputs(const ms_gpr *gp);    /* [n][m], valid until the model changes */
-MS_GPR_API const double *ms_gpr_scores(const ms_gpr *gp);    /* [n], as they were given */
-MS_GPR_API double ms_gpr_mean(const ms_gpr *gp);             /* the prior mean */
-MS_GPR_API double ms_gpr_zero_score(const ms_gpr *gp);       /* what a score of 0 is taken as; see ms_gpr_fit_options */
-MS_GPR_API ms_simd ms_gpr_level(const ms_gpr *gp);           /* instruction set in use */
+MS_API int ms_gpr_count(const ms_gpr *gp);               /* n */
+MS_API int ms_gpr_dimensions(const ms_gpr *gp);          /* m */
+MS_API const double *ms_gpr_theta(const ms_gpr *gp);     /* [m + 2]; a dropped dimension has log l_k = 700 */
+MS_API const double *ms_gpr_inputs(const ms_gpr *gp);    /* [n][m], valid until the model changes */
+MS_API const double *ms_gpr_scores(const ms_gpr *gp);    /* [n], as they were given */
+MS_API double ms_gpr_mean(const ms_gpr *gp);             /* the prior mean */
+MS_API double ms_gpr_zero_score(const ms_gpr *gp);       /* what a score of 0 is taken as; see ms_gpr_fit_options */
+MS_API ms_simd ms_gpr_level(const ms_gpr *gp);           /* instruction set in use */
 
 /* What had to be added to sn^2, in units of sf^2, to make K' positive definite in double precision: 0 nearly always, else a
    power of ten from 1e-15 to 1e-6. Results are those of the model with that noise. */
-MS_GPR_API double ms_gpr_jitter(const ms_gpr *gp);
+MS_API double ms_gpr_jitter(const ms_gpr *gp);
 
 /* log p(y | X, theta), and where not NULL its gradient [m + 2] with respect to theta. Exact; allocates 3 n^2 doubles and costs
    n^3 / 2 + n^2 m multiply-adds with the gradient. Rasmussen & Williams 2006, (5.8), (5.9); thesis (3.7) with errata. */
-MS_GPR_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error);
+MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error);
 
 /* What the model of the other n - 1 points says about each score.
    mean      [n] out, or NULL
    variance  [n] out, or NULL: of the score, with its noise
    density   out, or NULL: sum of log N(y_i; mean_i, variance_i)
    Rasmussen & Williams 2006, (5.10) to (5.12). */
-MS_GPR_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, double *density, ms_error *error);
+MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, double *density, ms_error *error);
 
 /* ------------------------------------------------------------------------------------------------------ FIT */
 
@@ -336,7 +332,7 @@ typedef struct ms_gpr_fit_report {
    x, y, n, m  as in ms_gpr_create; n = 0, constant scores and constant columns are fine
    Several rounds: concatenate materials and scores of all rounds, and fit again (start: the theta of the last round, if speed
    matters). MS_CANCELLED; the rest as ms_gpr_create. report: or NULL. Bit-equal at one SIMD level. Memory 4 n^2 doubles. */
-MS_GPR_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr **out,
+MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr **out,
                                 ms_gpr_fit_report *report, ms_error *error);
 
 /* ----------------------------------------------------------------------------------------------- PREDICTION */
@@ -349,34 +345,34 @@ MS_GPR_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, 
    gp is only read: calls may overlap. Bit-equal for any thread count and batch size at one SIMD level; levels differ by rounding.
    MS_BAD_DATA: an x that is not finite (position: its row, from 1). MS_OUT_OF_MEMORY. Outputs are untouched then.
    Rasmussen & Williams 2006, algorithm 2.1, lines 4 to 6; thesis (3.4), (3.5). */
-MS_GPR_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance, ms_error *error);
+MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance, ms_error *error);
 
 /* The mean alone, in single precision: twice as fast. Its error is about 1e-6 sf^2 sum |alpha_i| k_i at worst; see the table
    in the head comment. */
-MS_GPR_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error);
+MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error);
 
 /* Mean and variance at one point x [m] with their gradients [m]; any output may be NULL. */
-MS_GPR_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient, double *variance,
+MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient, double *variance,
                                      double *variance_gradient, ms_error *error);
 
 /* ---------------------------------------------------------------------------------------------------- FILES */
 
 /* A model as bytes: the same on every machine, whatever its byte order and locale. Layout, little-endian: "ms_gpr\r\n", u32
    version 1, u32 n, u32 m, u32 0, then as f64 mean, zero score, theta [m + 2], x [n][m], y [n]; u64 FNV-1a of all before. */
-MS_GPR_API size_t ms_gpr_save_size(const ms_gpr *gp);
+MS_API size_t ms_gpr_save_size(const ms_gpr *gp);
 
 /* Writes ms_gpr_save_size(gp) bytes. */
-MS_GPR_API void ms_gpr_save(const ms_gpr *gp, void *bytes);
+MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes);
 
 /* The model again. Strict: any other size, version, checksum or a value that is not finite is MS_BAD_DATA (position: the byte)
    or MS_UNSUPPORTED (a later version); nothing is allocated before the size agrees with n and m. The model is conditioned again:
    equal to the saved one bit for bit, but for points that were appended or dropped (then to rounding). */
-MS_GPR_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
+MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 
 #ifndef MS_GPR_NO_STDIO
 /* The same with a file; MS_IO where it can't be opened, read or written whole. */
-MS_GPR_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_error *error);
-MS_GPR_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
+MS_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_error *error);
+MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 #endif
 
 /* ---------------------------------------------------------------------------------------- RECOMMENDATION */
@@ -430,7 +426,7 @@ typedef struct ms_gpr_recommend_report {
    sigma of them. MS_INVALID_ARGUMENT: an option out of range, low > high, count < 1. MS_OUT_OF_MEMORY.
    Memory and threads are the model's. gp is only read: calls may overlap. Bit-equal for any thread count at one SIMD level.
    Thesis 3.4.1; the walk: Neal 2003, "Slice sampling", with shrinkage, along the axes and along random directions. */
-MS_GPR_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
+MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                       double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
 
 /* --------------------------------------------------------------------------------------- ACTIVE LEARNING */
@@ -459,7 +455,7 @@ typedef struct ms_gpr_gallery_options {
    Then concatenate materials and scores with those of earlier rounds, and fit again.
    Cost: pool * (n^2 / 2 + count (n + count / 2)) multiply-adds; memory pool * (n + count + 2 m) doubles.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Memory and threads are the model's; bit-equal for any thread count at one SIMD level. */
-MS_GPR_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
+MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
                                     ms_error *error);
 
 /* ------------------------------------------------------------------------------------------ LATENT SPACE */
@@ -493,33 +489,33 @@ typedef struct ms_gpr_latent_report {
    MS_BAD_DATA: a value that is not finite (position: its row, from 1), or all materials equal.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED. *out is NULL unless MS_OK. Bit-equal at one SIMD level. An evaluation costs
    z^3 / 2 + 2 z^2 m multiply-adds. Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
-MS_GPR_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
+MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
                                        ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error);
 
 /* A latent space whose latents [z][l] and theta [l + 2] = log lengths, log sf, log sn are given (stored, or fitted elsewhere);
    l = options->dimensions. x is modelled as it stands: not centred. Statuses as above, and MS_NOT_CONVERGED as in ms_gpr_create. */
-MS_GPR_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
+MS_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
                                           const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error);
 
 /* NULL is allowed. */
-MS_GPR_API void ms_gpr_latent_destroy(ms_gpr_latent *plane);
+MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane);
 
 /* The log likelihood of a latent space (latents, theta and x as it holds them) and, where not NULL, its gradient with respect to
    theta [l + 2] and to the latents [z][l]. Exact: direct differences. */
-MS_GPR_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
+MS_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
                                               double *gradient_latent, ms_error *error);
 
 /* Views that live as long as the space: [z][l] latents; [l + 2] theta. */
-MS_GPR_API int ms_gpr_latent_count(const ms_gpr_latent *plane);                /* z */
-MS_GPR_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane);            /* as ms_gpr_jitter */
-MS_GPR_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane);
-MS_GPR_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane);
+MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane);                /* z */
+MS_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane);            /* as ms_gpr_jitter */
+MS_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane);
+MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane);
 
 /* Materials at latent points (3.11).
    latent    [count][l]
    x         [count][m] out
    variance  [count] out, or NULL: of every coordinate of x, without the noise; 0 <= variance <= sf^2 */
-MS_GPR_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x, double *variance,
+MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x, double *variance,
                                        ms_error *error);
 
 /* The latent point whose material is nearest to a given one: least |x - map(latent)|, by L-BFGS from the four training latents
@@ -528,7 +524,7 @@ MS_GPR_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double 
    latent    [l] out
    distance  out, or NULL: root mean square over the m dimensions
    variance  out, or NULL: as in ms_gpr_latent_map */
-MS_GPR_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance,
+MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance,
                                         double *variance, ms_error *error);
 
 /* -------------------------------------------------------------------------------------------------- MAPS */
@@ -543,19 +539,19 @@ typedef struct ms_gpr_grid {
 
 /* resolution x resolution over the training latents and one length scale (at most a quarter of their range) around; all zero,
    which every map refuses, where the space has not 2 dimensions. */
-MS_GPR_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution);
+MS_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution);
 
 /* The latent coordinates of a grid point, and bilinear interpolation of a map at a point (clamped to the rectangle). */
-MS_GPR_API void ms_gpr_grid_point(const ms_gpr_grid *grid, int column, int row, double latent[2]);
-MS_GPR_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, double x, double y);
+MS_API void ms_gpr_grid_point(const ms_gpr_grid *grid, int column, int row, double latent[2]);
+MS_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, double x, double y);
 
 /* Predicted score of the material at every grid point, and its standard deviation where sigma is not NULL (n times the
    cost). gp and plane have the same m. */
-MS_GPR_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid, double *mean,
+MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid, double *mean,
                                            double *sigma, ms_error *error);
 
 /* How much the latent space knows at every grid point: 1 - variance / sf^2, from 0 (nothing) to 1. */
-MS_GPR_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence, ms_error *error);
+MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence, ms_error *error);
 
 /* How similar two materials look: s = exp(-d^2 / (2 scale^2)), d the root mean square difference of their pictures. */
 typedef struct ms_gpr_similarity {
@@ -567,11 +563,11 @@ typedef struct ms_gpr_similarity {
 } ms_gpr_similarity;
 
 /* Similarity of every grid point's material to similarity->x; render is called in order, from the calling thread. */
-MS_GPR_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity, const ms_gpr_grid *grid,
+MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity, const ms_gpr_grid *grid,
                                            double *map, ms_error *error);
 
 /* max(preference, 0) * similarity on the preference's grid; the similarity may have a coarser grid of its own. */
-MS_GPR_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
+MS_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
                                    const double *similarity, double *product);
 
 /* One automatic variant. */
@@ -589,7 +585,7 @@ typedef struct ms_gpr_variant {
    x         [count][m] out: their materials
    The grid is searched, then every maximum is refined by a pattern search to 1/64 of a cell; all lambdas share what was
    looked at, so similarity never falls and score never rises as lambda grows. */
-MS_GPR_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
+MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
                                      const ms_gpr_grid *grid, const double *lambda, int count, double best, ms_gpr_variant *variant,
                                      double *x, ms_error *error);
 
@@ -1626,7 +1622,7 @@ static ms_status ms_gpr__make(const double *x, const double *y, int n, int m, co
     return status;
 }
 
-MS_GPR_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta, const ms_gpr_options *options,
+MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta, const ms_gpr_options *options,
                                    ms_gpr **out, ms_error *error)
 {
     ms_gpr_options defaults;
@@ -1641,7 +1637,7 @@ MS_GPR_API ms_status ms_gpr_create(const double *x, const double *y, int n, int 
     return status == MS_OK ? ms_gpr__make(x, y, n, m, theta, 0, options, out, error) : status;
 }
 
-MS_GPR_API void ms_gpr_destroy(ms_gpr *gp)
+MS_API void ms_gpr_destroy(ms_gpr *gp)
 {
     ms_allocator allocator;
     if (gp == NULL) return;
@@ -1665,7 +1661,7 @@ static ms_status ms_gpr__try_theta(ms_gpr *gp, const double *theta, double *swap
     return status;
 }
 
-MS_GPR_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
+MS_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
 {
     size_t size = ((size_t)gp->m + 2) * sizeof *theta;
     ms_status status = ms_gpr__check_theta(theta, gp->m, error);
@@ -1678,7 +1674,7 @@ MS_GPR_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error 
     return status;
 }
 
-MS_GPR_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
+MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
 {
     int i, k;
     for (k = 0; k < gp->m; ++k) {
@@ -1691,7 +1687,7 @@ MS_GPR_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
     }
 }
 
-MS_GPR_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_error *error)
+MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_error *error)
 {
     size_t columns = (size_t)gp->m, size = (3 * columns + 4) * sizeof(double);
     double *relevance, *theta, dropped = 0;
@@ -1717,15 +1713,15 @@ MS_GPR_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms
     return status;
 }
 
-MS_GPR_API int ms_gpr_count(const ms_gpr *gp) { return gp->n; }
-MS_GPR_API int ms_gpr_dimensions(const ms_gpr *gp) { return gp->m; }
-MS_GPR_API const double *ms_gpr_theta(const ms_gpr *gp) { return gp->theta; }
-MS_GPR_API const double *ms_gpr_inputs(const ms_gpr *gp) { return gp->x; }
-MS_GPR_API const double *ms_gpr_scores(const ms_gpr *gp) { return gp->y; }
-MS_GPR_API double ms_gpr_mean(const ms_gpr *gp) { return gp->mean; }
-MS_GPR_API double ms_gpr_zero_score(const ms_gpr *gp) { return gp->zero_score; }
-MS_GPR_API ms_simd ms_gpr_level(const ms_gpr *gp) { return gp->level; }
-MS_GPR_API double ms_gpr_jitter(const ms_gpr *gp) { return gp->jitter; }
+MS_API int ms_gpr_count(const ms_gpr *gp) { return gp->n; }
+MS_API int ms_gpr_dimensions(const ms_gpr *gp) { return gp->m; }
+MS_API const double *ms_gpr_theta(const ms_gpr *gp) { return gp->theta; }
+MS_API const double *ms_gpr_inputs(const ms_gpr *gp) { return gp->x; }
+MS_API const double *ms_gpr_scores(const ms_gpr *gp) { return gp->y; }
+MS_API double ms_gpr_mean(const ms_gpr *gp) { return gp->mean; }
+MS_API double ms_gpr_zero_score(const ms_gpr *gp) { return gp->zero_score; }
+MS_API ms_simd ms_gpr_level(const ms_gpr *gp) { return gp->level; }
+MS_API double ms_gpr_jitter(const ms_gpr *gp) { return gp->jitter; }
 
 /* The problem of this model's data and theta; memory from the model's allocator, to be released as `block`. */
 static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **block, size_t *doubles, ms_error *error)
@@ -1743,7 +1739,7 @@ static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void *
     return MS_OK;
 }
 
-MS_GPR_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error)
+MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error)
 {
     ms_gpr__problem p;
     void *block;
@@ -1768,7 +1764,7 @@ MS_GPR_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, dou
     return status;
 }
 
-MS_GPR_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, double *density, ms_error *error)
+MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, double *density, ms_error *error)
 {
     size_t stride = gp->stride, doubles = ms__size_mul((size_t)ms_gpr__padded(gp->n), stride);
     int padded = ms_gpr__padded(gp->n), i, j;
@@ -1847,7 +1843,7 @@ static double ms_gpr__distance2(const double *a, size_t a_spacing, const double 
     return sum;
 }
 
-MS_GPR_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error)
+MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error)
 {
     double sf2 = ms_gpr__sf2(gp), sn2 = ms_gpr__sn2(gp), pivot = sf2 + sn2 + gp->jitter * sf2, least;
     int n = gp->n, padded = ms_gpr__padded(gp->n), i;
@@ -1879,7 +1875,7 @@ MS_GPR_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_err
     return status;
 }
 
-MS_GPR_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error)
+MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error)
 {
     size_t m = (size_t)gp->m, stride = gp->stride;
     int last = gp->n - 1, i, j, k;
@@ -2031,7 +2027,7 @@ static ms_status ms_gpr__predict_run(ms_gpr__batch *b, void (*task)(void *contex
     return MS_OK;
 }
 
-MS_GPR_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance, ms_error *error)
+MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance, ms_error *error)
 {
     ms_gpr__batch b;
     ms_status status;
@@ -2047,7 +2043,7 @@ MS_GPR_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count
     return ms_gpr__predict_run(&b, ms_gpr__predict_task, error);
 }
 
-MS_GPR_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error)
+MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error)
 {
     ms_gpr__batch b;
     size_t i, values;
@@ -2065,7 +2061,7 @@ MS_GPR_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int coun
     return ms_gpr__predict_run(&b, ms_gpr__predict_task_f, error);
 }
 
-MS_GPR_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient, double *variance,
+MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient, double *variance,
                                      double *variance_gradient, ms_error *error)
 {
     int padded = ms_gpr__padded(gp->n), i, k;
@@ -2389,7 +2385,7 @@ static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, m
     return o->start ? ms_gpr__check_theta(o->start, m, error) : MS_OK;
 }
 
-MS_GPR_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr **out,
+MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr **out,
                                 ms_gpr_fit_report *report, ms_error *error)
 {
     ms_gpr_fit_options o;
@@ -2506,12 +2502,12 @@ static size_t ms_gpr__file_doubles(size_t n, size_t m)
     return ms__size_add(ms__size_add(m, 4), ms__size_mul(n, ms__size_add(m, 1)));
 }
 
-MS_GPR_API size_t ms_gpr_save_size(const ms_gpr *gp)
+MS_API size_t ms_gpr_save_size(const ms_gpr *gp)
 {
     return MS_GPR__HEADER + 8 * ms_gpr__file_doubles((size_t)gp->n, (size_t)gp->m) + 8;
 }
 
-MS_GPR_API void ms_gpr_save(const ms_gpr *gp, void *bytes)
+MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes)
 {
     unsigned char *start = (unsigned char *)bytes, *at = start + MS_GPR__HEADER;
     const double *part[5];
@@ -2552,7 +2548,7 @@ static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_
     return MS_OK;
 }
 
-MS_GPR_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
 {
     const unsigned char *b = (const unsigned char *)bytes;
     ms_gpr_options o;
@@ -2593,7 +2589,7 @@ MS_GPR_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_op
 }
 
 #ifndef MS_GPR_NO_STDIO
-MS_GPR_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_error *error)
+MS_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_error *error)
 {
     size_t size = ms_gpr_save_size(gp);
     void *bytes = ms__alloc(&gp->allocator, size);
@@ -2608,7 +2604,7 @@ MS_GPR_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_err
     return good ? MS_OK : ms__fail(error, MS_IO, 0, "cannot write %s", path);
 }
 
-MS_GPR_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
 {
     const ms_allocator *allocator = options ? &options->allocator : NULL;
     ms_status status;
@@ -3229,7 +3225,7 @@ static ms_status ms_gpr__hunt_run(ms_gpr__hunt *h, ms_error *error)
                     h->report.found, h->count);
 }
 
-MS_GPR_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x, double *mean,
+MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x, double *mean,
                                       double *sigma, ms_gpr_recommend_report *report, ms_error *error)
 {
     ms_gpr__hunt hunt, *h = &hunt;
@@ -3426,7 +3422,7 @@ static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed)
     }
 }
 
-MS_GPR_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x, ms_error *error)
+MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x, ms_error *error)
 {
     ms_gpr_gallery_options o;
     ms_gpr__pool pool, *p = &pool;
@@ -3673,7 +3669,7 @@ static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_error *error)
                     p->z);
 }
 
-MS_GPR_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
+MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
 {
     ms_allocator allocator;
     if (plane == NULL) return;
@@ -3682,7 +3678,7 @@ MS_GPR_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
     ms__release(&allocator, plane, sizeof *plane);
 }
 
-MS_GPR_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
+MS_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
                                           const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error)
 {
     ms_gpr_latent_options o;
@@ -3709,12 +3705,12 @@ MS_GPR_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const d
     return status;
 }
 
-MS_GPR_API int ms_gpr_latent_count(const ms_gpr_latent *plane) { return plane->z; }
-MS_GPR_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane) { return plane->latent; }
-MS_GPR_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane) { return plane->theta; }
-MS_GPR_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane) { return plane->jitter; }
+MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane) { return plane->z; }
+MS_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane) { return plane->latent; }
+MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane) { return plane->theta; }
+MS_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane) { return plane->jitter; }
 
-MS_GPR_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
+MS_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
                                               double *gradient_latent, ms_error *error)
 {
     const ms_gpr_latent *p = plane;
@@ -3772,7 +3768,7 @@ static double ms_gpr__latent_variance(const ms_gpr_latent *p, double *kernel)
     return variance > 0 ? variance : 0;
 }
 
-MS_GPR_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x, double *variance,
+MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x, double *variance,
                                        ms_error *error)
 {
     size_t m, doubles;
@@ -3829,7 +3825,7 @@ static int ms_gpr__nearest_objective(void *context, const double *q, double *val
     return 1;
 }
 
-MS_GPR_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance, double *variance,
+MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance, double *variance,
                                         ms_error *error)
 {
     const ms_gpr_latent *p = plane;
@@ -4016,7 +4012,7 @@ static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, const ms_gpr_latent
     return ms_gpr__latent_condition(plane, error);
 }
 
-MS_GPR_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options, ms_gpr_latent **out,
+MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options, ms_gpr_latent **out,
                                        ms_gpr_latent_report *report, ms_error *error)
 {
     ms_gpr_latent_options o;
@@ -4074,7 +4070,7 @@ MS_GPR_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_g
 
 /* -------------------------------------------------------------------------------------------------- MAPS */
 
-MS_GPR_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution)
+MS_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution)
 {
     ms_gpr_grid grid;
     double low[2], high[2];
@@ -4102,13 +4098,13 @@ MS_GPR_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolu
     return grid;
 }
 
-MS_GPR_API void ms_gpr_grid_point(const ms_gpr_grid *grid, int column, int row, double latent[2])
+MS_API void ms_gpr_grid_point(const ms_gpr_grid *grid, int column, int row, double latent[2])
 {
     latent[0] = grid->x0 + (grid->x1 - grid->x0) * column / (grid->columns - 1);
     latent[1] = grid->y0 + (grid->y1 - grid->y0) * row / (grid->rows - 1);
 }
 
-MS_GPR_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, double x, double y)
+MS_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, double x, double y)
 {
     double u = (x - grid->x0) / (grid->x1 - grid->x0) * (grid->columns - 1);
     double v = (y - grid->y0) / (grid->y1 - grid->y0) * (grid->rows - 1);
@@ -4186,7 +4182,7 @@ static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid
     return MS_OK;
 }
 
-MS_GPR_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid, double *mean,
+MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid, double *mean,
                                            double *sigma, ms_error *error)
 {
     double *x;
@@ -4205,7 +4201,7 @@ MS_GPR_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_
     return status;
 }
 
-MS_GPR_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence, ms_error *error)
+MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence, ms_error *error)
 {
     ms_status status = ms_gpr__grid_check(plane, grid, error);
     double sf2, at[2], *kernel;
@@ -4270,7 +4266,7 @@ static ms_status ms_gpr__similarity(const ms_gpr_similarity *s, int m, const dou
     return MS_OK;
 }
 
-MS_GPR_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity, const ms_gpr_grid *grid,
+MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity, const ms_gpr_grid *grid,
                                            double *map, ms_error *error)
 {
     double *x;
@@ -4292,7 +4288,7 @@ MS_GPR_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_
     return status;
 }
 
-MS_GPR_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
+MS_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
                                    const double *similarity, double *product)
 {
     int row, column;
@@ -4377,7 +4373,7 @@ static ms_status ms_gpr__looks_refine(ms_gpr__looks *looks, const ms_gpr_grid *g
     return MS_OK;
 }
 
-MS_GPR_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
+MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
                                      const ms_gpr_grid *grid, const double *lambda, int count, double best, ms_gpr_variant *variant,
                                      double *x, ms_error *error)
 {
