@@ -511,8 +511,8 @@ typedef struct ms_sss_filter_options {
 
 MS_SSS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
-/* Bytes that ms_sss_filter needs for frames of this size: about 20 a pixel, 32 with kernels of several terms, 48 with
-   rotation or jitter. Depends on width, height, kernels and options only; SIZE_MAX: more than this machine can address. */
+/* Bytes that ms_sss_filter needs for frames of this size: about 20 a pixel, 12 more with kernels of several terms, 12 more
+   with rotation or jitter. Depends on width, height, kernels and options only; SIZE_MAX: more than this machine can address. */
 MS_SSS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                           const ms_sss_filter_options *options);
 
@@ -556,7 +556,7 @@ typedef struct ms_sss_pyramid {
    MS_INVALID_ARGUMENT: a NULL, a profile without light. *pyramid is untouched then. */
 MS_SSS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error);
 
-/* Bytes that ms_sss_pyramid_filter needs: about 50 a pixel. SIZE_MAX: sides out of range. */
+/* Bytes that ms_sss_pyramid_filter needs: about 100 a pixel. SIZE_MAX: sides out of range. */
 MS_SSS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
 /* ms_sss_filter with the round kernel instead of a separable one: out = sum_l weight_l E_l over the levels E_l.
@@ -3085,10 +3085,11 @@ typedef struct ms_sss__split {
 /* What the sums of a pyramid level need. */
 typedef struct ms_sss__growth {
     const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
-    int level, perspective, flat; /* flat: no depth */
+    int level, perspective;
     float weight[2][3];     /* of this level where all pixels have one size */
     float size, size_max;   /* the kernel's radius in pixels: min(size / depth, size_max) */
-    float cut, vertical[2]; /* share of the two coarser rows */
+    float cut;
+    int lower;              /* the row is the lower of its coarser row's two */
 } ms_sss__growth;
 
 typedef struct ms_sss__kernels {
@@ -3105,9 +3106,10 @@ typedef struct ms_sss__kernels {
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
-    void (*shrink)(const ms_sss__split row[4], float cut, int flat, int count, float *const out[5]);
-    int (*grow)(const ms_sss__growth *s, const ms_sss__split row[3], const float *const *coarse0,
-                const float *const *coarse1, int odd, int count, float *const out[6]);
+    void (*shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int count, float *const out[5]);
+    void (*soften)(const ms_sss__growth *s, const ms_sss__split row[3], int odd, int count, float *const out[4]);
+    int (*grow)(const ms_sss__growth *s, const float *const fine[5], const float *const soft[4],
+                const float *const *const coarse[3], int odd, int count, float *const out[6]);
     void (*split)(const float *from, int count, float *even, float *odd);
     void (*merge)(const float *even, const float *odd, int count, float *to);
 } ms_sss__kernels;
@@ -4233,11 +4235,12 @@ static void ms_sss__fit_positive(const double *A, const double *b, int n, double
     }
 }
 
-/* Transfer of a level along one axis: (1, 3, 3, 1) / 8 down l times and up again, (sin(2^l k / 2) / (2^l sin(k / 2)))^6. */
+/* Transfer of a level along one axis: (1, 5, 10, 10, 5, 1) / 32 down l times and up again,
+   (sin(2^l k / 2) / (2^l sin(k / 2)))^10. */
 static double ms_sss__level_wave(int level, double k)
 {
     const double n = (double)(1 << level), s = k < 1e-9 ? 1 : sin(n * k / 2) / (n * sin(k / 2));
-    return s * s * s * s * s * s;
+    return pow(s * s, 5);
 }
 
 MS_SSS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error)
@@ -4314,6 +4317,7 @@ typedef struct ms_sss__level {
     int width, height;
     ptrdiff_t half, whole;  /* floats from a row to the next of the planes for even or odd columns, and for all */
     float *split[2][5];     /* colour, depth, share; the share of the finest level is not stored */
+    float *soft[2][4];      /* softened: colour, share */
     float *sum[6], *depth;  /* of coarser levels: weighted colour, weight, depth */
 } ms_sss__level;
 
@@ -4352,6 +4356,10 @@ static size_t ms_sss__tower_levels(ms_sss__tower *tower, int width, int height, 
                 if (base) v->split[side][i] = base + at + MS_SSS__LEFT;
                 at = ms__size_add(at, ms__size_mul((size_t)v->half, (size_t)height));
             }
+        }
+        for (i = 0; i < 8; ++i) {
+            if (base) v->soft[i / 4][i % 4] = base + at + MS_SSS__LEFT;
+            at = ms__size_add(at, ms__size_mul((size_t)v->half, (size_t)height));
         }
         for (i = 0; i < 7 && l > 0; ++i) {
             if (base && i < 6) v->sum[i] = base + at + MS_SSS__LEFT;
@@ -4419,23 +4427,55 @@ static void ms_sss__tower_load(void *context, int task)
     }
 }
 
-/* Level at + 1 from level at. */
+/* Level at softened. */
+static void ms_sss__tower_soften(void *context, int task)
+{
+    const ms_sss__tower *tower = (const ms_sss__tower *)context;
+    const ms_sss__job *job = &tower->job;
+    const ms_sss__level *v = &tower->level[tower->at];
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    const int half = ms_sss__round_up((v->width + 1) / 2, 16), padded = (int)v->half - MS_SSS__LEFT;
+    int y, i, side, x;
+    for (y = begin; y < end; ++y) {
+        ms_sss__split row[3];
+        for (i = 0; i < 3; ++i) ms_sss__tower_split(tower, y - 1 + i, &row[i]);
+        for (side = 0; side < 2; ++side) {
+            float *to[4];
+            for (i = 0; i < 4; ++i) {
+                to[i] = v->soft[side][i] + y * v->half;
+                for (x = -MS_SSS__LEFT; x < 0; ++x) to[i][x] = 0;
+                for (x = half; x < padded; ++x) to[i][x] = 0;
+            }
+            job->simd->soften(&tower->growth, row, side, half, to);
+        }
+    }
+}
+
+/* Level at + 1 from level at, softened: (1, 2, 1) then (1, 3, 3, 1) make (1, 5, 10, 10, 5, 1). */
 static void ms_sss__tower_shrink(void *context, int task)
 {
     const ms_sss__tower *tower = (const ms_sss__tower *)context;
     const ms_sss__job *job = &tower->job;
-    const ms_sss__level *v = &tower->level[tower->at + 1];
+    const ms_sss__level *fine = &tower->level[tower->at], *v = fine + 1;
     const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y, i, x;
+    int y, i, c, side, x;
     for (y = begin; y < end; ++y) {
         ms_sss__split row[4];
         float *out[5];
         const float *from[5];
-        for (i = 0; i < 4; ++i) ms_sss__tower_split(tower, 2 * y - 1 + i, &row[i]);
+        for (i = 0; i < 4; ++i) {
+            const int at = 2 * y - 1 + i;
+            ms_sss__tower_split(tower, at, &row[i]);
+            for (side = 0; side < 2 && at >= 0 && at < fine->height; ++side) {
+                for (c = 0; c < 3; ++c) row[i].plane[side][c] = fine->soft[side][c] + at * fine->half;
+                row[i].plane[side][4] = fine->soft[side][3] + at * fine->half;
+            }
+        }
         for (i = 0; i < 5; ++i) from[i] = out[i] = ms_sss__tower_row(tower, task, i);
         from[3] = out[3] = v->depth + y * v->whole;
-        job->simd->shrink(row, tower->growth.cut, tower->growth.flat, ms_sss__round_up(v->width, 32), out);
+        job->simd->shrink(&tower->growth, row, ms_sss__round_up(v->width, 32), out);
         for (x = -MS_SSS__LEFT; x < 0; ++x) out[3][x] = INFINITY;
         for (x = ms_sss__round_up(v->width, 32); x < (int)v->whole - MS_SSS__LEFT; ++x) out[3][x] = INFINITY;
         ms_sss__split_row(tower, v, y, 5, from);
@@ -4454,25 +4494,25 @@ static void ms_sss__tower_grow(void *context, int task)
     int y, i, side, x, c;
     for (y = begin; y < end; ++y) {
         ms_sss__growth growth = tower->growth;
-        ms_sss__split row[3];
-        const float *from[2][7];
-        const float *const *near_by[2] = {NULL, NULL};
+        ms_sss__split row;
+        const float *from[3][7], *soft[4];
+        const float *const *near_by[3] = {NULL, NULL, NULL};
         float *out[2][6], *blur[3];
         int small = 0;
         if (tower->at == 0 && job->first[y] == job->last[y]) continue;
-        growth.vertical[0] = y % 2 ? 0.75f : 0.25f;
-        growth.vertical[1] = y % 2 ? 0.25f : 0.75f;
-        for (i = 0; i < 2 && tower->at + 1 < tower->levels; ++i) {
-            const int j = y / 2 + i - !(y % 2);
+        growth.lower = y % 2;
+        for (i = 0; i < 3 && tower->at + 1 < tower->levels; ++i) {
+            const int j = y / 2 + i - 1;
             if (j < 0 || j >= coarse->height) continue;
             for (c = 0; c < 6; ++c) from[i][c] = coarse->sum[c] + j * coarse->whole;
             from[i][6] = coarse->depth + j * coarse->whole;
             near_by[i] = from[i];
         }
-        for (i = 0; i < 3; ++i) ms_sss__tower_split(tower, y - 1 + i, &row[i]);
+        ms_sss__tower_split(tower, y, &row);
         for (side = 0; side < 2; ++side) {
+            for (i = 0; i < 4; ++i) soft[i] = v->soft[side][i] + y * v->half;
             for (i = 0; i < 6; ++i) out[side][i] = ms_sss__tower_row(tower, task, side * 6 + i);
-            small |= job->simd->grow(&growth, row, near_by[0], near_by[1], side, half, out[side]);
+            small |= job->simd->grow(&growth, row.plane[side], soft, near_by, side, half, out[side]);
         }
         if (tower->at > 0) {
             for (i = 0; i < 6; ++i) {
@@ -4552,15 +4592,15 @@ MS_SSS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_s
     if (!(job->gain > 0)) job->idle = 1;
     tower.growth.table = pyramid->weight;
     tower.growth.perspective = job->pass.perspective;
-    tower.growth.flat = !frame->depth.channel[0];
     tower.growth.cut = job->pass.cut;
     tower.growth.size = job->pass.size * pyramid->radius_mm;
     tower.growth.size_max = job->pass.size_max * pyramid->radius_mm;
     ms_sss__run(job, 0, frame->height, ms_sss__tower_load);
     if (job->idle) return MS_OK;
-    for (l = 0; l + 1 < tower.levels; ++l) {
+    for (l = 0; l < tower.levels; ++l) {
         tower.at = l;
-        ms_sss__run(job, 0, tower.level[l + 1].height, ms_sss__tower_shrink);
+        ms_sss__run(job, 0, tower.level[l].height, ms_sss__tower_soften);
+        if (l + 1 < tower.levels) ms_sss__run(job, 0, tower.level[l + 1].height, ms_sss__tower_shrink);
     }
     for (l = tower.levels - 1; l >= 0; --l) {
         tower.at = tower.growth.level = l;
@@ -5312,10 +5352,22 @@ static void MS_SSS__NAME(fade)(const ms_sss__pass *p, const float *strength, flo
 
 /* ------------------------------------------------------- PYRAMID KERNELS */
 
+/* What the depth of a pixel dz away leaves of it, times h. *some: lanes where that is anything; 0: do not use it. */
+static MS_SSS__INLINE V MS_SSS__NAME(near_by)(const ms_sss__growth *s, V dz, V h, unsigned *some)
+{
+    V q = V_MUL(dz, dz);
+    V_MASK near_by = V_LESS(q, V_SET(s->cut));
+    *some = V_BITS(near_by);
+    if (!*some) return h;
+    if (V_BITS(V_LESS(q, V_SET(0.01f))) == MS_SSS__ALL) /* most are: 2^-q to second order, error 6e-8 */
+        return V_MUL(h, V_MADD(V_MADD(V_SET(0.24022651f), q, V_SET(-0.69314718f)), q, V_SET(1.0f)));
+    return V_SELECT(near_by, V_MUL(h, MS_SSS__NAME(exp2_minus)(q)), V_SET(0.0f));
+}
+
 /* One row of the next coarser level. Rows 2j - 1 to 2j + 2 of the finer one (NULL: outside) come split into even and odd
    columns; each coarse pixel i gathers columns 2i - 1 to 2i + 2 with weights (1, 3, 3, 1) / 8 both ways, those that its
-   own depth lets in (flat: all depths are equal). Planes: colour, depth, share of the area that takes part. */
-static void MS_SSS__NAME(shrink)(const ms_sss__split row[4], float cut, int flat, int count, float *const out[5])
+   own depth lets in. Planes: colour, depth, share of the area that takes part. */
+static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int count, float *const out[5])
 {
     static const float side[4] = {0.125f, 0.375f, 0.375f, 0.125f};
     const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
@@ -5337,12 +5389,10 @@ static void MS_SSS__NAME(shrink)(const ms_sss__split row[4], float cut, int flat
                 for (x = 0; x < 4 && row[y].plane[0][0]; ++x) {
                     const float *const *p = row[y].plane[x % 2 == 0];
                     const int at = i + (x + 1) / 2 - 1;
-                    V dz = V_SUB(V_LOAD(p[3] + at), depth), q = V_MUL(dz, dz), f;
-                    V_MASK near_by = V_LESS(q, V_SET(cut));
-                    if (!V_BITS(near_by)) continue;
-                    f = V_MUL(V_SET(side[x] * side[y]), V_LOAD(p[4] + at));
-                    if (!flat) f = V_MUL(f, MS_SSS__NAME(exp2_minus)(q));
-                    f = V_SELECT(near_by, f, zero);
+                    unsigned any;
+                    V f = MS_SSS__NAME(near_by)(s, V_SUB(V_LOAD(p[3] + at), depth), V_SET(side[x] * side[y]), &any);
+                    if (!any) continue;
+                    f = V_MUL(f, V_LOAD(p[4] + at));
                     r = V_MADD(f, V_LOAD(p[0] + at), r);
                     g = V_MADD(f, V_LOAD(p[1] + at), g);
                     b = V_MADD(f, V_LOAD(p[2] + at), b);
@@ -5359,32 +5409,55 @@ static void MS_SSS__NAME(shrink)(const ms_sss__split row[4], float cut, int flat
     }
 }
 
-/* What the depth of a pixel dz away leaves of it, times h; 0 and no lane set in *some where none is near. */
-static MS_SSS__INLINE V MS_SSS__NAME(near_by)(const ms_sss__growth *s, V dz, V h, unsigned *some)
-{
-    V q = V_MUL(dz, dz);
-    V_MASK near_by = V_LESS(q, V_SET(s->cut));
-    *some = V_BITS(near_by);
-    if (!*some) return V_SET(0.0f);
-    if (!s->flat) h = V_MUL(h, MS_SSS__NAME(exp2_minus)(q));
-    return V_SELECT(near_by, h, V_SET(0.0f));
-}
-
-/* Weighted sums of a row of a level, for its even (odd 0) or odd columns: the level itself and the level blurred by
-   (1, 2, 1) / 4 both ways, weight * share * (colour, 1), and what the two coarser rows near it hold (NULL: outside),
-   bilinear with `vertical`; all as far as depth lets them. row: the rows above (NULL: outside), at and below, as in
-   shrink; coarse: six sums and, last, depth. The finest level becomes sums / weights. Returns whether any kernel there is
-   under half a pixel. */
-static int MS_SSS__NAME(grow)(const ms_sss__growth *s, const ms_sss__split row[3], const float *const *coarse0,
-                              const float *const *coarse1, int odd, int count, float *const out[6])
+/* A row of a level blurred by (1, 2, 1) / 4 both ways as far as depth lets it, for its even (odd 0) or odd columns: colour
+   and share. row: the rows above, at and below (NULL: outside), as in shrink. */
+static void MS_SSS__NAME(soften)(const ms_sss__growth *s, const ms_sss__split row[3], int odd, int count, float *const out[4])
 {
     const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
-    const float *const *fine = row[1].plane[odd];
+    int i, k;
+    for (i = 0; i < count; i += MS_SSS__LANES) {
+        const V depth = V_LOAD(row[1].plane[odd][3] + i);
+        const V_MASK part = V_LESS(depth, infinity);
+        V_MASK any;
+        V r = zero, g = zero, b = zero, n = zero;
+        unsigned some;
+        for (k = 0; k < 9 && V_BITS(part); ++k) {
+            const int column = odd + k % 3 - 1; /* of the pair 0, 1; -1 and 2 are the neighbours' */
+            const float *const *p = row[k / 3].plane[column & 1];
+            const int at = i + (column < 0 ? -1 : column > 1 ? 1 : 0);
+            V f;
+            if (!p[0]) continue;
+            f = MS_SSS__NAME(near_by)(s, V_SUB(V_LOAD(p[3] + at), depth),
+                                      V_SET((k / 3 == 1 ? 0.5f : 0.25f) * (k % 3 == 1 ? 0.5f : 0.25f)), &some);
+            if (!some) continue;
+            f = V_MUL(f, V_LOAD(p[4] + at));
+            r = V_MADD(f, V_LOAD(p[0] + at), r);
+            g = V_MADD(f, V_LOAD(p[1] + at), g);
+            b = V_MADD(f, V_LOAD(p[2] + at), b);
+            n = V_ADD(n, f);
+        }
+        any = V_BOTH(part, V_LESS(V_SET(1e-30f), n));
+        V_STORE(out[0] + i, V_SELECT(any, V_DIV(r, n), zero));
+        V_STORE(out[1] + i, V_SELECT(any, V_DIV(g, n), zero));
+        V_STORE(out[2] + i, V_SELECT(any, V_DIV(b, n), zero));
+        V_STORE(out[3] + i, V_SELECT(any, n, zero));
+    }
+}
+
+/* Weighted sums of a row of a level, for its even (odd 0) or odd columns: the level itself and the level softened, weight *
+   share * (colour, 1), and what the three coarser rows near it hold (NULL: outside), by (1, 5, 10, 10, 5, 1) / 16 as far
+   as depth lets it. fine, soft: this level's planes as in shrink and soften; coarse: six sums and, last, depth. The finest
+   level becomes sums / weights. Returns whether any kernel there is under half a pixel. */
+static int MS_SSS__NAME(grow)(const ms_sss__growth *s, const float *const fine[5], const float *const soft[4],
+                              const float *const *const coarse[3], int odd, int count, float *const out[6])
+{
+    static const float side[2][3] = {{0.3125f, 0.625f, 0.0625f}, {0.0625f, 0.625f, 0.3125f}};
+    const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
     int i, c, k, small = 0;
     for (i = 0; i < count; i += MS_SSS__LANES) {
         const V depth = V_LOAD(fine[3] + i), share = V_LOAD(fine[4] + i);
         V_MASK part = V_LESS(depth, infinity);
-        V own[3], blurred[3], r, g, b, nr, ng, nb;
+        V own[3], blurred[3], r, g, b, n, nr, ng, nb;
         unsigned some;
         if (!V_BITS(part)) {
             for (c = 0; c < 6; ++c) V_STORE(out[c] + i, zero);
@@ -5431,37 +5504,19 @@ static int MS_SSS__NAME(grow)(const ms_sss__growth *s, const ms_sss__split row[3
         r = V_MUL(nr, V_LOAD(fine[0] + i));
         g = V_MUL(ng, V_LOAD(fine[1] + i));
         b = V_MUL(nb, V_LOAD(fine[2] + i));
-        if (V_BITS(V_LESS(zero, V_ADD(V_ADD(blurred[0], blurred[1]), blurred[2])))) {
-            V sr = zero, sg = zero, sb = zero, n = zero;
-            for (k = 0; k < 9; ++k) {
-                const int column = odd + k % 3 - 1; /* of the pair 0, 1; -1 and 2 are the neighbours' */
-                const float *const *p = row[k / 3].plane[column & 1];
-                const int at = i + (column < 0 ? -1 : column > 1 ? 1 : 0);
-                V f;
-                if (!p[0]) continue;
-                f = MS_SSS__NAME(near_by)(s, V_SUB(V_LOAD(p[3] + at), depth),
-                                          V_SET((k / 3 == 1 ? 0.5f : 0.25f) * (k % 3 == 1 ? 0.5f : 0.25f)), &some);
-                if (!some) continue;
-                f = V_MUL(f, V_LOAD(p[4] + at));
-                sr = V_MADD(f, V_LOAD(p[0] + at), sr);
-                sg = V_MADD(f, V_LOAD(p[1] + at), sg);
-                sb = V_MADD(f, V_LOAD(p[2] + at), sb);
-                n = V_ADD(n, f);
-            }
-            r = V_MADD(blurred[0], sr, r);
-            g = V_MADD(blurred[1], sg, g);
-            b = V_MADD(blurred[2], sb, b);
-            nr = V_MADD(blurred[0], n, nr);
-            ng = V_MADD(blurred[1], n, ng);
-            nb = V_MADD(blurred[2], n, nb);
-        }
-        for (k = 0; k < 4; ++k) {
-            const float *const *p = k < 2 ? coarse0 : coarse1;
-            const int at = i + (k % 2) - !odd;
+        n = V_LOAD(soft[3] + i);
+        r = V_MADD(V_MUL(blurred[0], n), V_LOAD(soft[0] + i), r);
+        g = V_MADD(V_MUL(blurred[1], n), V_LOAD(soft[1] + i), g);
+        b = V_MADD(V_MUL(blurred[2], n), V_LOAD(soft[2] + i), b);
+        nr = V_MADD(blurred[0], n, nr);
+        ng = V_MADD(blurred[1], n, ng);
+        nb = V_MADD(blurred[2], n, nb);
+        for (k = 0; k < 9; ++k) {
+            const float *const *p = coarse[k / 3];
+            const int at = i + k % 3 - 1;
             V f;
             if (!p) continue;
-            f = MS_SSS__NAME(near_by)(s, V_SUB(V_LOAD(p[6] + at), depth),
-                                      V_SET(s->vertical[k / 2] * (k % 2 == odd ? 0.25f : 0.75f)), &some);
+            f = MS_SSS__NAME(near_by)(s, V_SUB(V_LOAD(p[6] + at), depth), V_SET(side[s->lower][k / 3] * side[odd][k % 3]), &some);
             if (!some) continue;
             r = V_MADD(f, V_LOAD(p[0] + at), r);
             g = V_MADD(f, V_LOAD(p[1] + at), g);
@@ -5510,8 +5565,8 @@ static void MS_SSS__NAME(merge)(const float *even, const float *odd, int count, 
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
     MS_SSS__NAME(gate),    MS_SSS__NAME(admit),  MS_SSS__NAME(convolve),    MS_SSS__NAME(convolve_valid),
     MS_SSS__NAME(taps_x),  MS_SSS__NAME(taps_y), MS_SSS__NAME(taps_turned), MS_SSS__NAME(combine),
-    MS_SSS__NAME(fade),    MS_SSS__NAME(shrink), MS_SSS__NAME(grow),
-    MS_SSS__NAME(split),   MS_SSS__NAME(merge)};
+    MS_SSS__NAME(fade),    MS_SSS__NAME(shrink), MS_SSS__NAME(soften),
+    MS_SSS__NAME(grow),    MS_SSS__NAME(split),  MS_SSS__NAME(merge)};
 
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN

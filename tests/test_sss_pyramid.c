@@ -171,7 +171,7 @@ static void case_texture(void)
     int i;
     for (i = 0; i < (test_full ? 4 : 2); ++i) {
         const double e = texture_error(&pyramid, radius[i]);
-        CHECK_LE(e, 0.02); /* the levels' aliasing: measured, between 0.9% and 1.9% from 24 to 128 pixels */
+        CHECK_LE(e, radius[i] < 64 ? 0.015 : 0.01); /* the target from 64 pixels on; below, narrow channels fit less well */
         TEST_NOTE("R %g px: %.2f%%", radius[i], 100 * e);
     }
 }
