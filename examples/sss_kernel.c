@@ -13,7 +13,7 @@
 #include "ms_sss.h"
 #include <stdio.h>
 
-static const char *const model_names[] = {"image", "preint", "residual", "svd", "svdn", "gaussians", "guided", "artist", "slice", "rotated"};
+static const char *const model_names[] = {"image", "preintegrated", "residual", "svd", "svdn", "gaussians", "guided", "artist", "slice", "rotated"};
 static const char *const placement_names[] = {"optimised", "quantile", "quadratic"};
 
 static int usage(const char *problem, const char *value)
@@ -22,7 +22,7 @@ static int usage(const char *problem, const char *value)
     fprintf(stderr,
             "usage: sss_kernel MATERIAL|CSV [--radius PIXELS] [--taps N|dense] [--terms N] [--placement NAME]\n"
             "                  [--model NAME] [--tolerance E [--budget N]] [--dial D] [--k K] [--frames N] [--no-delta]\n"
-            "       models: image preint residual svd svdn gaussians guided artist slice rotated\n"
+            "       models: image preintegrated residual svd svdn gaussians guided artist slice rotated\n"
             "       placements: optimised quantile quadratic; materials: deon and those of build/profile --list\n");
     return 2;
 }
@@ -80,12 +80,15 @@ static ms_status csv_profile(const char *path, ms_sss_profile **profile, ms_erro
     return status;
 }
 
+/* The index of a name, or of the one name that starts like it; -1: none, or several. */
 static int find(const char *name, const char *const *names, int count)
 {
-    int i;
-    for (i = 0; i < count; ++i)
+    int i, found = -1;
+    for (i = 0; i < count; ++i) {
         if (strcmp(name, names[i]) == 0) return i;
-    return -1;
+        if (strncmp(name, names[i], strlen(name)) == 0) found = found == -1 ? i : -2;
+    }
+    return found < 0 ? -1 : found;
 }
 
 static void print_kernel(const ms_sss_kernel *k, const ms_sss_errors *e)
