@@ -8,8 +8,8 @@
       #include "ms_mcml.h"
 
    Layers with refractive index, absorption, scattering and thickness become reflectance, transmittance and absorption,
-   over radius, angle, depth and time, each number with its standard error. Link with -lm. Here 0.1 cm of skin on muscle (n, mu_a, mu_s, g, thickness of each
-   layer in cm; then dr, dz, dt, nr, nz, na, nt of the grid):
+   over radius, angle, depth and time, each number with its standard error. Link with -lm. Here 0.1 cm of skin on muscle
+   (n, mu_a, mu_s, g, thickness of each layer, per cm and cm; then dr, dz, dt, nr, nz, na, nt of the grid):
 
    Example:
       #define MS_MCML_IMPLEMENTATION
