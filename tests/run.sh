@@ -121,8 +121,8 @@ style_jobs() {
         for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c; do
             [ -f "$f" ] || continue
             n=$(basename "$f" .c)
-            job "${compiler}_$n" "for o in -O0 -O3; do $compiler -std=c99 $o $posix $paths $warn_c \$o -c $f -o $out/${compiler}_$n.o || exit 1; done
-$cxx -x c++ -std=c++11 $posix $paths $warn -O2 -c $f -o $out/${compiler}_$n.o"
+            job "${compiler}_$n" "$compiler -std=c99 $posix $paths $warn_c -O3 -c $f -o $out/${compiler}_$n.o &&
+$cxx -x c++ -std=c++11 $posix $paths $warn -O1 -c $f -o $out/${compiler}_$n.o"
         done
         for h in $headers; do
             n=${h%.h}
