@@ -331,7 +331,8 @@ typedef struct ms_mcml_result {
 } ms_mcml_result;
 
 /* Results so far. Errors of Rd and Tt come from the squares of single photons, those of A and phi from the spread of up
-   to 64 groups of 1024 photons (64 groups: good to 9%). An error that cannot be known (one photon, one group) is infinite. MS_INVALID_ARGUMENT: an empty tally. MS_OUT_OF_MEMORY. *result is untouched then. */
+   to 64 groups of 1024 photons (64 groups: good to 9%). An error that cannot be known (one photon, one group) is infinite.
+   MS_INVALID_ARGUMENT: an empty tally. MS_OUT_OF_MEMORY. *result is untouched then. */
 MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, ms_error *error);
 
 /* NULL and a zeroed result are fine. */
@@ -1604,7 +1605,8 @@ static void ms_mcml__leave_results(const ms_mcml *m, int down, double *total, do
         for (ia = 0; ia < na; ++ia) {
             const size_t i = (size_t)ir * (size_t)na + (size_t)ia;
             double cosine, solid = ms_mcml__solid_angle(ia, na, &cosine);
-            ms_mcml__moments((double)bin[2 * i], (double)bin[2 * i + 1], n, entered / (area * solid * cosine), &ra[i], &ra_error[i]);
+            ms_mcml__moments((double)bin[2 * i], (double)bin[2 * i + 1], n, entered / (area * solid * cosine), &ra[i],
+                             &ra_error[i]);
             ring_s += (double)bin[2 * i];
             ring_q += (double)bin[2 * i + 1];
         }
@@ -1634,8 +1636,8 @@ static void ms_mcml__time_results(const ms_mcml *m, ms_mcml_result *out)
         double s = 0, q = 0;
         for (ir = 0; ir < nr; ++ir) {
             const size_t i = (size_t)ir * (size_t)nt + (size_t)it;
-            ms_mcml__moments((double)bin[2 * i], (double)bin[2 * i + 1], n, scale / ms_mcml__ring_area(ir, m->grid.dr_cm), &out->rd_rt[i],
-                             &out->rd_rt_error[i]);
+            ms_mcml__moments((double)bin[2 * i], (double)bin[2 * i + 1], n, scale / ms_mcml__ring_area(ir, m->grid.dr_cm),
+                             &out->rd_rt[i], &out->rd_rt_error[i]);
             s += (double)bin[2 * i];
             q += (double)bin[2 * i + 1];
         }
@@ -2193,7 +2195,9 @@ static int ms_mcml__format(char *out, double x, int digits, int general)
         exponent = (int)floor(log10(x));
         for (i = 0; i < 2; ++i) { /* again where log10 or rounding was one off */
             const int shift = digits - 1 - exponent;
-            const double scaled = shift > 300 ? x * 1e300 * pow(10, shift - 300) : shift >= 0 ? x * pow(10, shift) : x / pow(10, -shift);
+            const double scaled = shift > 300  ? x * 1e300 * pow(10, shift - 300)
+                                  : shift >= 0 ? x * pow(10, shift)
+                                               : x / pow(10, -shift);
             mantissa = (uint64_t)(scaled + 0.5);
             if (mantissa >= 10 * top) ++exponent;
             else if (mantissa < top) --exponent;
