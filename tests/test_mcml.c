@@ -535,7 +535,7 @@ static void beams(void)
     }
     for (k = 0; k < 3; ++k) { /* energy is kept: a sum over fine radii */
         for (i = 0, energy = 0; i < 6000; ++i) {
-            double at = (i + 0.5) * 5e-4, v;
+            double at = (i + 0.5) * 5e-4, v = 0;
             CHECK_INT(ms_mcml_convolve(MS_MCML_BEAM_FLAT, radius[k], dr, N, 1, value, NULL, &at, 1, &v, NULL, &e), MS_OK);
             energy += v * ms_mcml__ring_area(i, 5e-4);
         }
