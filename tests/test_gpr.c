@@ -491,6 +491,7 @@ static int stop_after(void *context, double fraction)
 
 static void test_fit_options(void)
 {
+    const int no_method = 4;
     enum { N = 60, M = 4 };
     double x[N * M], y[N], theta[M + 2];
     uint64_t state = 3;
@@ -536,7 +537,8 @@ static void test_fit_options(void)
     ms_gpr_destroy(gp);
     o.length_min = 2, o.length_max = 1;
     CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "length_min"));
-    o = fit_options((ms_gpr_method)4);
+    o = fit_options(MS_GPR_METHOD_MAP);
+    memcpy(&o.method, &no_method, sizeof o.method);
     CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "method"));
     o = fit_options(MS_GPR_METHOD_MAP);
     o.noise_min = NAN;
