@@ -771,7 +771,7 @@ static void test_activations(void)
             CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
             CHECK(y[0] != y[0]);
             CHECK(act == 4 || act == 5 ? y[1] == 1 : y[1] > 3e38f);
-            CHECK((double)y[2] == (act == 1 || act == 5 || act == 6 ? y[2] : act == 3 ? -1.5 : act == 4 ? -1.0 : (double)-(float)INFINITY) && y[2] <= 1e-30f);
+            CHECK((double)y[2] == (act == 1 || act == 5 || act == 6 ? (double)y[2] : act == 3 ? -1.5 : act == 4 ? -1.0 : (double)-(float)INFINITY) && y[2] <= 1e-30f);
             ms_nn_destroy(nn);
             free(file.file);
         }
