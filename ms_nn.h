@@ -4219,9 +4219,14 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
 
 /* === levels === */
 
-/* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments. */
+/* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments. Under
+   Clang's sanitizers that would take minutes to compile. */
 #if defined(__clang__)
+#if __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer) || __has_feature(thread_sanitizer)
+#define MS_NN__UNROLL
+#else
 #define MS_NN__UNROLL _Pragma("clang loop unroll(full)")
+#endif
 #define MS_NN__INLINE static inline __attribute__((always_inline))
 #elif defined(__GNUC__)
 #define MS_NN__UNROLL _Pragma("GCC unroll 16")
