@@ -69,13 +69,13 @@
    outputs one after the other: one small network for the red, green and blue of a scene without colours of its own.
    examples/export_torch.py saves PyTorch and Keras networks in this form.
 
-   WHAT IT COSTS. `make bench FILTER=nn` makes the table, with peers:
-
-   (table of the last run: see README.md)
+   WHAT IT COSTS. A dense layer costs what reading its weights costs: a picture of the full-size renderer (2.1 GB of F32) runs within
+   some percent of the speed of memory, BF16 and F16 in about half the time, I8 in a third to two fifths, at about 68, 86 and 65 dB
+   against F32. README.md has the tables, with PyTorch, OpenBLAS and oneDNN beside; `make bench FILTER=nn` makes them.
 
    MEMORY. A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights, float
    copies of F64 and of folded dense weights, nothing else of the weights. The products allocate nothing when they are given a
-   workspace of ms_nn_workspace_size bytes. Stack: below 8 kB.
+   workspace of ms_nn_workspace_size bytes. Stack: below 16 kB.
    THREADS. No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ.
    options.parallel takes a thread pool; the work is cut by the problem alone.
    SIMD. SSE2, AVX2, AVX-512 (with VNNI where there is) and NEON, chosen at load, capped by options.simd. MS_NO_SIMD: plain C.
@@ -100,7 +100,7 @@
    no concatenation, recurrence, grouped or dilated convolution.
 
    SOURCES. safetensors: its format description and reference implementation. Networks: Zsolnai-Feher, PhD thesis, sections 3.4.2
-   and 4.3.1. Collapse: Golub & Van Loan, Matrix Computations, chapter 5; Schreiber & Van Loan 1989; Bjoerck 1987; Chambers 1971.
+   and 4.3.1. Convolutions: Winograd's F(2, 3), Lavin & Gray 2016. Collapse: Golub & Van Loan, Matrix Computations, chapter 5; Schreiber & Van Loan 1989; Bjoerck 1987; Chambers 1971.
    Low rank: Hestenes 1958.
 */
 #ifndef MS_NN_H
@@ -1871,14 +1871,21 @@ typedef struct ms_nn__matrix {
     size_t rows, cols;
 } ms_nn__matrix;
 
-/* A correlation with its weights packed for the level in use: [block of BLOCK outputs][in channel][tap][BLOCK]. */
+/* A correlation with its weights packed for the level in use: [block of outputs][in channel][tap][output of the block].
+   Three rows high over many channels, it makes two rows at a time by Winograd's F(2, 3) (Lavin and Gray 2016) along the
+   columns: the input holds four combined rows for each pair of output rows, the weights are [block][combination][in
+   channel][tap of a row][output], and 4 instead of 6 multiplications are left. */
 typedef struct ms_nn__conv {
     ms_nn__dims in, out;
     size_t kernel[2], stride[2], dilate[2]; /* dilate: the input's elements stand so far apart, zeros between */
     ptrdiff_t pad[2]; /* zeros above and left of the input; negative: rows and columns that are skipped */
     const float *packed;
     const float *bias;       /* [out.c rounded up to blocks], zeros where there is none */
+    int pairs;               /* Winograd */
+    size_t taps;             /* that a tile sums over */
     const size_t *offset;    /* [taps] from an output's first padded element to the element that tap sees */
+    size_t strip;            /* output rows of a task, whose input is padded together */
+    size_t rows;             /* padded input rows of a strip */
     size_t pitch, plane;     /* floats of a padded row and channel; with stride s, columns 0, s, 2s... come first */
 } ms_nn__conv;
 
@@ -2110,16 +2117,23 @@ static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, siz
     return sum;
 }
 
-/* Geometry of the padded input: as many rows and columns as the outputs see. */
+#define MS_NN__STRIP_FLOATS 65536u /* of padded input, which a strip should not exceed, to stay in a cache */
+
+/* Geometry of the padded input of a strip: as many rows and columns as its outputs see. */
 static int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 {
-    size_t h = (v->out.h - 1) * v->stride[0] + v->kernel[0], w = (v->out.w - 1) * v->stride[1] + v->kernel[1], s = v->stride[1], y, x;
-    size_t *offset = (size_t *)ms_nn__hold(nn, ms__size_mul(v->kernel[0], v->kernel[1]), sizeof(size_t));
-    if (v->out.w == 0) h = w = 0; /* a phase without outputs */
-    v->pitch = (w + s - 1) / s * s;
-    v->plane = h * v->pitch;
+    size_t s = v->stride[1], w = (v->out.w - 1) * s + v->kernel[1], rows = v->pairs ? 1 : v->kernel[0], fit, y, x;
+    size_t *offset = (size_t *)ms_nn__hold(nn, ms__size_mul(rows, v->kernel[1]), sizeof(size_t));
+    v->pitch = v->out.w == 0 ? 0 : (w + s - 1) / s * s; /* 0: a phase without outputs */
+    fit = MS_NN__STRIP_FLOATS / (v->in.c * v->pitch + 1);
+    v->strip = v->pairs ? fit / 4 * 2 : fit > v->kernel[0] ? (fit - v->kernel[0]) / v->stride[0] + 1 : 1;
+    if (v->pairs && v->strip < 2) v->strip = 2;
+    if (v->strip > v->out.h) v->strip = v->pairs ? (v->out.h + 1) / 2 * 2 : v->out.h;
+    v->rows = v->pairs ? 2 * v->strip : (v->strip - 1) * v->stride[0] + v->kernel[0];
+    v->plane = v->rows * v->pitch;
+    v->taps = rows * v->kernel[1];
     v->offset = offset;
-    for (y = 0; offset && y < v->kernel[0]; ++y)
+    for (y = 0; offset && y < rows; ++y)
         for (x = 0; x < v->kernel[1]; ++x) *offset++ = y * v->pitch + x % s * (v->pitch / s) + x / s;
     return offset != NULL;
 }
@@ -2136,6 +2150,34 @@ static const float *ms_nn__pack(ms_nn *nn, const ms_nn__taps *t, size_t outs, si
                 for (o = b * block; o < (b + 1) * block; ++o)
                     *p++ = o < outs ? (float)ms_nn__tap(t, o, c, k / t->taps_w, k % t->taps_w) : 0.0f;
     return packed;
+}
+
+/* Winograd's weights: g0, (g0 + g1 + g2) / 2, (g0 - g1 + g2) / 2, g2 of each column of three. */
+static const float *ms_nn__pack_pairs(ms_nn *nn, const ms_nn__taps *t, size_t outs, size_t ins, size_t block)
+{
+    size_t blocks = (outs + block - 1) / block, part = ins * t->taps_w * block, b, c, x, o;
+    float *packed = (float *)ms_nn__hold(nn, ms__size_mul(blocks * 4, part), sizeof(float));
+    if (packed == NULL) return NULL;
+    for (b = 0; b < blocks; ++b)
+        for (c = 0; c < ins; ++c)
+            for (x = 0; x < t->taps_w; ++x)
+                for (o = 0; o < block; ++o) {
+                    float *p = packed + b * 4 * part + (c * t->taps_w + x) * block + o;
+                    int used = b * block + o < outs;
+                    double g0 = used ? ms_nn__tap(t, b * block + o, c, 0, x) : 0, g1 = used ? ms_nn__tap(t, b * block + o, c, 1, x) : 0;
+                    double g2 = used ? ms_nn__tap(t, b * block + o, c, 2, x) : 0;
+                    p[0] = (float)g0;
+                    p[part] = (float)((g0 + g1 + g2) / 2);
+                    p[2 * part] = (float)((g0 - g1 + g2) / 2);
+                    p[3 * part] = (float)g2;
+                }
+    return packed;
+}
+
+/* Is Winograd's form worth it? */
+static int ms_nn__in_pairs(const ms_nn__conv *v)
+{
+    return v->kernel[0] == 3 && v->stride[0] == 1 && v->dilate[0] == 1 && v->in.c >= 8 && v->out.h >= 2;
 }
 
 /* The convolutions of an operation, forward and backward, one pair a phase. op->in is the shape before the
@@ -2179,7 +2221,8 @@ static ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights
         f->pad[0] = (ptrdiff_t)pad[0];
         f->pad[1] = -t.first;
         f->bias = bias;
-        f->packed = ms_nn__pack(nn, &t, op->out.c, op->in.c, block);
+        f->pairs = ms_nn__in_pairs(f);
+        f->packed = (f->pairs ? ms_nn__pack_pairs : ms_nn__pack)(nn, &t, op->out.c, op->in.c, block);
         /* d/dx of a correlation: the full correlation of the gradient, zeros between its elements where the stride
            is over 1, with the mirrored kernel */
         memset(b, 0, sizeof *b);
@@ -2193,7 +2236,8 @@ static ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights
         b->pad[0] = (ptrdiff_t)f->kernel[0] - 1 - f->pad[0];
         b->pad[1] = (ptrdiff_t)f->kernel[1] - 1 - f->pad[1];
         t.backward = 1;
-        b->packed = ms_nn__pack(nn, &t, op->in.c, op->out.c, block);
+        b->pairs = ms_nn__in_pairs(b);
+        b->packed = (b->pairs ? ms_nn__pack_pairs : ms_nn__pack)(nn, &t, op->in.c, op->out.c, block);
         b->bias = zeros;
         if (!f->packed || !b->packed || !ms_nn__conv_geometry(nn, f) || !ms_nn__conv_geometry(nn, b)) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
     }
@@ -2623,14 +2667,14 @@ typedef struct ms_nn__conv_job {
     const ms_nn__conv *conv;
     const float *x;      /* [in.c] planes of x_plane floats, rows of x_row, elements x_step apart */
     size_t x_plane, x_row, x_step;
-    float *padded;       /* [in.c][plane], then room for a tile of loads beyond the end */
+    float *padded;       /* [strips][in.c][plane], each strip with room for loads beyond its end */
+    size_t padded_step;  /* floats from one strip's to the next; 0 where strips follow each other and share one */
     float *y;            /* [out.c] planes */
     size_t y_plane, y_row, y_step;
     int accumulate;      /* add to y */
     int linear;
     ms_nn__activation activation;
     float alpha;
-    size_t chunk;        /* channels or (row, block) items of a task */
     const struct ms_nn__kernels *kernels;
 } ms_nn__conv_job;
 
@@ -2642,7 +2686,8 @@ typedef struct ms_nn__kernels {
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out);
-    void (*conv)(const ms_nn__conv_job *job, size_t item0, size_t item1);
+    void (*conv)(const ms_nn__conv_job *job, size_t strip, const float *padded);
+    void (*combine)(float *rows, size_t n);
     void (*activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
     void (*derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha);
     void (*pool2)(const float *x, size_t row, float *y, size_t n);
@@ -2661,7 +2706,6 @@ static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
 
 /* How large a task is: enough to hide the cost of handing it out. The sizes depend on the problem alone. */
 #define MS_NN__TASK_BYTES 262144u /* of streamed weights */
-#define MS_NN__TASK_MACS 1000000u
 
 /* Runs task over count items in chunks; the context holds the chunk's size. */
 static void ms_nn__chunks(const ms_nn *nn, size_t count, size_t *chunk, void (*task)(void *, int), void *context)
@@ -2792,61 +2836,67 @@ static void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *op, int batc
     }
 }
 
-/* Copies channels into the padded input: zeros around, zeros between dilated elements, columns sorted by their
-   remainder modulo the stride. */
-static void ms_nn__pad_task(void *context, int index)
+/* Copies what a strip sees of the input: zeros around, zeros between dilated elements, columns sorted by their remainder
+   modulo the stride. For Winograd's form four rows for each pair of output rows, combined. */
+static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
 {
-    const ms_nn__conv_job *job = (const ms_nn__conv_job *)context;
     const ms_nn__conv *v = job->conv;
-    size_t c = (size_t)index * job->chunk, c1 = ms_nn__min(c + job->chunk, v->in.c), rows = v->pitch ? v->plane / v->pitch : 0;
-    size_t s = v->stride[1], wide = v->pitch / s, y, x;
-    for (; c < c1; ++c) {
-        for (y = 0; y < rows; ++y) {
-            float *to = job->padded + c * v->plane + y * v->pitch;
-            ptrdiff_t from_y = (ptrdiff_t)y - v->pad[0];
+    size_t s = v->stride[1], wide = v->pitch / s, c, y, x;
+    for (c = 0; c < v->in.c; ++c) {
+        for (y = 0; y < v->rows; ++y) {
+            float *to = padded + c * v->plane + y * v->pitch;
+            ptrdiff_t from_y = (ptrdiff_t)(strip * v->strip * v->stride[0] + (v->pairs ? y / 4 * 2 + y % 4 : y)) - v->pad[0];
             const float *from;
             size_t left, count;
-            memset(to, 0, v->pitch * sizeof(float));
-            if (from_y < 0 || (size_t)from_y % v->dilate[0] || (size_t)from_y / v->dilate[0] >= v->in.h) continue;
-            from = job->x + c * job->x_plane + (size_t)from_y / v->dilate[0] * job->x_row;
-            if (s == 1 && v->dilate[1] == 1 && job->x_step == 1) {
-                left = v->pad[1] > 0 ? (size_t)v->pad[1] : 0;
-                if (v->pad[1] < 0) from += -v->pad[1];
-                count = v->in.w - (v->pad[1] < 0 ? ms_nn__min((size_t)-v->pad[1], v->in.w) : 0);
-                if (left < v->pitch) memcpy(to + left, from, ms_nn__min(count, v->pitch - left) * sizeof(float));
+            if (from_y < 0 || (size_t)from_y % v->dilate[0] || (size_t)from_y / v->dilate[0] >= v->in.h) {
+                memset(to, 0, v->pitch * sizeof(float));
                 continue;
             }
+            from = job->x + c * job->x_plane + (size_t)from_y / v->dilate[0] * job->x_row;
+            if (s == 1 && v->dilate[1] == 1 && job->x_step == 1) {
+                left = v->pad[1] > 0 ? ms_nn__min((size_t)v->pad[1], v->pitch) : 0;
+                if (v->pad[1] < 0) from += -v->pad[1];
+                count = v->in.w - (v->pad[1] < 0 ? ms_nn__min((size_t)-v->pad[1], v->in.w) : 0);
+                count = ms_nn__min(count, v->pitch - left);
+                for (x = 0; x < left; ++x) to[x] = 0;
+                memcpy(to + left, from, count * sizeof(float));
+                for (x = left + count; x < v->pitch; ++x) to[x] = 0;
+                continue;
+            }
+            memset(to, 0, v->pitch * sizeof(float));
             for (x = 0; x < v->in.w; ++x) {
                 ptrdiff_t at = (ptrdiff_t)(x * v->dilate[1]) + v->pad[1];
                 if (at >= 0 && (size_t)at < v->pitch) to[(size_t)at % s * wide + (size_t)at / s] = from[x * job->x_step];
             }
         }
+        for (y = 0; v->pairs && y < v->rows; y += 4) job->kernels->combine(padded + c * v->plane + y * v->pitch, v->pitch);
     }
+    memset(padded + v->in.c * v->plane, 0, MS_NN__OVERRUN * sizeof(float));
 }
 
 static void ms_nn__conv_task(void *context, int index)
 {
     const ms_nn__conv_job *job = (const ms_nn__conv_job *)context;
-    size_t block = job->kernels->block, items = (job->conv->out.c + block - 1) / block * job->conv->out.h;
-    size_t first = (size_t)index * job->chunk;
-    job->kernels->conv(job, first, ms_nn__min(first + job->chunk, items));
+    float *padded = job->padded + (size_t)index * job->padded_step;
+    ms_nn__pad(job, (size_t)index, padded);
+    job->kernels->conv(job, (size_t)index, padded);
 }
 
-/* Floats of the padded input of a convolution, with the room behind it. */
-static size_t ms_nn__conv_scratch(const ms_nn__conv *v) { return ms__size_add(ms__size_mul(v->in.c, v->plane), MS_NN__OVERRUN); }
+static size_t ms_nn__conv_strips(const ms_nn__conv *v) { return (v->out.h + v->strip - 1) / v->strip; }
+
+/* Floats of the padded input of a convolution: all strips where they may run at once. */
+static size_t ms_nn__conv_scratch(const ms_nn *nn, const ms_nn__conv *v)
+{
+    size_t one = ms__size_add(ms__size_mul(v->in.c, v->plane), MS_NN__OVERRUN);
+    return nn->options.parallel.run ? ms__size_mul(one, ms_nn__conv_strips(v)) : one;
+}
 
 static void ms_nn__run_conv(const ms_nn *nn, ms_nn__conv_job *job)
 {
-    const ms_nn__conv *v = job->conv;
-    size_t macs = v->out.w * v->in.c * v->kernel[0] * v->kernel[1] * nn->kernels->block, items;
-    if (v->out.w == 0) return;
+    if (job->conv->out.w == 0) return;
     job->kernels = nn->kernels;
-    memset(job->padded + v->in.c * v->plane, 0, MS_NN__OVERRUN * sizeof(float));
-    job->chunk = 65536 / (v->plane + 1) + 1;
-    ms_nn__chunks(nn, v->in.c, &job->chunk, ms_nn__pad_task, job);
-    items = (v->out.c + nn->kernels->block - 1) / nn->kernels->block * v->out.h;
-    job->chunk = MS_NN__TASK_MACS / macs + 1;
-    ms_nn__chunks(nn, items, &job->chunk, ms_nn__conv_task, job);
+    job->padded_step = nn->options.parallel.run ? job->conv->in.c * job->conv->plane + MS_NN__OVERRUN : 0;
+    ms__run(&nn->options.parallel, (int)ms_nn__conv_strips(job->conv), ms_nn__conv_task, job);
 }
 
 static void ms_nn__conv_forward(const ms_nn *nn, const ms_nn__op *op, const float *x, float *y, int linear, void *scratch)
@@ -3123,9 +3173,9 @@ static size_t ms_nn__scratch_size(const ms_nn *nn, size_t count, int backward)
             if (need > most) most = need;
         }
         for (p = 0; op->step == MS_NN__DO_CONV && p < op->phases; ++p) {
-            need = ms__size_mul(ms_nn__conv_scratch(&op->forward[p]), sizeof(float));
+            need = ms__size_mul(ms_nn__conv_scratch(nn, &op->forward[p]), sizeof(float));
             if (need > most) most = need;
-            need = backward ? ms__size_mul(ms_nn__conv_scratch(&op->backward[p]), sizeof(float)) : 0;
+            need = backward ? ms__size_mul(ms_nn__conv_scratch(nn, &op->backward[p]), sizeof(float)) : 0;
             if (need > most) most = need;
         }
     }
@@ -4332,7 +4382,7 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #undef MS_NN__DIGIT_MAX
 #undef MS_NN__OVERRUN
 #undef MS_NN__TASK_BYTES
-#undef MS_NN__TASK_MACS
+#undef MS_NN__STRIP_FLOATS
 #undef MS_NN__STRIPE
 #undef MS_NN__QR_ROWS
 #undef MS_NN__QR_PANEL
@@ -4910,7 +4960,7 @@ static void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t r
 MS_NN__INLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out, size_t out_plane,
                                         size_t outs, int tile)
 {
-    size_t taps = v->kernel[0] * v->kernel[1], c, t;
+    size_t c, t;
     V_FLOATS sum[V_BLOCK][V_TILE];
     int i, j;
     MS_NN__UNROLL
@@ -4919,7 +4969,7 @@ MS_NN__INLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, c
         for (j = 0; j < tile; ++j) sum[i][j] = V_SET(bias[i]);
     }
     for (c = 0; c < v->in.c; ++c, in += v->plane) {
-        for (t = 0; t < taps; ++t, w += V_BLOCK) {
+        for (t = 0; t < v->taps; ++t, w += V_BLOCK) {
             const float *p = in + v->offset[t];
             V_FLOATS x[V_TILE];
             MS_NN__UNROLL
@@ -4943,37 +4993,94 @@ MS_NN__INLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, c
 
 static void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
 
-/* Items are (row, block of outputs). Tiles that stand over the row's end, or whose outputs lie apart, go through a
-   buffer. */
-static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t item0, size_t item1)
+/* Four rows of n floats in place: d0 - d2, d1 + d2, d2 - d1, d1 - d3. */
+static void MS_NN__FN(combine)(float *rows, size_t n)
+{
+    float *d0 = rows, *d1 = rows + n, *d2 = d1 + n, *d3 = d2 + n;
+    size_t i = 0;
+    for (; i + V_LANES <= n; i += V_LANES) {
+        V_FLOATS a = V_LOAD(d0 + i), b = V_LOAD(d1 + i), c = V_LOAD(d2 + i), d = V_LOAD(d3 + i);
+        V_STORE(d0 + i, V_SUB(a, c));
+        V_STORE(d1 + i, V_ADD(b, c));
+        V_STORE(d2 + i, V_SUB(c, b));
+        V_STORE(d3 + i, V_SUB(b, d));
+    }
+    for (; i < n; ++i) {
+        float a = d0[i], b = d1[i], c = d2[i], d = d3[i];
+        d0[i] = a - c;
+        d1[i] = b + c;
+        d2[i] = c - b;
+        d3[i] = b - d;
+    }
+}
+
+/* Two rows of a block: m_j = sum over channels and columns of combination j; y0 = m0 + m1 + m2, y1 = m1 - m2 - m3. */
+static void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
 {
     const ms_nn__conv *v = job->conv;
-    size_t blocks = (v->out.c + V_BLOCK - 1) / V_BLOCK, item, x, i, j;
-    size_t stride = v->in.c * v->kernel[0] * v->kernel[1] * V_BLOCK;
-    for (item = item0; item < item1; ++item) {
-        size_t row = item / blocks, o = item % blocks * V_BLOCK, outs = ms_nn__min(V_BLOCK, v->out.c - o);
-        const float *in = job->padded + row * v->stride[0] * v->pitch, *w = v->packed + item % blocks * stride, *bias = v->bias + o;
-        float zero[V_BLOCK], *out = job->y + o * job->y_plane + row * job->y_row;
-        for (i = 0; i < V_BLOCK; ++i) zero[i] = 0;
-        if (job->linear) bias = zero;
-        for (x = 0; x < v->out.w;) {
-            size_t left = v->out.w - x, tile = left > (V_TILE - 1) * V_LANES ? V_TILE : 1, width = ms_nn__min(left, tile * V_LANES);
-            float buffer[V_BLOCK * V_TILE * V_LANES];
-            int direct = width == tile * V_LANES && job->y_step == 1 && !job->accumulate;
-            float *to = direct ? out + x : buffer;
-            size_t plane = direct ? job->y_plane : V_TILE * V_LANES;
-            if (tile == V_TILE) MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, V_TILE);
-            else MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, 1);
-            for (i = 0; !direct && i < outs; ++i)
-                for (j = 0; j < width; ++j) {
-                    float *y = out + i * job->y_plane + (x + j) * job->y_step;
-                    *y = job->accumulate ? *y + buffer[i * V_TILE * V_LANES + j] : buffer[i * V_TILE * V_LANES + j];
-                }
-            x += width;
+    size_t o = block * V_BLOCK, outs = ms_nn__min(V_BLOCK, v->out.c - o), part = v->in.c * v->taps * V_BLOCK, x, i, j;
+    size_t rows = ms_nn__min(2, v->out.h - row);
+    const float *w = v->packed + block * 4 * part;
+    float zero[V_BLOCK], m[4][V_BLOCK * V_TILE * V_LANES], *out = job->y + o * job->y_plane + row * job->y_row;
+    for (i = 0; i < V_BLOCK; ++i) zero[i] = 0;
+    for (x = 0; x < v->out.w;) {
+        size_t left = v->out.w - x, tile = left > (V_TILE - 1) * V_LANES ? V_TILE : 1, width = ms_nn__min(left, tile * V_LANES);
+        for (j = 0; j < 4; ++j) {
+            if (tile == V_TILE) MS_NN__FN(conv_tile)(v, in + j * v->pitch + x, w + j * part, zero, m[j], V_TILE * V_LANES, V_BLOCK, V_TILE);
+            else MS_NN__FN(conv_tile)(v, in + j * v->pitch + x, w + j * part, zero, m[j], V_TILE * V_LANES, V_BLOCK, 1);
         }
-        if (job->activation != MS_NN__LINEAR && !job->linear)
-            for (i = 0; i < outs; ++i) MS_NN__FN(activate)(out + i * job->y_plane, v->out.w, job->activation, job->alpha);
+        for (i = 0; i < outs; ++i) {
+            float *m0 = m[0] + i * V_TILE * V_LANES, *m1 = m[1] + i * V_TILE * V_LANES, *to = out + i * job->y_plane + x;
+            V_FLOATS bias = V_SET(job->linear ? 0.0f : v->bias[o + i]);
+            for (j = 0; j < tile; ++j) {
+                V_FLOATS a = V_LOAD(m1 + j * V_LANES), b = V_LOAD(m[2] + i * V_TILE * V_LANES + j * V_LANES);
+                V_STORE(m1 + j * V_LANES, V_SUB(V_ADD(bias, V_SUB(a, b)), V_LOAD(m[3] + i * V_TILE * V_LANES + j * V_LANES)));
+                V_STORE(m0 + j * V_LANES, V_ADD(V_ADD(bias, V_ADD(a, b)), V_LOAD(m0 + j * V_LANES)));
+            }
+            memcpy(to, m0, width * sizeof(float));
+            if (rows == 2) memcpy(to + job->y_row, m1, width * sizeof(float));
+        }
+        x += width;
     }
+    for (i = 0; job->activation != MS_NN__LINEAR && !job->linear && i < outs; ++i)
+        for (j = 0; j < rows; ++j) MS_NN__FN(activate)(out + i * job->y_plane + j * job->y_row, v->out.w, job->activation, job->alpha);
+}
+
+/* One row of a block. Tiles that stand over the row's end, or whose outputs lie apart, go through a buffer. */
+static void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
+{
+    const ms_nn__conv *v = job->conv;
+    size_t o = block * V_BLOCK, outs = ms_nn__min(V_BLOCK, v->out.c - o), x, i, j;
+    const float *w = v->packed + block * v->in.c * v->taps * V_BLOCK;
+    float bias[V_BLOCK], buffer[V_BLOCK * V_TILE * V_LANES], *out = job->y + o * job->y_plane + row * job->y_row;
+    for (i = 0; i < V_BLOCK; ++i) bias[i] = job->linear ? 0.0f : v->bias[o + i];
+    for (x = 0; x < v->out.w;) {
+        size_t left = v->out.w - x, tile = left > (V_TILE - 1) * V_LANES ? V_TILE : 1, width = ms_nn__min(left, tile * V_LANES);
+        int direct = width == tile * V_LANES && job->y_step == 1 && !job->accumulate;
+        float *to = direct ? out + x : buffer;
+        size_t plane = direct ? job->y_plane : V_TILE * V_LANES;
+        if (tile == V_TILE) MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, V_TILE);
+        else MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, 1);
+        for (i = 0; !direct && i < outs; ++i)
+            for (j = 0; j < width; ++j) {
+                float *y = out + i * job->y_plane + (x + j) * job->y_step;
+                *y = job->accumulate ? *y + buffer[i * V_TILE * V_LANES + j] : buffer[i * V_TILE * V_LANES + j];
+            }
+        x += width;
+    }
+    for (i = 0; job->activation != MS_NN__LINEAR && !job->linear && i < outs; ++i)
+        MS_NN__FN(activate)(out + i * job->y_plane, v->out.w, job->activation, job->alpha);
+}
+
+static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const float *padded)
+{
+    const ms_nn__conv *v = job->conv;
+    size_t blocks = (v->out.c + V_BLOCK - 1) / V_BLOCK, row0 = strip * v->strip, row1 = ms_nn__min(row0 + v->strip, v->out.h), row, block;
+    for (row = row0; row < row1; row += v->pairs ? 2 : 1)
+        for (block = 0; block < blocks; ++block) {
+            if (v->pairs) MS_NN__FN(conv_pair)(job, padded + (row - row0) * 2 * v->pitch, row, block);
+            else MS_NN__FN(conv_row)(job, padded + (row - row0) * v->stride[0] * v->pitch, row, block);
+        }
 }
 
 /* e^x - c, c = 0 or 1, for x in [-87, 88]: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c); e^r - 1 = r + r^2 q(r) with the
@@ -5262,11 +5369,11 @@ static void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, float *out)
 #endif
 
 #if MS_NN__ISA == 5
-static const ms_nn__kernels ms_nn__table_avx512vnni = {V_BLOCK, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512,
+static const ms_nn__kernels ms_nn__table_avx512vnni = {V_BLOCK, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
                                                        ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512, ms_nn__gram_avx512,
                                                        ms_nn__add_avx512, ms_nn__rotate_avx512, ms_nn__row_avx512};
 #else
-static const ms_nn__kernels MS_NN__FN(table) = {V_BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_int8), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(activate),
+static const ms_nn__kernels MS_NN__FN(table) = {V_BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_int8), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
                                                 MS_NN__FN(derive), MS_NN__FN(pool2), MS_NN__FN(gram), MS_NN__FN(add), MS_NN__FN(rotate),
                                                 MS_NN__FN(row)};
 #endif

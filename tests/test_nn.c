@@ -397,7 +397,7 @@ static ms_nn *net_load(const ref_net *n, ms_simd simd, int no_folds)
 }
 
 /* The networks of the tests, each with another trait. */
-enum { NETS = 16 };
+enum { NETS = 17 };
 static const char *net_make(ref_net *n, int which, ms_nn_dtype dtype, uint64_t *state)
 {
     const char *name = "";
@@ -429,6 +429,8 @@ static const char *net_make(ref_net *n, int which, ms_nn_dtype dtype, uint64_t *
         net_layer(n, ACTIVATION)->act = 4; net_up(n, UP1D, 1, 3); net_conv(n, CONV1D, 4, 1, 3, 1, 2, 1, 0); break;
     case 13: name = "only an upsampling"; net_begin(n, dtype, 3, 2, 3, 4); net_up(n, UP2D, 3, 2); break;
     case 14: name = "only a flatten"; net_begin(n, dtype, 3, 3, 2, 5); net_flatten(n, 1); break;
+    case 15: name = "conv2d in pairs of rows"; net_begin(n, dtype, 3, 16, 13, 53); net_conv(n, CONV2D, 20, 3, 3, 1, 1, 1, 3); net_conv(n, CONV2D, 9, 3, 5, 1, 2, 0, 4);
+        net_conv(n, CONV2D, 8, 3, 1, 1, 1, 0, 0); net_conv(n, CONV2D, 3, 3, 3, 1, 1, 1, 1); break;
     default: name = "wide dense"; net_begin(n, dtype, 1, 9001, 1, 1); net_dense(n, 5, 0); net_dense(n, 6000, 0); break;
     }
     net_end(n, state);
