@@ -492,7 +492,8 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
 #endif
 #endif /* MS_NN_H */
 
-#if defined(MS_NN_IMPLEMENTATION) && !defined(MS_NN__PASS)
+#if defined(MS_NN_IMPLEMENTATION) && !defined(MS_NN__PASS) && !defined(MS_NN_IMPLEMENTED)
+#define MS_NN_IMPLEMENTED /* included again, it is declarations only */
 /* ms-common-private begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON_PRIVATE
 #define MS_COMMON_PRIVATE

@@ -91,7 +91,7 @@
 
    Configuration (define before the implementation)
    ------------------------------------------------
-   MS_SSS_API       linkage of the functions (MS_API, which is MS_DEF, which is nothing)
+   MS_API       linkage of the functions (MS_API, which is MS_DEF, which is nothing)
    MS_SSS_FILENAME  this file's name, if it is not "ms_sss.h"
    MS_NO_SIMD       scalar text only
    MS_ASSERT        checks of the header's own invariants (nothing)
@@ -229,11 +229,6 @@ static inline const char *ms_simd_string(ms_simd level)
 #endif
 /* ms-common end */
 
-/* Linkage of this header's functions: MS_API unless the user says otherwise. */
-#ifndef MS_SSS_API
-#define MS_SSS_API MS_API
-#endif
-
 /* -------------------------------------------------------------- PROFILES */
 
 #define MS_SSS_GAUSSIANS_MAX 16 /* Gaussians of one profile */
@@ -249,61 +244,61 @@ typedef struct ms_sss_profile ms_sss_profile;
    Within a ring R_d is taken to be linear in r^2 with the ring's energy kept exactly and the slope of its neighbours
    where they agree, flat where they do not. Copies what it is given.
    MS_INVALID_ARGUMENT: counts, edges, values (error->position: the ring). MS_OUT_OF_MEMORY. *profile NULL then. */
-MS_SSS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
+MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
                                                const double *const value[3], int stride, const ms_allocator *allocator,
                                                ms_error *error);
 
 /* From point samples R_d(r_mm[i]) at any increasing distances >= 0, count >= 2; otherwise as above. Between samples
    R_d is linear in r^2; inside the first it is constant, beyond the last 0. A profile with a pole at r = 0 is better
    given as rings. */
-MS_SSS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
+MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
                                                  const double *const value[3], int stride,
                                                  const ms_allocator *allocator, ms_error *error);
 
 /* R_d(r) = sum_i weight_i exp(-r^2 / (2 sigma_i^2)) / (2 pi sigma_i^2): d'Eon's skin, fits, and the two-Gaussian artist
    model (5.6), whose separable kernel a_m is the pre-integrated kernel of this profile with count = 2.
    sigma_mm, weight  [count][3]; 1 <= count <= MS_SSS_GAUSSIANS_MAX, sigma > 0; weights >= 0 */
-MS_SSS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int count, const double (*sigma_mm)[3],
+MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int count, const double (*sigma_mm)[3],
                                                    const double (*weight)[3], const ms_allocator *allocator,
                                                    ms_error *error);
 
 /* Normalised diffusion, R_d(r) = reflectance (exp(-r/d) + exp(-r/(3 d))) / (8 pi d r).
    Burley 2015, Extending the Disney BRDF to a BSDF with integrated subsurface scattering. */
-MS_SSS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3],
+MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3],
                                                 const double d_mm[3], const ms_allocator *allocator, ms_error *error);
 
 /* Burley's d for a diffuse surface albedo in [0, 1] and a mean free path: Christensen and Burley 2015, Approximate
    reflectance profiles for efficient subsurface scattering, equation 6 (searchlight configuration). */
-MS_SSS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
+MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
 
 /* From the text that examples/profile.c prints: lines "r_mm,R,G,B", comments that begin with '#', empty lines, and an
    optional heading that begins with a letter; numbers with '.' in every locale. Where each r is the middle of a ring
    (edges 0, 2 r_0, 2 r_1 - 2 r_0, ... increase), the values are ring averages, else point samples.
    text need not end with NUL. MS_BAD_DATA: error->position is the line. */
-MS_SSS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
+MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
                                              const ms_allocator *allocator, ms_error *error);
 
 /* NULL is fine. */
-MS_SSS_API void ms_sss_profile_destroy(ms_sss_profile *profile);
+MS_API void ms_sss_profile_destroy(ms_sss_profile *profile);
 
 /* Total reflectance ||R_d||_1, 0 to 1 for a passive medium. */
-MS_SSS_API void ms_sss_profile_reflectance(const ms_sss_profile *profile, double out[3]);
+MS_API void ms_sss_profile_reflectance(const ms_sss_profile *profile, double out[3]);
 
 /* R_d(r), 1/mm^2; r >= 0. At a pole: infinity. */
-MS_SSS_API void ms_sss_profile_value(const ms_sss_profile *profile, double r_mm, double out[3]);
+MS_API void ms_sss_profile_value(const ms_sss_profile *profile, double r_mm, double out[3]);
 
 /* Light that leaves within distance r, integral over the disc. */
-MS_SSS_API void ms_sss_profile_disc(const ms_sss_profile *profile, double r_mm, double out[3]);
+MS_API void ms_sss_profile_disc(const ms_sss_profile *profile, double r_mm, double out[3]);
 
 /* The pre-integrated kernel a_p(x) = integral of R_d(sqrt(x^2 + y^2)) over all y, 1/mm (5.4), in closed form: exact chords
    of the rings, Gaussians, K0 for Burley (infinite at x = 0). Not normalised: its integral is the reflectance. */
-MS_SSS_API void ms_sss_profile_line(const ms_sss_profile *profile, double x_mm, double out[3]);
+MS_API void ms_sss_profile_line(const ms_sss_profile *profile, double x_mm, double out[3]);
 
 /* Integral of a_p from -x to x, in closed form. */
-MS_SSS_API void ms_sss_profile_strip(const ms_sss_profile *profile, double x_mm, double out[3]);
+MS_API void ms_sss_profile_strip(const ms_sss_profile *profile, double x_mm, double out[3]);
 
 /* Radius that holds this fraction (0 to 1) of each channel's light, to 1e-9 of itself; 0 for an empty channel. */
-MS_SSS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction, double out[3]);
+MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction, double out[3]);
 
 /* --------------------------------------------------------------- KERNELS */
 
@@ -365,11 +360,11 @@ typedef struct ms_sss_kernel_options {
     ms_sss_artist artist;       /* artist only */
 } ms_sss_kernel_options;
 
-MS_SSS_API ms_sss_kernel_options ms_sss_kernel_defaults(void);
+MS_API ms_sss_kernel_options ms_sss_kernel_defaults(void);
 
 /* Table 5.2 (mm): the fit to d'Eon's skin, and the look that an artist chose. */
-MS_SSS_API ms_sss_artist ms_sss_artist_close_fit(void);
-MS_SSS_API ms_sss_artist ms_sss_artist_production(void);
+MS_API ms_sss_artist ms_sss_artist_close_fit(void);
+MS_API ms_sss_artist ms_sss_artist_production(void);
 
 /* What building kernels for one profile at one size on the screen needs to know: the profile's cells and spectrum, and
    the spectra of the standard signals. Make one, build and measure many kernels. */
@@ -379,24 +374,24 @@ typedef struct ms_sss_designer ms_sss_designer;
    Kernels scale with depth when they are applied: design for the closest view that matters. Above 128 it is taken as
    128, from where on errors hardly change. The profile is read while this call runs and not kept.
    MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: about 2 MB are needed. */
-MS_SSS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
+MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                             const ms_allocator *allocator, ms_error *error);
-MS_SSS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
+MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
 
 /* One kernel. options NULL: 7 optimised taps. A channel without light gets the identity.
    Deterministic: the same bits in every call of one build. designer is only read: calls may overlap.
    MS_INVALID_ARGUMENT: an option outside its range (the message names it). MS_OUT_OF_MEMORY. kernel untouched then. */
-MS_SSS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
+MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
                                          const ms_sss_kernel_options *options, ms_error *error);
 
 /* The two-Gaussian model of least squares to a_p, for artists to start from. A channel without light: near_weight 1 and
    sigmas of a thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
-MS_SSS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artist *artist);
+MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artist *artist);
 
 /* The sum of count Gaussians that is closest to the profile in the sense of MS_SSS_GAUSSIANS: sigma_mm and weight
    [count][3], weights sum to 1; 1 <= count <= MS_SSS_TERMS_MAX. With ms_sss_transmittance's formula it is translucency in
    closed form. */
-MS_SSS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *designer, int count, double (*sigma_mm)[3],
+MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *designer, int count, double (*sigma_mm)[3],
                                           double (*weight)[3], ms_error *error);
 
 /* ---------------------------------------------------------------- ERRORS */
@@ -414,7 +409,7 @@ typedef struct ms_sss_errors {
 
 /* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Kernels with frame_count > 1 are
    measured as the mean of their frames. */
-MS_SSS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
+MS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                       const ms_sss_designer *designer);
 
 /* The cheapest kernel whose texture error is at most `tolerance`, at most tap_budget taps in all its terms together
@@ -422,11 +417,11 @@ MS_SSS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel
    errors  out, optional
    MS_NOT_CONVERGED: none within the budget; kernel and errors then hold the most accurate one found.
    MS_INVALID_ARGUMENT: tolerance not above 0, tap_budget < 3. MS_OUT_OF_MEMORY. kernel untouched by these. */
-MS_SSS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *designer,
+MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *designer,
                                           double tolerance, int tap_budget, ms_error *error);
 
 /* All of it in one call: designer for radius_px, kernel by options (NULL: 7 optimised taps), errors (optional). */
-MS_SSS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
+MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
                                         double radius_px, const ms_sss_kernel_options *options,
                                         const ms_allocator *allocator, ms_error *error);
 
@@ -436,11 +431,11 @@ MS_SSS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *er
    distance s, leaves here after integral of R_d(sqrt(r^2 + s^2)) 2 pi r dr = reflectance - disc(s). Closed form for every
    profile; for Gaussians sum_i w_i exp(-s^2 / (2 sigma_i^2)), Jimenez et al. 2010, Real-time realistic skin
    translucency. At thickness 0 it is the reflectance. */
-MS_SSS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
+MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
 
 /* The same as a table: out [count][3], entry i at thickness i * max_thickness_mm / (count - 1), count >= 2.
    Read between its entries linearly. MS_INVALID_ARGUMENT: count, a thickness not above 0; out untouched. */
-MS_SSS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
+MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
                                                 float (*out)[3]);
 
 /* ---------------------------------------------------------------- FILTER */
@@ -457,9 +452,9 @@ typedef struct ms_sss_image {
 /* Views: pixels of `channels` interleaved elements of which the first three are colour (3: RGB, 4: RGBA or RGB and
    depth); three planes; one value a pixel, every stride elements (depth in RGB + depth: values = pixels + 3, stride 4).
    Rows are tightly packed; set row_stride where they are not. `half` is 0 or 1 as in ms_sss_image. */
-MS_SSS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half);
-MS_SSS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half);
-MS_SSS_API ms_sss_image ms_sss_map(const void *values, int stride, int half);
+MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half);
+MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half);
+MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half);
 
 /* What is filtered. The input is light that entered the surface, linear, before the albedo unless the albedo is baked
    in; it must not hold specular reflection, which never went below the surface. */
@@ -509,11 +504,11 @@ typedef struct ms_sss_filter_options {
     ms_parallel parallel;
 } ms_sss_filter_options;
 
-MS_SSS_API ms_sss_filter_options ms_sss_filter_defaults(void);
+MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
 /* Bytes that ms_sss_filter needs for frames of this size: about 20 a pixel, 12 more with kernels of several terms, 12 more
    with rotation or jitter. Depends on width, height, kernels and options only; SIZE_MAX: more than this machine can address. */
-MS_SSS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                           const ms_sss_filter_options *options);
 
 /* Subsurface scattering of a picture or a texture: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y, then
@@ -535,7 +530,7 @@ MS_SSS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_ke
    Work is in proportion to the pixels that take part. No allocation. Calls may overlap if workspace and output differ.
    MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range (nothing written). Thesis 5.5, 5.8.2, 5.10;
    Jimenez et al. 2009, "Screen-space perceptual rendering of human skin". */
-MS_SSS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
+MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                    const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                    ms_error *error);
 
@@ -554,10 +549,10 @@ typedef struct ms_sss_pyramid {
 
 /* Fits the weights: least squares of the transfer function for pictures with a 1/f spectrum, for every size. 0.1 s.
    MS_INVALID_ARGUMENT: a NULL, a profile without light. *pyramid is untouched then. */
-MS_SSS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error);
+MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error);
 
 /* Bytes that ms_sss_pyramid_filter needs: about 100 a pixel. SIZE_MAX: sides out of range. */
-MS_SSS_API size_t ms_sss_pyramid_workspace(int width, int height);
+MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
 /* ms_sss_filter with the round kernel instead of a separable one: out = sum_l weight_l E_l over the levels E_l.
    A pixel of a coarser level belongs to one surface, that of its best covered part; only light from within the depth
@@ -567,7 +562,7 @@ MS_SSS_API size_t ms_sss_pyramid_workspace(int width, int height);
    options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW, pixels_per_mm that differ,
              frame->profile
    Bit-equal for any thread count at one level of instructions. No allocation. */
-MS_SSS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
+MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
                                            const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                            ms_error *error);
 
@@ -601,16 +596,16 @@ typedef struct ms_sss_shader {
 /* The text of a pass for these options, with entry point main.
    text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
    Returns the length; 0: an argument out of range. */
-MS_SSS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
+MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
                                      size_t capacity);
 
 /* Float4 constants that a shader of tap_count taps reads: 7 and one a tap. */
-MS_SSS_API int ms_sss_shader_constant_count(int tap_count, int half_kernel);
+MS_API int ms_sss_shader_constant_count(int tap_count, int half_kernel);
 
 /* Their values for term `term`. Terms after the first are drawn with additive blending over the first.
    out    [ms_sss_shader_constant_count()][4]; the same for both passes
    MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
-MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int term, const ms_sss_filter_options *options,
+MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int term, const ms_sss_filter_options *options,
                                              int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                              ms_error *error);
 
@@ -618,7 +613,7 @@ MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int te
    out    [tap_count][4], or [tap_count / 2 + 1][4] with half_kernel (centre, then one of each pair by growing offset);
           float, or uint16_t that hold binary16 with binary16 = 1
    MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
-MS_SSS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
+MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
                                           ms_error *error);
 
 #ifdef __cplusplus
@@ -1100,7 +1095,7 @@ static ms_status ms_sss__check_table(int count, int least, const double *radius,
     return MS_OK;
 }
 
-MS_SSS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
+MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
                                                const double *const value[3], int stride, const ms_allocator *allocator,
                                                ms_error *error)
 {
@@ -1134,7 +1129,7 @@ MS_SSS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int cou
     return MS_OK;
 }
 
-MS_SSS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
+MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
                                                  const double *const value[3], int stride,
                                                  const ms_allocator *allocator, ms_error *error)
 {
@@ -1165,7 +1160,7 @@ MS_SSS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int c
     return MS_OK;
 }
 
-MS_SSS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int count, const double (*sigma_mm)[3],
+MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int count, const double (*sigma_mm)[3],
                                                    const double (*weight)[3], const ms_allocator *allocator,
                                                    ms_error *error)
 {
@@ -1188,7 +1183,7 @@ MS_SSS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int
     return MS_OK;
 }
 
-MS_SSS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3],
+MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3],
                                                 const double d_mm[3], const ms_allocator *allocator, ms_error *error)
 {
     ms_status status;
@@ -1206,7 +1201,7 @@ MS_SSS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const 
     return MS_OK;
 }
 
-MS_SSS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm)
+MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm)
 {
     double t = (albedo - 0.33) * (albedo - 0.33);
     return mean_free_path_mm / (3.5 + 100 * t * t);
@@ -1268,7 +1263,7 @@ static int ms_sss__csv_row(const char *line, const char *end, int heading_allowe
     return line == end ? 1 : -1;
 }
 
-MS_SSS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
+MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
                                              const ms_allocator *allocator, ms_error *error)
 {
     const char *line = text, *end = text + size;
@@ -1319,7 +1314,7 @@ MS_SSS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const cha
     return status;
 }
 
-MS_SSS_API void ms_sss_profile_destroy(ms_sss_profile *profile)
+MS_API void ms_sss_profile_destroy(ms_sss_profile *profile)
 {
     ms_allocator allocator;
     if (profile == NULL) return;
@@ -1339,7 +1334,7 @@ static int ms_sss__ring_of(const ms_sss_profile *p, double r)
     return low;
 }
 
-MS_SSS_API void ms_sss_profile_value(const ms_sss_profile *p, double r, double out[3])
+MS_API void ms_sss_profile_value(const ms_sss_profile *p, double r, double out[3])
 {
     int c, i;
     for (c = 0; c < 3; ++c) {
@@ -1360,7 +1355,7 @@ MS_SSS_API void ms_sss_profile_value(const ms_sss_profile *p, double r, double o
     }
 }
 
-MS_SSS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3])
+MS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3])
 {
     int c, i;
     for (c = 0; c < 3; ++c) {
@@ -1379,12 +1374,12 @@ MS_SSS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double ou
     }
 }
 
-MS_SSS_API void ms_sss_profile_reflectance(const ms_sss_profile *p, double out[3])
+MS_API void ms_sss_profile_reflectance(const ms_sss_profile *p, double out[3])
 {
     ms_sss_profile_disc(p, p->kind == MS_SSS__RINGS ? p->edge[p->count] : 1e30, out);
 }
 
-MS_SSS_API void ms_sss_profile_radius(const ms_sss_profile *p, double fraction, double out[3])
+MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double fraction, double out[3])
 {
     double total[3], inside[3];
     int c, i;
@@ -1416,7 +1411,7 @@ static double ms_sss__chord(double mean, double slope, double u)
     return 2 * u * (mean + slope * u * u / 3);
 }
 
-MS_SSS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3])
+MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3])
 {
     int c, i;
     x = fabs(x);
@@ -1449,7 +1444,7 @@ MS_SSS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double ou
     }
 }
 
-MS_SSS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double out[3])
+MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double out[3])
 {
     int c, i;
     x = fabs(x);
@@ -1688,7 +1683,7 @@ static void ms_sss__signal_power(const ms_sss_designer *d)
     d->power[MS_SSS__TEXTURE][0] = (float)(4.5 * 4.5 * total);
 }
 
-MS_SSS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
+MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                             const ms_allocator *allocator, ms_error *error)
 {
     double radius[3], total[3], widest = 0, *columns;
@@ -1748,7 +1743,7 @@ MS_SSS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms
     return MS_OK;
 }
 
-MS_SSS_API void ms_sss_designer_destroy(ms_sss_designer *designer)
+MS_API void ms_sss_designer_destroy(ms_sss_designer *designer)
 {
     ms_allocator allocator;
     if (designer == NULL) return;
@@ -1882,7 +1877,7 @@ static void ms_sss__curve_errors(const ms_sss_designer *d, const ms_sss__curve *
     for (s = 0; s < MS_SSS__SIGNALS; ++s) error[s] = sqrt(error[s] / d->variance[s]);
 }
 
-MS_SSS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
+MS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                       const ms_sss_designer *designer)
 {
     ms_sss__curve curve;
@@ -2841,26 +2836,26 @@ static ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms
     return MS_OK;
 }
 
-MS_SSS_API ms_sss_kernel_options ms_sss_kernel_defaults(void)
+MS_API ms_sss_kernel_options ms_sss_kernel_defaults(void)
 {
     ms_sss_kernel_options options;
     memset(&options, 0, sizeof options);
     return options;
 }
 
-MS_SSS_API ms_sss_artist ms_sss_artist_close_fit(void)
+MS_API ms_sss_artist ms_sss_artist_close_fit(void)
 {
     static const ms_sss_artist close_fit = {{0.034, 0.029, 0.016}, {1, 0.48, 0.2}, {0.37, 0.37, 0.37}};
     return close_fit;
 }
 
-MS_SSS_API ms_sss_artist ms_sss_artist_production(void)
+MS_API ms_sss_artist ms_sss_artist_production(void)
 {
     static const ms_sss_artist production = {{0.25, 0.08, 0.02}, {1, 0.3, 0.05}, {0.6, 0.6, 0.6}};
     return production;
 }
 
-MS_SSS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *d,
+MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *d,
                                          const ms_sss_kernel_options *options, ms_error *error)
 {
     ms_sss_kernel_options o = options != NULL ? *options : ms_sss_kernel_defaults();
@@ -2901,7 +2896,7 @@ MS_SSS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_des
     return MS_OK;
 }
 
-MS_SSS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *artist)
+MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *artist)
 {
     double ap[MS_SSS__CELLS_MAX + 1];
     int c;
@@ -2917,7 +2912,7 @@ MS_SSS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *
     return MS_OK;
 }
 
-MS_SSS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, double (*sigma_mm)[3], double (*weight)[3],
+MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, double (*sigma_mm)[3], double (*weight)[3],
                                           ms_error *error)
 {
     ms_sss__mixture mixture;
@@ -2934,7 +2929,7 @@ MS_SSS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, d
     return MS_OK;
 }
 
-MS_SSS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *d,
+MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *d,
                                           double tolerance, int tap_budget, ms_error *error)
 {
     static const signed char candidate[][2] = {/* terms, taps; by their product */
@@ -2974,7 +2969,7 @@ MS_SSS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *
                                          tap_budget, least, tolerance);
 }
 
-MS_SSS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
+MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
                                         double radius_px, const ms_sss_kernel_options *options,
                                         const ms_allocator *allocator, ms_error *error)
 {
@@ -2989,7 +2984,7 @@ MS_SSS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *er
 
 /* --------------------------------------------------- TRANSLUCENCY TABLES */
 
-MS_SSS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3])
+MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3])
 {
     double total[3];
     int c;
@@ -2998,7 +2993,7 @@ MS_SSS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thick
     for (c = 0; c < 3; ++c) out[c] = total[c] - out[c];
 }
 
-MS_SSS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
+MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
                                                 float (*out)[3])
 {
     int i, c;
@@ -4026,14 +4021,14 @@ static void ms_sss__both_passes(ms_sss__job *job)
     }
 }
 
-MS_SSS_API ms_sss_filter_options ms_sss_filter_defaults(void)
+MS_API ms_sss_filter_options ms_sss_filter_defaults(void)
 {
     ms_sss_filter_options o;
     memset(&o, 0, sizeof o);
     return o;
 }
 
-MS_SSS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half)
+MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half)
 {
     ms_sss_image image;
     char *p = (char *)(uintptr_t)pixels;
@@ -4047,7 +4042,7 @@ MS_SSS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int
     return image;
 }
 
-MS_SSS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half)
+MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half)
 {
     ms_sss_image image;
     memset(&image, 0, sizeof image);
@@ -4058,7 +4053,7 @@ MS_SSS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const 
     return image;
 }
 
-MS_SSS_API ms_sss_image ms_sss_map(const void *values, int stride, int half)
+MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half)
 {
     ms_sss_image image;
     memset(&image, 0, sizeof image);
@@ -4068,7 +4063,7 @@ MS_SSS_API ms_sss_image ms_sss_map(const void *values, int stride, int half)
     return image;
 }
 
-MS_SSS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                           const ms_sss_filter_options *options)
 {
     if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX || !kernels || !options) return SIZE_MAX;
@@ -4159,7 +4154,7 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     return MS_OK;
 }
 
-MS_SSS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
+MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                    const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                    ms_error *error)
 {
@@ -4243,7 +4238,7 @@ static double ms_sss__level_wave(int level, double k)
     return pow(s * s, 5);
 }
 
-MS_SSS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error)
+MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error)
 {
     /* A wave of k radians a mm keeps T(k) = integral of a_p(x) cos(k x) dx of its height. T is tabled on a grid whose
        steps are those of the pixel frequencies below, so that a change of size is a shift. */
@@ -4549,7 +4544,7 @@ static ms_sss__layout ms_sss__tower_plan(ms_sss__tower *tower, int width, int he
     return l;
 }
 
-MS_SSS_API size_t ms_sss_pyramid_workspace(int width, int height)
+MS_API size_t ms_sss_pyramid_workspace(int width, int height)
 {
     ms_sss__tower tower;
     size_t floats;
@@ -4557,7 +4552,7 @@ MS_SSS_API size_t ms_sss_pyramid_workspace(int width, int height)
     return ms_sss__tower_plan(&tower, width, height, &floats).total;
 }
 
-MS_SSS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
+MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
                                            const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                            ms_error *error)
 {
@@ -4825,12 +4820,12 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     else ms_sss__say(text, "\nvoid main() { ms_sss_out = filter_pixel(int2(gl_FragCoord.xy)); }\n");
 }
 
-MS_SSS_API int ms_sss_shader_constant_count(int tap_count, int half_kernel)
+MS_API int ms_sss_shader_constant_count(int tap_count, int half_kernel)
 {
     return 7 + (half_kernel ? tap_count / 2 + 1 : tap_count);
 }
 
-MS_SSS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
+MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
                                      size_t capacity)
 {
     ms_sss__text measured = {NULL, 0}, written = {NULL, 0};
@@ -4847,7 +4842,7 @@ MS_SSS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_f
     return measured.length;
 }
 
-MS_SSS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
+MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
                                           ms_error *error)
 {
     ms_status status;
@@ -4874,7 +4869,7 @@ MS_SSS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term,
     return MS_OK;
 }
 
-MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int term, const ms_sss_filter_options *options,
+MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int term, const ms_sss_filter_options *options,
                                              int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                              ms_error *error)
 {
@@ -4921,6 +4916,7 @@ MS_SSS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int te
     return MS_OK;
 }
 
+#undef MS_SSS__INLINE
 #endif /* MS_SSS_IMPLEMENTATION */
 
 #ifdef MS_SSS__PASS /* one inclusion a level, from FILTER CODE above */
