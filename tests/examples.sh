@@ -109,6 +109,12 @@ if [ -x build/sss_filter ]; then
     is "nothing is written" "$(ls "$out/never.pfm" 2>/dev/null)" ""
 fi
 
+if [ -x build/postprocess ]; then
+    ok "post-process" build/postprocess "$out/post.png"
+    ok "lightmap" build/lightmap "$out/e.pfm" "$out/lightmap.png" --texels-per-mm 4
+    refuses "a lightmap that is not there" "missing.pfm" build/lightmap "$out/missing.pfm" "$out/never.png" --texels-per-mm 4
+fi
+
 if [ -x build/recommend ]; then
     awk 'BEGIN {srand(1); for (i = 0; i < 60; i++) {s = 0; for (j = 0; j < 4; j++) {x = rand(); printf "%.6f,", x; s += (x - 0.5) * (x - 0.5)} printf "%.3f\n", s < 0.4 ? 10 * (1 - s / 0.4) : 0}}' >"$out/scores.csv"
     ok "recommendations" build/recommend "$out/scores.csv" --count 20 --tau 0.5 --seed 3 --out "$out/r.csv"
