@@ -518,8 +518,8 @@ static void test_fit_options(void)
     for (k = 0; k < M; ++k) { /* in widths: sqrt(12) standard deviations */
         double sum = 0, sum2 = 0, width;
         int i;
-        for (i = 0; i < N; ++i) sum += x[i * M + k] / N;
-        for (i = 0; i < N; ++i) sum2 += (x[i * M + k] - sum) * (x[i * M + k] - sum) / N;
+        for (i = 0; i < N; ++i) sum += x[i * M + k] / (int)N;
+        for (i = 0; i < N; ++i) sum2 += (x[i * M + k] - sum) * (x[i * M + k] - sum) / (int)N;
         width = sqrt(12 * sum2);
         CHECK(exp(ms_gpr_theta(gp)[k]) >= 0.4999 * width && exp(ms_gpr_theta(gp)[k]) <= 0.8001 * width);
     }
@@ -541,7 +541,7 @@ static void test_fit_options(void)
     memcpy(&o.method, &no_method, sizeof o.method);
     CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "method"));
     o = fit_options(MS_GPR_METHOD_MAP);
-    o.noise_min = NAN;
+    o.noise_min = (double)NAN;
     CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT);
 }
 
@@ -556,8 +556,8 @@ static void test_floor_offset(void)
     int i;
     for (i = 0; i < N * M; ++i) x[i] = test_uniform(&state);
     for (i = 0; i < N; ++i) y[i] = x[2 * i] > 0.6 ? 10 * (x[2 * i] - 0.6) + 1 : 0;
-    for (i = 0; i < N; ++i) sum += y[i] / N;
-    for (i = 0; i < N; ++i) sum2 += (y[i] - sum) * (y[i] - sum) / N;
+    for (i = 0; i < N; ++i) sum += y[i] / (int)N;
+    for (i = 0; i < N; ++i) sum2 += (y[i] - sum) * (y[i] - sum) / (int)N;
     sd = sqrt(sum2);
     gp = fit(x, y, N, M, NULL, NULL);
     CHECK_NEAR(ms_gpr_zero_score(gp), -0.5 * sd, 1e-12);
@@ -749,7 +749,7 @@ static void test_dimensions(void)
 static void test_refusals(void)
 {
     double x[6] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, y[3] = {1, 2, 3}, theta[4] = {0, 0, 0, -1}, mean;
-    static const double bad[] = {NAN, INFINITY, -INFINITY};
+    static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     ms_error error;
     ms_gpr *gp, *good = make(x, y, 3, 2, theta, NULL);
     int i;
@@ -789,7 +789,7 @@ static void test_refusals(void)
     CHECK(ms_gpr_create(x, y, 3, 2, NULL, NULL, &gp, &error) == MS_INVALID_ARGUMENT);
     CHECK(ms_gpr_predict(good, x, -1, &mean, NULL, &error) == MS_INVALID_ARGUMENT);
     CHECK(ms_gpr_drop(good, 3, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "0 to 2"));
-    CHECK(ms_gpr_simplify(good, NAN, NULL, &error) == MS_INVALID_ARGUMENT);
+    CHECK(ms_gpr_simplify(good, (double)NAN, NULL, &error) == MS_INVALID_ARGUMENT);
     /* Two scores of sigma 1e6 at one place, noise 1e-130: no jitter up to 1e-6 sf^2 is missing here, but theta may be absurd. */
     theta[2] = 301;
     CHECK(ms_gpr_create(x, y, 3, 2, theta, NULL, &gp, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "theta[2]"));

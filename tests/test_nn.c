@@ -523,8 +523,8 @@ static void test_random(void)
             int n = count_of(net.input), m = count_of(net.layer[net.layers - 1].dims);
             double *x = (double *)malloc((size_t)(2 * (n + m)) * sizeof(double)), *g_y = x + n, *g_x = g_y + m;
             float *f = (float *)malloc((size_t)(2 * (n + m)) * sizeof(float)), *fy = f + n, *fg = fy + m, *fgx = fg + m;
-            for (i = 0; i < n; ++i) x[i] = f[i] = (float)test_normal(&state);
-            for (i = 0; i < m; ++i) g_y[i] = fg[i] = (float)test_normal(&state);
+            for (i = 0; i < n; ++i) x[i] = (double)(f[i] = (float)test_normal(&state));
+            for (i = 0; i < m; ++i) g_y[i] = (double)(fg[i] = (float)test_normal(&state));
             ref_forward(&net, x, &run);
             ref_backward(&net, &run, g_y, g_x);
             for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd)
@@ -1312,7 +1312,7 @@ static void test_low_rank(void)
             ms_nn_forward(lean, 1, x + s * IN, z, NULL);
             for (i = 0; i < P; ++i) error_sum += ((double)y[i] - (double)z[i]) * ((double)y[i] - (double)z[i]);
         }
-        measured = 10 * log10((double)SAMPLES * P / error_sum);
+        measured = 10 * log10((double)SAMPLES * (int)P / error_sum);
         if (rank == need) {
             CHECK_NEAR(measured, ms_nn_low_rank_psnr(l, rank), 0.01); /* float rounding is 70 dB further down */
             TEST_NOTE("50 dB at rank %d of %d, measured %.2f dB", need, H, measured);

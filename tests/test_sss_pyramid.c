@@ -135,7 +135,7 @@ static double texture_error(const ms_sss_pyramid *pyramid, double radius_px)
         for (g = 0; g < 6; ++g) total += skin_weight[g][c];
         for (y = 0; y < TILE; ++y) {
             for (x = 0; x < TILE; ++x) {
-                const double k = 2 * pi / TILE * hypot(x < TILE / 2 ? x : x - TILE, y < TILE / 2 ? y : y - TILE);
+                const double k = 2 * pi / (int)TILE * hypot(x < TILE / 2 ? x : x - TILE, y < TILE / 2 ? y : y - TILE);
                 double T = 0;
                 for (g = 0; g < 6; ++g) T += skin_weight[g][c] / total * exp(-k * k * pixels * pixels * skin_sigma[g] * skin_sigma[g] / 2);
                 re[y * TILE + x] = wave_re[y * TILE + x] * T;
@@ -235,7 +235,7 @@ static double plain_error(double pixels, double radius_mm, int with_depth, int w
     int k, c, x, y, g, count = 0;
     *worst = 0;
     for (k = 0; k < 400; ++k) {
-        const int px = (int)(test_uniform(&seed) * W), py = (int)(test_uniform(&seed) * H), p = py * W + px;
+        const int px = (int)(test_uniform(&seed) * (int)W), py = (int)(test_uniform(&seed) * (int)H), p = py * W + px;
         double s[3] = {0, 0, 0}, n[3] = {0, 0, 0};
         if (with_mask && !(strength[p] > 0)) continue;
         for (y = -reach; y <= reach; ++y) {

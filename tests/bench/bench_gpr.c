@@ -176,9 +176,9 @@ static void bench_taste(void)
                 o.method = contenders[c].method;
                 o.floor_offset = contenders[c].floor_offset;
                 if (ms_gpr_fit(x, y, (int)size[s], M, &o, &gp, NULL, NULL) != MS_OK) exit(1);
-                seconds[c][s] += (bench_cpu() - start) / USERS;
+                seconds[c][s] += (bench_cpu() - start) / (int)USERS;
                 ms_gpr_predict(gp, held, HELD, mean, NULL, NULL);
-                jsd[c][s] += user_jsd(mean, truth, HELD) / USERS;
+                jsd[c][s] += user_jsd(mean, truth, HELD) / (int)USERS;
                 ms_gpr_destroy(gp);
             }
         }

@@ -29,6 +29,7 @@ static void fuzz_file(const ms_nn_file *file)
         if (ms_nn_file_find(file, t->name) != t) abort();
         if (i < 16) copy[i] = *t;
     }
+    if (n == 0) memset(copy, 0, sizeof copy);
     sink.user = &written;
     sink.write = fuzz_count;
     if (n <= 16 && ms_nn_file_write(copy, n, NULL, 0, NULL, sink, NULL) != MS_OK) abort();
