@@ -9,6 +9,6 @@ echo "seven taps for skin1 -> $out/skin1_kernel.txt"
 build/sss_kernel skin1 --model preintegrated --taps 7 >$out/skin1_kernel.txt
 build/demo_sss $out
 echo "300 recommendations -> $out/recommended.csv, latent plane -> $out/latent.png"
-build/recommend examples/data/scores.csv --count 300 --out $out/recommended.csv >$out/recommend.txt
+build/recommend examples/data/scores.csv --count 300 --out $out/recommended.csv 2>$out/recommend.txt
 build/latent examples/data/scores.csv $out/latent.png
 ls -l $out | awk 'NR > 1 {print "  " $NF, $5, "bytes"}'
