@@ -441,7 +441,7 @@ static void white_agrees_with_the_solver(void)
     double least = 1;
     for (k = 0; k < 3; ++k) {
         ms_mcml_white *white = NULL;
-        ms_mcml_white_options o = white_options(scaled(test_full ? 4000000 : 400000), 0);
+        ms_mcml_white_options o = white_options(test_full ? 4000000 : 400000, 0); /* fewer leave too few rings at albedo 0.02 */
         static double rd[1000], se[1000];
         const double *edge;
         int rings, i;
