@@ -1,7 +1,7 @@
 /* The filter of ms_sss.h against a plain one in double precision, its exact promises, layouts, levels, threads,
    hostile pixels and refused arguments. */
 #define MS_SSS_IMPLEMENTATION
-#include "build/dev_filter.h"
+#include "ms_sss.h"
 #include "test.h"
 
 /* --- inputs --- */
