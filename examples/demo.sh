@@ -11,4 +11,8 @@ build/demo_sss $out
 echo "300 recommendations -> $out/recommended.csv, latent plane -> $out/latent.png"
 build/recommend examples/data/scores.csv --count 300 --out $out/recommended.csv 2>$out/recommend.txt
 build/latent examples/data/scores.csv $out/latent.png
+if [ -f examples/data/renderer_128.safetensors ]; then
+    echo "neural previews | path-traced truth | 8 x difference -> $out/preview.png"
+    build/preview examples/data/renderer_128.safetensors examples/data/materials.csv $out/preview.png examples/data/materials.ppm
+fi
 ls -l $out | awk 'NR > 1 {print "  " $NF, $5, "bytes"}'

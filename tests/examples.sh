@@ -131,5 +131,27 @@ if [ -x build/nn_info ]; then
     refuses "not a network" "header" build/nn_info "$out/bad.safetensors"
 fi
 
+if [ -x build/preview ]; then
+    net=tests/data/nn/renderer_f16.safetensors # 19 parameters to 8 x 8 pixels
+    row() { awk -v n="$1" -v k="${2:-0}" -v v="${3:-}" 'BEGIN {for (i = 1; i <= n; i++) printf "%s%s", (i > 1 ? "," : ""), (i == k ? v : 0.05 * i); print ""}'; }
+    { row 19; row 19 3 1; row 19 19 0; } >"$out/rows.csv"
+    ok "a sheet of three" build/preview $net "$out/rows.csv" "$out/sheet.ppm"
+    is "two in a row, gaps around" "$(head -2 "$out/sheet.ppm" | tail -1)" "22 22"
+    sed '1i\
+'"$(row 19 | sed 's/[^,]*/x/g'),score" "$out/rows.csv" | sed '2,$s/$/,9/' >"$out/scored.csv"
+    ok "a gallery with scores" build/preview $net "$out/scored.csv" "$out/scored.ppm"
+    is "draws the same" "$(cksum <"$out/scored.ppm")" "$(cksum <"$out/sheet.ppm")"
+    for bad in "18 columns:18 0" "20 columns:20 0" "nan:19 3 nan" "outside:19 4 1.01" "outside:19 19 -0.01" "not a number:19 5 abc" "not a number:19 5 "; do
+        { row 19; row ${bad#*:}; } >"$out/bad.csv"
+        refuses "preview of ${bad#*:}" "line 2.*${bad%%:*}" build/preview $net "$out/bad.csv" "$out/never.png"
+    done
+    : >"$out/bad.csv"
+    refuses "preview of nothing" "no materials" build/preview $net "$out/bad.csv" "$out/never.png"
+    refuses "preview without the file" "missing.csv" build/preview $net "$out/missing.csv" "$out/never.png"
+    refuses "a network that draws no picture" "picture" build/preview tests/data/nn/inversion_small_valid_channels_first.safetensors "$out/rows.csv" "$out/never.png"
+    refuses "a truth of another size" "size" build/preview $net "$out/rows.csv" "$out/never.png" "$out/sheet.ppm"
+    is "nothing is drawn" "$(ls "$out/never.png" 2>/dev/null)" ""
+fi
+
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]
