@@ -318,6 +318,7 @@ typedef struct ms_sss_kernel {
     float radius_mm;      /* the outermost |offset| plus half its cell */
     float reflectance[3]; /* the profile's total; the kernel itself is normalised */
     int frame_count;      /* 1: axes fixed; n: made for axes that stand at f * 90/n degrees in frame f and for the mean of n frames */
+    float profile_radius_mm; /* that holds 99% of the profile's light in its widest channel; 0: radius_mm stands for it */
 } ms_sss_kernel;
 
 /* How the 2D profile becomes separable terms. Cost: 2 term_count passes. */
@@ -493,7 +494,7 @@ typedef struct ms_sss_filter_options {
     float mm_per_unit;       /* millimetres in a scene unit; 0: 1 (the scene is in mm) */
     int uv_steps;            /* 0: square pixels, kernel round; 1: older engines' steps in uv, wider by width / height along x */
     ms_sss_depth_mode depth_mode;
-    float depth_sigma_mm;    /* sigma of MS_SSS_DEPTH_AWARE; 0: a third of the kernel's radius */
+    float depth_sigma_mm;    /* sigma of MS_SSS_DEPTH_AWARE; 0: 0.12 times the profile's 99% radius */
     float follow_mm;         /* of MS_SSS_DEPTH_FOLLOW: |dz| at which nothing of the tap is left; 0: the kernel's radius */
     ms_sss_albedo_mode albedo_mode;
     float fade;              /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
@@ -521,8 +522,8 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    - Pixels take no part, and are returned as they are (times albedo, plus specular), where a channel is not finite, the
      depth is not finite or not positive, the strength is 0 or NaN, or the profile has no kernel. Their colour never
      reaches another pixel. Nor does light cross between profiles.
-   - What of a kernel falls outside the picture or on such pixels is made up for by the rest: a constant stays constant.
-     A kernel whose terms have weights of both signs gives what is missing to the pixel's own colour instead.
+   - What of a kernel falls outside the picture or on such pixels is made up for by the rest: a constant stays constant
+     within 1e-6. A kernel whose terms have weights of both signs gives what is missing to the pixel's own colour instead.
    - Where the kernel's radius is under half a pixel, and where strength is 0, the input is returned bit for bit (without
      albedo and specular). A radius above the larger side of the picture is reduced to it.
    - Depth edges wider than the kernel's radius let nothing through.
@@ -2801,6 +2802,7 @@ static void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *
         kernel->delta[c] = (float)v->delta[c];
         kernel->reflectance[c] = (float)d->reflectance[c];
     }
+    kernel->profile_radius_mm = (float)(d->width[d->widest] * d->cell_mm);
     n = v->pairs;
     kernel->radius_mm = (float)(d->cell_mm * (1.5 * v->offset[order[n]] - 0.5 * (n ? v->offset[order[n - 1]] : 0)));
 }
@@ -3801,7 +3803,8 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     return l;
 }
 
-/* Tap sums of a term; those within rounding of 1 become 1, so that what is left alone is left alone to the bit. */
+/* Tap sums of a term; those within rounding of 1 become 1 where delta adds nothing, so that what is left alone is left
+   alone to the bit. */
 static void ms_sss__totals(const ms_sss_kernel *k, int term, int follow, float total[3], int mixed[3])
 {
     int c, i;
@@ -3812,7 +3815,7 @@ static void ms_sss__totals(const ms_sss_kernel *k, int term, int follow, float t
             sum += (double)k->weight[term][i][c];
             if (k->weight[term][i][c] < 0) mixed[c] = 1;
         }
-        total[c] = fabs(sum - 1) < 1e-5 ? 1.0f : (float)sum;
+        total[c] = fabs(sum - 1) < 1e-5 && !ms_sss__differ(k->delta[c], 0) ? 1.0f : (float)sum;
     }
 }
 
@@ -3822,7 +3825,7 @@ static void ms_sss__fix(ms_sss__fixed *f, const ms_sss_kernel *k, int term, doub
     int i, j, c, half;
     f->count = f->lowest = f->highest = 0;
     ms_sss__totals(k, term, 0, f->total, f->mixed);
-    for (i = 0; i < k->tap_count; ++i) {
+    for (i = k->tap_count - 1; i >= 0; --i) {
         const double exact = (double)k->offset_mm[i] * pixels, nearest = floor(exact + 0.5);
         const double t = fabs(exact - nearest) < 1e-4 ? nearest : exact, whole = floor(t);
         for (half = 0; half < 2; ++half) {
@@ -3944,7 +3947,8 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     if (p->follow) {
         kappa = mm / (o->follow_mm > 0 ? (double)o->follow_mm : radius);
     } else if (o->depth_mode == MS_SSS_DEPTH_AWARE) { /* exp(-(mm dz)^2 / (2 sigma^2)) = 2^-(kappa dz)^2 */
-        double unit = 0.84932180028801904 / (o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : radius / 3);
+        const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
+        const double unit = 0.84932180028801904 / (o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : 0.12 * extent);
         kappa = mm * unit;
         p->cut = (float)(radius * unit * radius * unit < 120 ? radius * unit * radius * unit : 120);
     }
@@ -5230,12 +5234,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, int axes, i
             V_STORE(out[2] + x - begin, V_MUL(own_b, V_SET(p->total[2])));
             continue;
         }
-        nr = V_SET(p->weight[0][0]);
-        ng = V_SET(p->weight[0][1]);
-        nb = V_SET(p->weight[0][2]);
-        r = V_MUL(own_r, nr);
-        g = V_MUL(own_g, ng);
-        b = V_MUL(own_b, nb);
+        r = g = b = nr = ng = nb = zero;
         if (axes == 3) {
             float turn_x[MS_SSS__LANES], turn_y[MS_SSS__LANES];
             for (k = 0; k < MS_SSS__LANES; ++k) {
@@ -5248,7 +5247,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, int axes, i
         }
         dx = V_MUL(V_MUL(dx, size), V_SET(p->aspect[0]));
         dy = V_MUL(V_MUL(dy, size), V_SET(p->aspect[1]));
-        for (k = 1; k < p->tap_count; ++k) {
+        for (k = p->tap_count - 1; k > 0; --k) {
             const V o = V_SET(p->offset_mm[k]);
             V tx = V_MUL(o, axes == 2 ? dy : dx), ix = V_FLOOR(tx), ty = zero, iy = zero, wr, wg, wb;
             float at_x[MS_SSS__LANES], at_y[MS_SSS__LANES];
@@ -5297,6 +5296,12 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, int axes, i
             ng = V_MADD(wg, s.n, ng);
             nb = V_MADD(wb, s.n, nb);
         }
+        r = V_MADD(own_r, V_SET(p->weight[0][0]), r);
+        g = V_MADD(own_g, V_SET(p->weight[0][1]), g);
+        b = V_MADD(own_b, V_SET(p->weight[0][2]), b);
+        nr = V_ADD(nr, V_SET(p->weight[0][0]));
+        ng = V_ADD(ng, V_SET(p->weight[0][1]));
+        nb = V_ADD(nb, V_SET(p->weight[0][2]));
         r = MS_SSS__NAME(restore)(r, nr, own_r, p->total[0], p->mixed[0]);
         g = MS_SSS__NAME(restore)(g, ng, own_g, p->total[1], p->mixed[1]);
         b = MS_SSS__NAME(restore)(b, nb, own_b, p->total[2], p->mixed[2]);

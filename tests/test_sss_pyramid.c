@@ -244,7 +244,7 @@ static double plain_error(double pixels, double radius_mm, int with_depth, int w
                 double f = 1, gauss[6];
                 if (px + x < 0 || py + y < 0 || px + x >= W || py + y >= H || (with_mask && !(strength[q] > 0))) continue;
                 if (with_depth) {
-                    const double dz = (double)depth[q] - (double)depth[p], sigma = radius_mm / 3;
+                    const double dz = (double)depth[q] - (double)depth[p], sigma = 0.12 * radius_mm;
                     f = fabs(dz) < radius_mm ? exp(-dz * dz / (2 * sigma * sigma)) : 0;
                 }
                 for (g = 0; g < 6; ++g) { /* averaged over the pixel: 1/12 more variance */
@@ -277,7 +277,7 @@ static void case_depth_and_mask(void)
     const ms_sss_pyramid pyramid = skin_pyramid();
     /* Found, not derived: what stands for the other surface beside silhouettes is missing (see ms_sss_pyramid_filter);
        bounds are half as much again as measured. */
-    static const double bound[4] = {0.04, 0.12, 0.06, 0.14};
+    static const double bound[4] = {0.035, 0.055, 0.055, 0.06};
     int kind;
     make_scene();
     for (kind = 0; kind < 4; ++kind) {

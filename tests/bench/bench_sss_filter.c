@@ -16,7 +16,7 @@ static ms_sss_pyramid pyramid;
 
 static void pass(float *const *from, float *const *to, int dx, int dy, int nearest)
 {
-    const float size = (float)H / (2 * tanf(17.5f * 3.14159265f / 180)), sigma = kernel.radius_mm / 3;
+    const float size = (float)H / (2 * tanf(17.5f * 3.14159265f / 180)), sigma = 0.12f * kernel.profile_radius_mm;
     int x, y, i, c, h;
     for (y = 0; y < H; ++y) {
         for (x = 0; x < W; ++x) {

@@ -6,6 +6,7 @@
 #include "trace.h"
 
 #define TRUTH_RINGS 96
+#define TRUTH_SIGMA 0.12 /* of the depth weights, in radii of 99% of the energy: the default of ms_sss_filter */
 
 typedef struct truth {
     int width, height, pixels; /* pixels: that show the object */
@@ -167,14 +168,13 @@ static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel
 
 /* The same by the profile itself, pixel by pixel: each pixel gives its share of the ring as wide as itself,
    renormalised. in_space 1: distances between the points on the surface, pixels as large as the surface they show.
-   in_space 0: what a screen-space filter approximates, distances on the screen and its treatment of depth (sigma a
-   third of the radius). */
+   in_space 0: what a screen-space filter approximates, distances on the screen and its treatment of depth. */
 static inline void truth_filter_2d(const truth *t, int in_space, image *out)
 {
     const int steps = 4096;
     double(*disc)[3] = (double(*)[3])malloc((size_t)(steps + 1) * sizeof *disc);
     double *size = (double *)malloc((size_t)t->width * (size_t)t->height * sizeof *size);
-    double reach = t->radius_mm * 1.5, sigma = t->radius_mm / 3;
+    double reach = t->radius_mm * 1.5, sigma = t->radius_mm * TRUTH_SIGMA;
     int x, y, i, c;
     if (disc == NULL || size == NULL) abort();
     for (i = 0; i <= steps; ++i) ms_sss_profile_disc(t->profile, reach * i / steps, disc[i]);
@@ -225,30 +225,32 @@ static inline void truth_filter_2d(const truth *t, int in_space, image *out)
     free(size);
 }
 
-/* The rows of the table: models, mostly with dense taps, and how sharply depth separates (sigma in radii of 99% of the
-   energy; the filter's default is a third). */
+/* The rows of the table: models, mostly with dense taps, and how sharply depth separates. */
 typedef struct truth_model {
     const char *name;
     ms_sss_model model;
     int terms, taps;
-    double sigma;
+    double guide_k, sigma;
 } truth_model;
 
 static const truth_model truth_models[] = {
-    {"R_d sampled along the axis", MS_SSS_SLICE, 1, MS_SSS_DENSE, 0.333},
-    {"one Gaussian", MS_SSS_GAUSSIANS, 1, MS_SSS_DENSE, 0.333},
-    {"SVD rank 1, normalised", MS_SSS_SVD_NORMALISED, 1, MS_SSS_DENSE, 0.333},
-    {"artist, fitted", MS_SSS_ARTIST, 1, MS_SSS_DENSE, 0.333},
-    {"guided, k = 2", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 0.333},
-    {"pre-integrated", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0.333},
-    {"pre-integrated, depth sigma 0.12 radii", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0.12},
-    {"image-optimal", MS_SSS_IMAGE_OPTIMAL, 1, MS_SSS_DENSE, 0.333},
-    {"image-optimal, 7 taps", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0.333},
-    {"image-optimal, 7 taps, depth sigma 0.12 radii", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0.12},
-    {"SVD rank 3, normalised", MS_SSS_SVD_NORMALISED, 3, MS_SSS_DENSE, 0.333},
-    {"SVD rank 3, normalised, depth sigma 0.12 radii", MS_SSS_SVD_NORMALISED, 3, MS_SSS_DENSE, 0.12},
-    {"pre-integrated + 1 residual", MS_SSS_RESIDUAL, 2, MS_SSS_DENSE, 0.333},
-    {"six Gaussians", MS_SSS_GAUSSIANS, 6, MS_SSS_DENSE, 0.333}};
+    {"R_d sampled along the axis", MS_SSS_SLICE, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"one Gaussian", MS_SSS_GAUSSIANS, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"SVD rank 1, normalised", MS_SSS_SVD_NORMALISED, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"artist, fitted", MS_SSS_ARTIST, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"guided, k = 0", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"guided, k = 2", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 2, TRUTH_SIGMA},
+    {"guided, k = 2, depth sigma 1/3 radius", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 2, 0.333},
+    {"pre-integrated", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"pre-integrated, depth sigma 1/3 radius", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0, 0.333},
+    {"image-optimal", MS_SSS_IMAGE_OPTIMAL, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"**image-optimal, 7 taps (default)**", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, TRUTH_SIGMA},
+    {"image-optimal, 7 taps, depth sigma 1/3 radius", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, 0.333},
+    {"image-optimal, 17 taps", MS_SSS_IMAGE_OPTIMAL, 1, 17, 0, TRUTH_SIGMA},
+    {"SVD rank 3, normalised", MS_SSS_SVD_NORMALISED, 3, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"SVD rank 3, normalised, depth sigma 1/3 radius", MS_SSS_SVD_NORMALISED, 3, MS_SSS_DENSE, 0, 0.333},
+    {"pre-integrated + 1 residual", MS_SSS_RESIDUAL, 2, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"six Gaussians", MS_SSS_GAUSSIANS, 6, MS_SSS_DENSE, 0, TRUTH_SIGMA}};
 
 enum { TRUTH_MODELS = sizeof truth_models / sizeof truth_models[0] };
 
@@ -258,7 +260,7 @@ static inline ms_status truth_kernel(const ms_sss_designer *designer, const trut
     options.model = model->model;
     options.term_count = model->terms;
     options.tap_count = model->taps;
-    options.guide_k = 2;
+    options.guide_k = model->guide_k;
     return ms_sss_kernel_build(kernel, designer, &options, NULL);
 }
 
