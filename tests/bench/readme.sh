@@ -1,7 +1,8 @@
 #!/bin/sh
-# Puts build/bench/NAME.md between the marks <!-- bench:NAME --> and <!-- end --> of README.md.
+# Puts build/bench/NAME.md between the marks <!-- bench:NAME --> and <!-- end --> of README.md and tests/bench/RESULTS.md.
 set -eu
-awk '
+for page in README.md tests/bench/RESULTS.md; do
+    awk '
     /^<!-- bench:[a-z0-9_]+ -->$/ {
         name = $2; sub(/^bench:/, "", name); file = "build/bench/" name ".md"
         print
@@ -14,5 +15,6 @@ awk '
         next
     }
     /^<!-- end -->$/ {skip = 0}
-    !skip {print}' README.md >build/bench/README.md
-cmp -s build/bench/README.md README.md || cat build/bench/README.md >README.md
+    !skip {print}' "$page" >build/bench/page.md
+    cmp -s build/bench/page.md "$page" || cat build/bench/page.md >"$page"
+done

@@ -1,6 +1,6 @@
 #!/bin/sh
 # make bench: runs tests/bench/bench_*.c one after another (FILTER: part of a name), each writes its CSV, SVG and table
-# to build/bench/, then puts the tables into README.md between the marks <!-- bench:NAME --> and <!-- end -->.
+# to build/bench/, then puts the tables into README.md and tests/bench/RESULTS.md.
 set -u
 mkdir -p build/bench
 for f in tests/bench/bench_*.c; do
