@@ -2987,12 +2987,30 @@ static void ms_gpr__hunt_batch(void *context, int batch)
 
 /* --- one call --- */
 
-static int ms_gpr__ranked_compare(const void *a, const void *b)
+static int ms_gpr__ranked_before(const ms_gpr__ranked *a, const ms_gpr__ranked *b)
 {
-    const ms_gpr__ranked *p = (const ms_gpr__ranked *)a, *q = (const ms_gpr__ranked *)b;
-    if (p->value > q->value) return -1;
-    if (p->value < q->value) return 1;
-    return (p->index > q->index) - (p->index < q->index);
+    return a->value > b->value || (!(a->value < b->value) && a->index < b->index);
+}
+
+/* Largest value first, then smallest index. Heapsort in place: the qsort of some C libraries calls malloc. */
+static void ms_gpr__ranked_sort(ms_gpr__ranked *list, int count)
+{
+    int first = count / 2, end = count, parent, child;
+    while (end > 1) {
+        ms_gpr__ranked moved;
+        if (first > 0) {
+            moved = list[--first]; /* makes the heap: whatever comes last in the order is at its top */
+        } else {
+            moved = list[--end]; /* takes the top off it */
+            list[end] = list[0];
+        }
+        for (parent = first; (child = 2 * parent + 1) < end; parent = child) {
+            if (child + 1 < end && ms_gpr__ranked_before(&list[child], &list[child + 1])) ++child;
+            if (!ms_gpr__ranked_before(&moved, &list[child])) break;
+            list[parent] = list[child];
+        }
+        list[parent] = moved;
+    }
 }
 
 /* The start of that rank as a place in the unit box; an input from outside the box is moved to its surface. */
@@ -3022,7 +3040,7 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
         h->ranked[i].value = h->mean[i];
         h->ranked[i].index = i;
     }
-    qsort(h->ranked, (size_t)h->starts, sizeof *h->ranked, ms_gpr__ranked_compare);
+    ms_gpr__ranked_sort(h->ranked, h->starts);
     for (i = 0; i < MS_GPR__SUMMITS; ++i) {
         double safe;
         ms_gpr__hunt_start(h, i, w->place);
