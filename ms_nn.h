@@ -416,34 +416,39 @@ MS_NN_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, fl
 
 /* With y = W h(x) + b, target t and a weight for each output in the diagonal of M,
      |y - t|_M^2 = |R (h - h0) - e|^2 + rest,   R'R = W' M W,
-   where R is square in the features h: an evaluation needs the layers up to h and one triangular product, not W. */
+   where R is square in the features h: an evaluation needs the layers up to h and one triangular product, not W.
+   With shared_channels each channel has its features, and its outputs their part of M and t; channels with the same weights
+   share one R. */
 typedef struct ms_nn_collapse ms_nn_collapse;
 
 /* Makes R by a QR of sqrt(M) W in double precision (blocked Householder; parts joined in a fixed order).
-   nn      its last layer must be dense and linear, without shared_channels (MS_UNSUPPORTED); must outlive *c
+   nn      its last layer must be dense and linear (MS_UNSUPPORTED); must outlive *c
    weight  [output size] >= 0, diagonal of M; NULL: all 1. Then R is read from the file's tensor
-           "ms_nn.collapse" (F64, [features (features + 1) / 2]) if it is there
+           "ms_nn.collapse" (F64, [h (h + 1) / 2], h = inputs of the last layer) if it is there
    *c      out; ms_nn_collapse_destroy releases it
-   About output size x features^2 multiply-adds; 16 MB of memory for 1000 features and each of 8 parts.
+   About 2 h^2 multiply-adds for each output of a channel, once for each different set of weights; 8 h^2 bytes for each channel
+   and, while it runs, for each of 8 parts.
    MS_INVALID_ARGUMENT: a negative or non-finite weight (position: its index). MS_OUT_OF_MEMORY. */
 MS_NN_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error);
 MS_NN_API void ms_nn_collapse_destroy(ms_nn_collapse *c); /* NULL is allowed */
 
+/* Inputs of the last layer, those of all channels together. */
 MS_NN_API size_t ms_nn_collapse_features(const ms_nn_collapse *c);
 
-/* R, rows of the upper triangle one after the other: store it as F64 tensor "ms_nn.collapse" (ms_nn_file_write) and
-   the next ms_nn_collapse_create takes no time. */
+/* R of the first channel, rows of the upper triangle one after the other: store that of a collapse without weights as F64
+   tensor "ms_nn.collapse" (ms_nn_file_write) and the next ms_nn_collapse_create takes no time. */
 MS_NN_API const double *ms_nn_collapse_r(const ms_nn_collapse *c);
 
 /* Changes the weights of some outputs: R is updated by their rows (Householder for more weight, mixed hyperbolic
-   rotations for less), or made anew where that would lose accuracy or time. The target must be set again.
+   rotations for less), or made anew where that would lose accuracy or time. The target must be set again. A mask of pixels
+   names each in every channel; then the channels go on sharing R.
    index   [count] outputs, each once
    weight  [count] >= 0
    MS_INVALID_ARGUMENT (position: index of the offender), MS_OUT_OF_MEMORY: c is unchanged. */
 MS_NN_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error);
 
-/* Sets t. Two passes over W: semi-normal equations with a correction (Bjoerck 1987), so that the residual of the best h
-   is summed, not subtracted.
+/* Sets t. Two passes over W, of floats and of doubles: semi-normal equations with a correction (Bjoerck 1987), so that the
+   residual of the best h is summed, not subtracted.
    target  [output size], finite */
 MS_NN_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error);
 
@@ -454,7 +459,7 @@ MS_NN_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target
 MS_NN_API ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace);
 
 /* The residual vector, whose square sum is the value, and its Jacobian, for least-squares solvers.
-   residual  [features + 1] out; the last is sqrt(rest) and does not depend on x
+   residual  [features + 1] out, channel by channel; the last is sqrt(rest) and does not depend on x
    jacobian  [features + 1][input size] out; NULL: not wanted
    workspace ms_nn_collapse_workspace_size(c, jacobian != NULL) bytes; NULL: from the allocator */
 MS_NN_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace);
@@ -2695,7 +2700,7 @@ typedef struct ms_nn__kernels {
     void (*gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out);
     void (*add)(double *y, const double *a, size_t na, size_t stride, size_t n, const double *s, size_t s_stride);
     void (*rotate)(double *a, double *b, size_t n, double c, double s);
-    void (*row)(const ms_nn__matrix *m, size_t row, float *out);
+    void (*row)(const ms_nn__matrix *m, size_t row, double factor, double *out);
 } ms_nn__kernels;
 
 /* Does a matrix come from memory rather than from a cache? */
@@ -3334,39 +3339,45 @@ MS_NN_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const 
     return ms_nn__end(&call);
 }
 
-/* Unit vectors in, columns (forwards) or rows (backwards) of the inner Jacobians out. */
+/* The Jacobians of the points: element (o, i) of point c at c out in + o *row + i *column. Unit vectors in; columns of the
+   Jacobians (forwards) or rows (backwards) out. */
+static const float *ms_nn__slopes(const ms_nn__call *call, size_t *row, size_t *column)
+{
+    const ms_nn *nn = call->run.nn;
+    size_t out = ms_nn__value_size(nn, nn->ops), each = call->layout.each, c, i;
+    float *slots = ms_nn__at(call, call->layout.slots), *dx = ms_nn__at(call, call->layout.dx), *dy = ms_nn__at(call, call->layout.dy);
+    float *units = call->layout.backward ? slots + nn->slot[nn->ops] * call->run.points * each : dx;
+    memset(units, 0, call->run.points * each * each * sizeof(float));
+    for (c = 0; c < call->run.points; ++c)
+        for (i = 0; i < each; ++i) units[(c * each + i) * each + i] = 1;
+    if (call->layout.backward) ms_nn__run_gradients(&call->run, each, dx, slots, ms_nn__at(call, call->layout.skips));
+    else ms_nn__run_directions(&call->run, each, dx, dy, slots);
+    *row = call->layout.backward ? ms_nn__count(nn->inner) : 1;
+    *column = call->layout.backward ? 1 : out;
+    return call->layout.backward ? dx : dy;
+}
+
 MS_NN_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace)
 {
     ms_nn__call call;
     ms_status status = jacobian == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JACOBIAN, 1, x, y, workspace);
-    size_t in, out, each, input, c, i, o;
-    float *units, *slots, *dx, *dy;
+    const float *slopes;
+    size_t in, out, input, row, column, c, i, o;
     if (status != MS_OK) return status;
     in = ms_nn__count(nn->inner);
     out = ms_nn__value_size(nn, nn->ops);
-    each = call.layout.each;
     input = ms_nn_input_size(nn);
-    slots = ms_nn__at(&call, call.layout.slots);
-    dx = ms_nn__at(&call, call.layout.dx);
-    dy = ms_nn__at(&call, call.layout.dy);
-    units = call.layout.backward ? slots + nn->slot[nn->ops] * call.run.points * each : dx;
-    memset(units, 0, call.run.points * each * each * sizeof(float));
-    for (c = 0; c < call.run.points; ++c)
-        for (i = 0; i < each; ++i) units[(c * each + i) * each + i] = 1;
-    if (call.layout.backward) {
-        float *to = nn->channel_input ? dx : jacobian;
-        ms_nn__run_gradients(&call.run, each, to, slots, ms_nn__at(&call, call.layout.skips));
-    } else {
-        ms_nn__run_directions(&call.run, each, dx, dy, slots);
-        if (nn->channel_input == NULL) ms_nn__transpose(dy, in, out, jacobian);
-    }
+    slopes = ms_nn__slopes(&call, &row, &column);
     if (nn->channel_input) {
         memset(jacobian, 0, nn->channels * out * input * sizeof(float));
         for (c = 0; c < nn->channels; ++c)
             for (o = 0; o < out; ++o)
                 for (i = 0; i < in; ++i)
-                    jacobian[(c * out + o) * input + nn->channel_input[c * in + i]] +=
-                        call.layout.backward ? dx[(c * out + o) * in + i] : dy[(c * in + i) * out + o];
+                    jacobian[(c * out + o) * input + nn->channel_input[c * in + i]] += slopes[c * out * in + o * row + i * column];
+    } else if (call.layout.backward) {
+        memcpy(jacobian, slopes, out * in * sizeof(float));
+    } else {
+        ms_nn__transpose(slopes, in, out, jacobian);
     }
     return ms_nn__end(&call);
 }
@@ -3525,14 +3536,16 @@ MS_NN_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensor
 /* === collapse === */
 
 struct ms_nn_collapse {
-    ms_nn trunk;             /* the network without its last layer: a view, it owns nothing */
+    ms_nn trunk;            /* the network without its last layer: a view, it owns nothing */
     const ms_nn *nn;
-    const ms_nn__matrix *m;  /* W, b */
-    size_t h;                /* features */
-    float *weight;           /* [rows] diagonal of M */
-    double *r;               /* [h][h] upper triangle, full rows */
-    double *packed;          /* [h (h + 1) / 2] the same without the zeros */
-    double *h0, *e;          /* [h] of the target */
+    const ms_nn__matrix *m; /* W, b */
+    size_t channels, h;     /* features of a channel */
+    size_t bytes;
+    float *weight;          /* [channels][rows] diagonal of M */
+    size_t *owner;          /* [channels] the first channel with the same weights, which holds R for them */
+    double *r;              /* [channels][h][h] upper triangles, full rows */
+    double *packed;         /* [h (h + 1) / 2] the first without its zeros */
+    double *h0, *e;         /* [channels][h] of the target */
     double rest;
     int has_target, weighted;
 };
@@ -3592,65 +3605,74 @@ static void ms_nn__qr_fold(const ms_nn__kernels *kernels, double *r, size_t h, d
     }
 }
 
-/* Row i of W in double, scale applied; scratch has room for a row of floats. */
-static void ms_nn__double_row(const ms_nn__matrix *m, const ms_nn__kernels *kernels, size_t i, float *scratch, double *out, size_t stride, double factor)
-{
-    size_t k;
-    kernels->row(m, i, scratch);
-    if (m->scale) factor *= (double)ms_nn__float_at(m->scale, i);
-    for (k = 0; k < m->cols; ++k) out[k * stride] = factor * (double)scratch[k];
-}
-
 typedef struct ms_nn__qr_job {
-    const ms_nn_collapse *c;
-    double *r;         /* [parts][h][h] */
-    double *b;         /* [parts][h][MS_NN__QR_ROWS] */
-    float *row;        /* [parts][h] */
+    const ms_nn__matrix *m;
+    const ms_nn__kernels *kernels;
+    const float *weight; /* [rows] */
+    double *r;           /* [parts][h][h] */
+    double *b;           /* [parts][h][MS_NN__QR_ROWS] */
+    double *row;         /* [parts][h] */
     size_t parts;
 } ms_nn__qr_job;
+
+/* sqrt(m_i) w_i as column k of a block of `rows` columns. */
+static void ms_nn__qr_row(const ms_nn__matrix *m, const ms_nn__kernels *kernels, size_t i, double weight, double *row, double *b, size_t rows)
+{
+    size_t k;
+    kernels->row(m, i, sqrt(weight), row);
+    for (k = 0; k < m->cols; ++k) b[k * rows] = row[k];
+}
 
 static void ms_nn__qr_task(void *context, int index)
 {
     const ms_nn__qr_job *job = (const ms_nn__qr_job *)context;
-    const ms_nn_collapse *c = job->c;
-    size_t part = (size_t)index, h = c->h, i = c->m->rows * part / job->parts, end = c->m->rows * (part + 1) / job->parts, n, k;
+    size_t part = (size_t)index, h = job->m->cols, i = job->m->rows * part / job->parts, end = job->m->rows * (part + 1) / job->parts, n, k;
     double *r = job->r + part * h * h, *b = job->b + part * h * MS_NN__QR_ROWS;
     memset(r, 0, h * h * sizeof(double));
     while (i < end) {
         n = ms_nn__min(MS_NN__QR_ROWS, end - i);
-        for (k = 0; k < n; ++k)
-            ms_nn__double_row(c->m, c->nn->kernels, i + k, job->row + part * h, b + k, n, sqrt((double)c->weight[i + k]));
-        ms_nn__qr_fold(c->nn->kernels, r, h, b, n);
+        for (k = 0; k < n; ++k) ms_nn__qr_row(job->m, job->kernels, i + k, (double)job->weight[i + k], job->row + part * h, b + k, n);
+        ms_nn__qr_fold(job->kernels, r, h, b, n);
         i += n;
     }
 }
 
-/* R of sqrt(M) W into c->r. */
-static ms_status ms_nn__collapse_factor(ms_nn_collapse *c, ms_error *error)
+/* R of sqrt(M) W into r for the weights of a channel. */
+static ms_status ms_nn__collapse_factor(const ms_nn_collapse *c, const float *weight, double *r, ms_error *error)
 {
     const ms_nn_options *o = &c->nn->options;
     size_t h = c->h, parts = ms_nn__min(MS_NN__QR_PARTS, c->m->rows / (4 * h) + 1), r_bytes, b_bytes, p, i, k, n;
     ms_nn__qr_job job;
     r_bytes = ms__size_mul(parts * sizeof(double), ms__size_mul(h, h));
-    b_bytes = ms__size_mul(parts, ms__size_mul(h, MS_NN__QR_ROWS * sizeof(double) + sizeof(float)));
-    job.c = c;
+    b_bytes = ms__size_mul(parts, ms__size_mul(h, (MS_NN__QR_ROWS + 1) * sizeof(double)));
+    job.m = c->m;
+    job.kernels = c->nn->kernels;
+    job.weight = weight;
     job.parts = parts;
     job.r = (double *)ms_nn__alloc(o, r_bytes);
     job.b = (double *)ms_nn__alloc(o, b_bytes);
     if (job.r && job.b) {
-        job.row = (float *)(void *)(job.b + parts * h * MS_NN__QR_ROWS);
+        job.row = job.b + parts * h * MS_NN__QR_ROWS;
         ms__run(&o->parallel, (int)parts, ms_nn__qr_task, &job);
         for (p = 1; p < parts; ++p) /* the rows of each further R, a block at a time */
             for (i = 0; i < h; i += n) {
                 n = ms_nn__min(MS_NN__QR_ROWS, h - i);
                 for (k = 0; k < h * n; ++k) job.b[k] = job.r[p * h * h + (i + k % n) * h + k / n];
-                ms_nn__qr_fold(c->nn->kernels, job.r, h, job.b, n);
+                ms_nn__qr_fold(job.kernels, job.r, h, job.b, n);
             }
-        memcpy(c->r, job.r, h * h * sizeof(double));
+        memcpy(r, job.r, h * h * sizeof(double));
     }
     ms__release(&o->allocator, job.b, b_bytes);
     ms__release(&o->allocator, job.r, r_bytes);
     return job.r && job.b ? MS_OK : ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a QR of %z features", h);
+}
+
+/* The first channel whose weights are those of channel ch. */
+static size_t ms_nn__collapse_owner(const float *weight, size_t rows, size_t ch)
+{
+    size_t first = 0;
+    while (memcmp(weight + first * rows, weight + ch * rows, rows * sizeof(float)) != 0) ++first;
+    return first;
 }
 
 static void ms_nn__collapse_pack(ms_nn_collapse *c)
@@ -3680,41 +3702,51 @@ MS_NN_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, 
     const ms_nn__op *last;
     const ms_nn_tensor *stored;
     ms_nn_collapse *made;
-    size_t i, k, h, rows, bytes;
+    size_t i, k, h, rows, channels, bytes, square, triangle;
     ms_status status = MS_OK;
     if (nn == NULL || c == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn and c must not be NULL");
     last = &nn->op[nn->ops - 1];
-    if (last->step != MS_NN__DO_DENSE || last->activation != MS_NN__LINEAR || nn->channel_input)
+    if (last->step != MS_NN__DO_DENSE || last->activation != MS_NN__LINEAR)
         return ms__fail(error, MS_UNSUPPORTED, 0, "only a network whose last layer is dense and linear collapses");
+    channels = nn->channels;
     h = last->matrix.cols;
     rows = last->matrix.rows;
-    for (i = 0; weight && i < rows; ++i)
+    for (i = 0; weight && i < channels * rows; ++i)
         if (!ms__finite_f(weight[i]) || weight[i] < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g; it must be finite and not negative", i, (double)weight[i]);
-    bytes = ms__size_add(sizeof *made, ms__size_mul(rows, sizeof(float)) + 8);
-    bytes = ms__size_add(bytes, ms__size_mul(ms__size_add(ms__size_mul(h, h), ms__size_mul(h, h + 1) / 2 + 2 * h), sizeof(double)));
+    square = ms__size_mul(h, h);
+    triangle = ms__size_mul(h, h + 1) / 2;
+    bytes = ms__size_mul(channels, ms__size_mul(ms__size_add(square, 2 * h), sizeof(double)));
+    bytes = ms__size_add(bytes, ms__size_add(sizeof *made, ms__size_mul(triangle, sizeof(double))));
+    bytes = ms__size_add(bytes, ms__size_mul(channels, ms__size_add(sizeof(size_t), ms__size_mul(rows, sizeof(float)))));
     made = (ms_nn_collapse *)ms_nn__alloc(&nn->options, bytes);
     if (made == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", h);
     memset(made, 0, sizeof *made);
     made->nn = nn;
     made->m = &last->matrix;
+    made->channels = channels;
     made->h = h;
+    made->bytes = bytes;
     made->trunk = ms_nn__trunk(nn);
     made->r = (double *)(void *)(made + 1);
-    made->packed = made->r + h * h;
-    made->h0 = made->packed + h * (h + 1) / 2;
-    made->e = made->h0 + h;
-    made->weight = (float *)(void *)(made->e + h);
+    made->packed = made->r + channels * square;
+    made->h0 = made->packed + triangle;
+    made->e = made->h0 + channels * h;
+    made->owner = (size_t *)(void *)(made->e + channels * h);
+    made->weight = (float *)(void *)(made->owner + channels);
     made->weighted = weight != NULL;
-    for (i = 0; i < rows; ++i) made->weight[i] = weight ? weight[i] : 1.0f;
+    for (i = 0; i < channels * rows; ++i) made->weight[i] = weight ? weight[i] : 1.0f;
     stored = weight ? NULL : ms_nn_file_find(nn->file, "ms_nn.collapse");
-    if (stored && stored->dtype == MS_NN_F64 && stored->bytes / 8 == h * (h + 1) / 2) {
+    if (stored && (stored->dtype != MS_NN_F64 || stored->bytes / 8 != triangle)) stored = NULL;
+    for (i = 0; status == MS_OK && i < channels; ++i) {
+        made->owner[i] = ms_nn__collapse_owner(made->weight, rows, i);
+        if (made->owner[i] == i && stored == NULL) status = ms_nn__collapse_factor(made, made->weight + i * rows, made->r + i * square, error);
+    }
+    if (stored) {
         size_t at = 0;
-        memset(made->r, 0, h * h * sizeof(double));
+        memset(made->r, 0, square * sizeof(double));
         for (i = 0; i < h; ++i)
             for (k = i; k < h; ++k) made->r[i * h + k] = ms_nn__element(stored->data, MS_NN_F64, at++);
-    } else {
-        status = ms_nn__collapse_factor(made, error);
     }
     ms_nn__collapse_pack(made);
     if (status != MS_OK) ms_nn_collapse_destroy(made);
@@ -3724,11 +3756,10 @@ MS_NN_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, 
 
 MS_NN_API void ms_nn_collapse_destroy(ms_nn_collapse *c)
 {
-    if (c == NULL) return;
-    ms__release(&c->nn->options.allocator, c, sizeof *c + c->m->rows * sizeof(float) + 8 + (c->h * c->h + c->h * (c->h + 1) / 2 + 2 * c->h) * sizeof(double));
+    if (c != NULL) ms__release(&c->nn->options.allocator, c, c->bytes);
 }
 
-MS_NN_API size_t ms_nn_collapse_features(const ms_nn_collapse *c) { return c->h; }
+MS_NN_API size_t ms_nn_collapse_features(const ms_nn_collapse *c) { return c->channels * c->h; }
 MS_NN_API const double *ms_nn_collapse_r(const ms_nn_collapse *c) { return c->packed; }
 
 /* R'R - v v' by mixed hyperbolic rotations (Chambers 1971): 0 where the difference is not positive definite. */
@@ -3750,232 +3781,333 @@ static int ms_nn__downdate(double *r, size_t h, double *v)
     return 1;
 }
 
-MS_NN_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error)
+/* R for the weights `old` becomes R for `now`: their difference row by row, or 0 where making it anew is better.
+   b  [h][MS_NN__QR_ROWS], row  [h] */
+static int ms_nn__collapse_update(const ms_nn_collapse *c, const float *old, const float *now, double *r, double *b, double *row)
 {
-    const ms_nn_options *o;
-    double *r, *b;
-    float *row, *old;
-    size_t bytes, h, i, n = 0, k;
-    int good = 1;
-    ms_status status = MS_OK;
-    if (c == NULL || (count && (index == NULL || weight == NULL))) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index and weight must not be NULL");
-    for (i = 0; i < count; ++i)
-        if (index[i] >= c->m->rows || !ms__finite_f(weight[i]) || weight[i] < 0)
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "entry %z: output %z with weight %g", i, index[i], (double)weight[i]);
-    o = &c->nn->options;
-    h = c->h;
-    bytes = ms__size_add(ms__size_mul(h, h * sizeof(double) + MS_NN__QR_ROWS * sizeof(double) + sizeof(float)), ms__size_mul(count, sizeof(float)));
-    r = (double *)ms_nn__alloc(o, bytes);
-    if (r == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to update %z features", h);
-    b = r + h * h;
-    row = (float *)(void *)(b + h * MS_NN__QR_ROWS);
-    old = row + h;
-    memcpy(r, c->r, h * h * sizeof(double));
-    for (i = 0; i < count; ++i) old[i] = c->weight[index[i]];
-    good = count < c->m->rows / 8 + 2 * MS_NN__QR_ROWS;
-    for (i = 0; good && i < count; ++i) /* more weight first: R grows before it shrinks */
-        if (weight[i] > old[i]) {
-            ms_nn__double_row(c->m, c->nn->kernels, index[i], row, b + n, MS_NN__QR_ROWS, sqrt((double)weight[i] - (double)old[i]));
+    const ms_nn__kernels *kernels = c->nn->kernels;
+    size_t h = c->h, rows = c->m->rows, i, n = 0;
+    for (i = 0; i < rows; ++i) n += old[i] < now[i] || old[i] > now[i];
+    if (n >= rows / 8 + 2 * MS_NN__QR_ROWS) return 0;
+    for (i = n = 0; i < rows; ++i) /* more weight first: R grows before it shrinks */
+        if (now[i] > old[i]) {
+            if (n == 0) memset(b, 0, h * MS_NN__QR_ROWS * sizeof(double));
+            ms_nn__qr_row(c->m, kernels, i, (double)now[i] - (double)old[i], row, b + n, MS_NN__QR_ROWS);
             if (++n == MS_NN__QR_ROWS) {
-                ms_nn__qr_fold(c->nn->kernels, r, h, b, n);
+                ms_nn__qr_fold(kernels, r, h, b, MS_NN__QR_ROWS);
                 n = 0;
             }
         }
-    if (n > 0) { /* the unused rows of the block are zeros */
-        for (i = 0; i < h; ++i)
-            for (k = n; k < MS_NN__QR_ROWS; ++k) b[i * MS_NN__QR_ROWS + k] = 0;
-        ms_nn__qr_fold(c->nn->kernels, r, h, b, MS_NN__QR_ROWS);
-    }
-    for (i = 0; good && i < count; ++i)
-        if (weight[i] < old[i]) {
-            ms_nn__double_row(c->m, c->nn->kernels, index[i], row, b, 1, sqrt((double)old[i] - (double)weight[i]));
-            good = ms_nn__downdate(r, h, b);
+    if (n > 0) ms_nn__qr_fold(kernels, r, h, b, MS_NN__QR_ROWS);
+    for (i = 0; i < rows; ++i)
+        if (now[i] < old[i]) {
+            kernels->row(c->m, i, sqrt((double)old[i] - (double)now[i]), row);
+            if (!ms_nn__downdate(r, h, row)) return 0;
         }
-    for (i = 0; i < count; ++i) c->weight[index[i]] = weight[i];
-    if (good) {
-        memcpy(c->r, r, h * h * sizeof(double));
-    } else if ((status = ms_nn__collapse_factor(c, error)) != MS_OK) {
-        for (i = count; i-- > 0;) c->weight[index[i]] = old[i];
-    }
-    ms__release(&o->allocator, r, bytes);
-    if (status == MS_OK && count) {
+    return 1;
+}
+
+MS_NN_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error)
+{
+    const ms_nn_options *o;
+    double *r, *b, *row;
+    float *now;
+    size_t bytes, h, rows, outputs, square, i;
+    ms_status status = MS_OK;
+    if (c == NULL || (count && (index == NULL || weight == NULL))) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index and weight must not be NULL");
+    h = c->h;
+    rows = c->m->rows;
+    outputs = c->channels * rows;
+    for (i = 0; i < count; ++i)
+        if (index[i] >= outputs || !ms__finite_f(weight[i]) || weight[i] < 0)
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "entry %z: output %z with weight %g", i, index[i], (double)weight[i]);
+    if (count == 0) return MS_OK;
+    o = &c->nn->options;
+    square = h * h;
+    bytes = ms__size_mul(ms__size_add(c->channels * square, ms__size_mul(h, MS_NN__QR_ROWS + 1)), sizeof(double));
+    bytes = ms__size_add(bytes, outputs * sizeof(float));
+    r = (double *)ms_nn__alloc(o, bytes);
+    if (r == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to update %z features", h);
+    b = r + c->channels * square;
+    row = b + h * MS_NN__QR_ROWS;
+    now = (float *)(void *)(row + h);
+    memcpy(now, c->weight, outputs * sizeof(float));
+    for (i = 0; i < count; ++i) now[index[i]] = weight[i];
+    for (i = 0; status == MS_OK && i < c->channels; ++i)
+        if (ms_nn__collapse_owner(now, rows, i) == i) {
+            memcpy(r + i * square, c->r + c->owner[i] * square, square * sizeof(double));
+            if (!ms_nn__collapse_update(c, c->weight + i * rows, now + i * rows, r + i * square, b, row))
+                status = ms_nn__collapse_factor(c, now + i * rows, r + i * square, error);
+        }
+    if (status == MS_OK) {
+        for (i = 0; i < c->channels; ++i) {
+            c->owner[i] = ms_nn__collapse_owner(now, rows, i);
+            if (c->owner[i] == i) memcpy(c->r + i * square, r + i * square, square * sizeof(double));
+        }
+        memcpy(c->weight, now, outputs * sizeof(float));
         c->weighted = 1;
         ms_nn__collapse_pack(c);
     }
+    ms__release(&o->allocator, r, bytes);
     return status;
 }
 
-/* One pass over W: residuals of h0 and sum_i w_i m_i res_i, rows cut into parts that are added in order. */
+#define MS_NN__PASS_ROWS 8 /* of W in double together */
+
+/* One pass over W: residuals res of h0 and sum_i w_i m_i res_i, rows cut into parts that are added in order. */
 typedef struct ms_nn__pass_job {
     const ms_nn_collapse *c;
-    const float *target;
-    const double *h0;  /* NULL: zero */
-    double *sum;       /* [parts][h + 1]: the vector, then sum_i m_i res_i^2 */
-    double *wide;      /* [parts][h] */
-    float *row;        /* [parts][h] */
+    const float *target; /* [channels][rows] */
+    double *sum;         /* [parts][channels h + 1]: the vectors, then sum_i m_i res_i^2 */
+    double *wide;        /* [parts][PASS_ROWS][h] */
+    double *residual;    /* [parts][PASS_ROWS][channels] */
     size_t parts;
 } ms_nn__pass_job;
+
+/* The part that `n` rows of W in `wide` have in the sums. */
+static void ms_nn__pass_block(const ms_nn__pass_job *job, const size_t *row, size_t n, const double *wide, double *residual, double *sum)
+{
+    const ms_nn_collapse *c = job->c;
+    const ms_nn__kernels *kernels = c->nn->kernels;
+    size_t h = c->h, channels = c->channels, i, ch;
+    kernels->gram(wide, n, c->h0, channels, h, h, residual);
+    for (i = 0; i < n; ++i)
+        for (ch = 0; ch < channels; ++ch) {
+            double bias = c->m->bias ? (double)ms_nn__float_at(c->m->bias, row[i]) : 0.0, weight = (double)c->weight[ch * c->m->rows + row[i]];
+            double res = (double)job->target[ch * c->m->rows + row[i]] - bias - residual[i * channels + ch];
+            residual[i * channels + ch] = weight * res;
+            sum[channels * h] += weight * res * res;
+        }
+    for (ch = 0; ch < channels; ++ch) kernels->add(sum + ch * h, wide, n, h, h, residual + ch, channels);
+}
 
 static void ms_nn__pass_task(void *context, int index)
 {
     const ms_nn__pass_job *job = (const ms_nn__pass_job *)context;
     const ms_nn_collapse *c = job->c;
-    size_t part = (size_t)index, h = c->h, i = c->m->rows * part / job->parts, end = c->m->rows * (part + 1) / job->parts;
-    double *sum = job->sum + part * (h + 1), *wide = job->wide + part * h;
-    memset(sum, 0, (h + 1) * sizeof(double));
+    size_t part = (size_t)index, h = c->h, rows = c->m->rows, i = rows * part / job->parts, end = rows * (part + 1) / job->parts, n = 0, ch;
+    size_t row[MS_NN__PASS_ROWS];
+    double *sum = job->sum + part * (c->channels * h + 1), *wide = job->wide + part * MS_NN__PASS_ROWS * h;
+    double *residual = job->residual + part * MS_NN__PASS_ROWS * c->channels;
+    memset(sum, 0, (c->channels * h + 1) * sizeof(double));
     for (; i < end; ++i) {
-        double residual = (double)job->target[i] - (c->m->bias ? (double)ms_nn__float_at(c->m->bias, i) : 0.0), dot, weighted;
-        if (!(c->weight[i] > 0)) continue;
-        ms_nn__double_row(c->m, c->nn->kernels, i, job->row + part * h, wide, 1, 1.0);
-        if (job->h0) {
-            c->nn->kernels->gram(wide, 1, job->h0, 1, h, h, &dot);
-            residual -= dot;
+        for (ch = 0; ch < c->channels && !(c->weight[ch * rows + i] > 0);) ++ch;
+        if (ch == c->channels) continue; /* weight 0 in all channels */
+        c->nn->kernels->row(c->m, i, 1.0, wide + n * h);
+        row[n++] = i;
+        if (n == MS_NN__PASS_ROWS) {
+            ms_nn__pass_block(job, row, n, wide, residual, sum);
+            n = 0;
         }
-        weighted = residual * (double)c->weight[i];
-        c->nn->kernels->add(sum, wide, 1, h, h, &weighted, 1);
-        sum[h] += weighted * residual;
     }
+    if (n > 0) ms_nn__pass_block(job, row, n, wide, residual, sum);
 }
 
 static void ms_nn__pass(const ms_nn__pass_job *job)
 {
-    size_t n = job->c->h + 1, p, i;
+    size_t n = job->c->channels * job->c->h + 1, p, i;
     ms__run(&job->c->nn->options.parallel, (int)job->parts, ms_nn__pass_task, (void *)(uintptr_t)job);
     for (p = 1; p < job->parts; ++p)
         for (i = 0; i < n; ++i) job->sum[i] += job->sum[p * n + i];
 }
 
-/* R' y = x, then with also R z = y, in place. A pivot of rounding size stands for a direction that no output sees. */
-static void ms_nn__solve_transposed(const ms_nn_collapse *c, double *x)
+/* The least pivot of R that is no rounding: below it lies a direction that no output sees. */
+static double ms_nn__least_pivot(const double *r, size_t h)
 {
-    size_t h = c->h, j, k;
     double largest = 0;
+    size_t j;
     for (j = 0; j < h; ++j)
-        if (fabs(c->r[j * h + j]) > largest) largest = fabs(c->r[j * h + j]);
+        if (fabs(r[j * h + j]) > largest) largest = fabs(r[j * h + j]);
+    return 1e-13 * largest;
+}
+
+/* R' y = x, in place. */
+static void ms_nn__solve_transposed(const ms_nn__kernels *kernels, const double *r, size_t h, double *x)
+{
+    double least = ms_nn__least_pivot(r, h), minus;
+    size_t j;
     for (j = 0; j < h; ++j) {
-        const double *row = c->r + j * h;
-        x[j] = fabs(row[j]) > 1e-13 * largest ? x[j] / row[j] : 0.0;
-        for (k = j + 1; k < h; ++k) x[k] -= row[k] * x[j];
+        const double *row = r + j * h;
+        x[j] = fabs(row[j]) > least ? x[j] / row[j] : 0.0;
+        minus = -x[j];
+        kernels->add(x + j + 1, row + j + 1, 1, h, h - j - 1, &minus, 1);
     }
 }
 
-static void ms_nn__solve(const ms_nn_collapse *c, double *x)
+/* R z = y, in place. */
+static void ms_nn__solve(const ms_nn__kernels *kernels, const double *r, size_t h, double *x)
 {
-    size_t h = c->h, j, k;
-    double largest = 0;
-    for (j = 0; j < h; ++j)
-        if (fabs(c->r[j * h + j]) > largest) largest = fabs(c->r[j * h + j]);
+    double least = ms_nn__least_pivot(r, h), dot;
+    size_t j;
     for (j = h; j-- > 0;) {
-        const double *row = c->r + j * h;
-        for (k = j + 1; k < h; ++k) x[j] -= row[k] * x[k];
-        x[j] = fabs(row[j]) > 1e-13 * largest ? x[j] / row[j] : 0.0;
+        const double *row = r + j * h;
+        kernels->gram(row + j + 1, 1, x + j + 1, 1, h, h - j - 1, &dot);
+        x[j] = fabs(row[j]) > least ? (x[j] - dot) / row[j] : 0.0;
+    }
+}
+
+/* h0 = (R'R)^-1 W'M (t - b), the sum in floats: anywhere near the best h will do, as what it misses comes in again with e.
+   g  [channels][rows], g_x  [channels][h], scratch as ms_nn__run_dense_back needs it */
+static void ms_nn__collapse_start(ms_nn_collapse *c, const float *target, float *g, float *g_x, void *scratch)
+{
+    const ms_nn__kernels *kernels = c->nn->kernels;
+    size_t h = c->h, rows = c->m->rows, i, ch;
+    double largest = 0;
+    int pass;
+    for (pass = 0; pass < 2; ++pass)
+        for (ch = 0; ch < c->channels; ++ch)
+            for (i = 0; i < rows; ++i) {
+                double bias = c->m->bias ? (double)ms_nn__float_at(c->m->bias, i) : 0.0;
+                double weighted = (double)c->weight[ch * rows + i] * ((double)target[ch * rows + i] - bias);
+                if (pass == 1) g[ch * rows + i] = (float)(largest > 0 ? weighted / largest : 0.0);
+                else if (fabs(weighted) > largest) largest = fabs(weighted);
+            }
+    ms_nn__run_dense_back(c->nn, &c->nn->op[c->nn->ops - 1], (int)c->channels, g, g_x, scratch);
+    for (ch = 0; ch < c->channels; ++ch) {
+        double *h0 = c->h0 + ch * h;
+        for (i = 0; i < h; ++i) h0[i] = largest * (double)g_x[ch * h + i];
+        ms_nn__solve_transposed(kernels, c->r + c->owner[ch] * h * h, h, h0);
+        ms_nn__solve(kernels, c->r + c->owner[ch] * h * h, h, h0);
     }
 }
 
 MS_NN_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
 {
     ms_nn__pass_job job;
-    size_t h, i, bytes;
+    float *g;
+    size_t h, n, i, ch, outputs, bytes;
     double norm = 0;
     if (c == NULL || target == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "c and target must not be NULL");
     h = c->h;
-    for (i = 0; i < c->m->rows; ++i)
+    n = c->channels * h;
+    outputs = c->channels * c->m->rows;
+    for (i = 0; i < outputs; ++i)
         if (!ms__finite_f(target[i])) return ms__fail(error, MS_INVALID_ARGUMENT, i, "target value %z is not finite", i);
     memset(&job, 0, sizeof job);
     job.c = c;
     job.target = target;
-    job.parts = ms_nn__min(64, c->m->rows / 256 + 1);
-    bytes = ms__size_mul(job.parts, ms__size_mul(2 * h + 1, sizeof(double)) + h * sizeof(float));
+    job.parts = ms_nn__min(16, c->m->rows / 1024 + 1);
+    bytes = ms__size_mul(job.parts * sizeof(double), ms__size_add(n + 1, ms__size_mul(MS_NN__PASS_ROWS, h + c->channels)));
+    bytes = ms__size_add(bytes, ms__size_mul(outputs + n * (ms_nn__back_parts(c->m) + 1), sizeof(float)));
     job.sum = (double *)ms_nn__alloc(&c->nn->options, bytes);
     if (job.sum == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
-    job.wide = job.sum + job.parts * (h + 1);
-    job.row = (float *)(void *)(job.wide + job.parts * h);
-    ms_nn__pass(&job); /* W'M (t - b) */
-    memcpy(c->h0, job.sum, h * sizeof(double));
-    ms_nn__solve_transposed(c, c->h0);
-    ms_nn__solve(c, c->h0);
-    job.h0 = c->h0;
+    job.wide = job.sum + job.parts * (n + 1);
+    job.residual = job.wide + job.parts * MS_NN__PASS_ROWS * h;
+    g = (float *)(void *)(job.residual + job.parts * MS_NN__PASS_ROWS * c->channels);
+    ms_nn__collapse_start(c, target, g, g + outputs, g + outputs + n);
     ms_nn__pass(&job); /* W'M res and |res|_M^2 of h0 */
-    memcpy(c->e, job.sum, h * sizeof(double));
-    ms_nn__solve_transposed(c, c->e);
-    for (i = 0; i < h; ++i) norm += c->e[i] * c->e[i];
-    c->rest = job.sum[h] > norm ? job.sum[h] - norm : 0.0;
+    memcpy(c->e, job.sum, n * sizeof(double));
+    for (ch = 0; ch < c->channels; ++ch) ms_nn__solve_transposed(c->nn->kernels, c->r + c->owner[ch] * h * h, h, c->e + ch * h);
+    for (i = 0; i < n; ++i) norm += c->e[i] * c->e[i];
+    c->rest = job.sum[n] > norm ? job.sum[n] - norm : 0.0;
     c->has_target = 1;
     ms__release(&c->nn->options.allocator, job.sum, bytes);
     return MS_OK;
 }
 
+#define MS_NN__COLUMNS 32 /* of the Jacobian, multiplied by R together */
+
+/* Doubles of an evaluation: the residual (for the value) and columns for R; then the floats of h(x); then the trunk's. */
+static size_t ms_nn__collapse_doubles(const ms_nn_collapse *c) { return c->channels * c->h + 1 + MS_NN__COLUMNS * c->h; }
+
 MS_NN_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian)
 {
-    size_t inputs = with_jacobian ? ms_nn_input_size(c->nn) : 0;
     size_t trunk = c->trunk.ops == 0 ? 0 : ms_nn__layout_of(&c->trunk, with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1).total;
-    return ms__size_add(ms__size_add(trunk, ms__size_mul(ms__size_mul(c->h, inputs + 1), sizeof(float))), ms__size_mul(c->h, sizeof(double)) + 64);
+    return ms__size_add(ms__size_add(trunk, c->channels * c->h * sizeof(float)), ms_nn__collapse_doubles(c) * sizeof(double) + 64);
 }
 
-/* h(x) and its Jacobian [h][inputs]; a network of one layer has h(x) = x. */
-static ms_status ms_nn__collapse_features(const ms_nn_collapse *c, const float *x, float *h, float *jacobian, void *workspace)
+/* h(x) [channels][h] into features. */
+static ms_status ms_nn__collapse_features(const ms_nn_collapse *c, const float *x, float *features, void *workspace)
 {
-    size_t i;
-    if (c->trunk.ops > 0)
-        return jacobian ? ms_nn_jacobian(&c->trunk, x, h, jacobian, workspace) : ms_nn_forward(&c->trunk, 1, x, h, workspace);
-    memcpy(h, x, c->h * sizeof(float));
-    if (jacobian) memset(jacobian, 0, c->h * c->h * sizeof(float));
-    for (i = 0; jacobian && i < c->h; ++i) jacobian[i * c->h + i] = 1;
+    if (c->trunk.ops > 0) return ms_nn_forward(&c->trunk, 1, x, features, workspace);
+    if (c->nn->channel_input) ms_nn__spread(c->nn, 1, x, features);
+    else memcpy(features, x, c->h * sizeof(float));
+    return MS_OK;
+}
+
+/* out_ik = sum_j R_ij column_k,j for n columns: rows in fours, each four from its diagonal on. add: out += ... */
+static void ms_nn__collapse_product(const ms_nn_collapse *c, const double *r, const double *columns, size_t n, double *out, size_t row_step,
+                                    const size_t *column_at)
+{
+    double tile[4 * MS_NN__COLUMNS];
+    size_t h = c->h, i, j, k, m;
+    for (i = 0; i < h; i += 4) {
+        m = ms_nn__min(4, h - i);
+        c->nn->kernels->gram(r + i * h + i, m, columns + i, n, h, h - i, tile);
+        for (j = 0; j < m; ++j)
+            for (k = 0; k < n; ++k) out[(i + j) * row_step + (column_at ? column_at[k] : k)] += tile[j * n + k];
+    }
+}
+
+/* The residual [channels h + 1] and, unless NULL, its Jacobian [channels h + 1][inputs]. doubles: ms_nn__collapse_doubles, then the
+   features and the trunk's workspace. */
+static ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, double *doubles)
+{
+    const ms_nn *nn = c->nn;
+    size_t h = c->h, total = c->channels * h, inputs = ms_nn_input_size(nn), in = ms_nn__count(nn->inner), ch, i, k, k0, n;
+    double *columns = doubles + total + 1;
+    float *features = (float *)(void *)(columns + MS_NN__COLUMNS * h);
+    const float *slopes = NULL; /* of h(x), or the identity where there is no trunk */
+    size_t slope_row = 0, slope_column = 0;
+    ms_nn__call call;
+    ms_status status;
+    if (jacobian && c->trunk.ops > 0) {
+        status = ms_nn__begin(&call, &c->trunk, MS_NN_JACOBIAN, 1, x, features, features + total);
+        if (status == MS_OK) slopes = ms_nn__slopes(&call, &slope_row, &slope_column);
+    } else {
+        status = ms_nn__collapse_features(c, x, features, features + total);
+    }
+    if (status != MS_OK) return status;
+    if (jacobian) memset(jacobian, 0, (total + 1) * inputs * sizeof(double));
+    for (ch = 0; ch < c->channels; ++ch) {
+        const double *r = c->r + c->owner[ch] * h * h;
+        for (i = 0; i < h; ++i) {
+            columns[i] = (double)features[ch * h + i] - c->h0[ch * h + i];
+            residual[ch * h + i] = -c->e[ch * h + i];
+        }
+        ms_nn__collapse_product(c, r, columns, 1, residual + ch * h, 1, NULL);
+        for (k0 = 0; jacobian && k0 < in; k0 += n) {
+            double *out = jacobian + ch * h * inputs;
+            n = ms_nn__min(MS_NN__COLUMNS, in - k0);
+            for (k = 0; k < n; ++k)
+                for (i = 0; i < h; ++i)
+                    columns[k * h + i] = slopes ? (double)slopes[ch * h * in + i * slope_row + (k0 + k) * slope_column] : i == k0 + k ? 1.0 : 0.0;
+            if (nn->channel_input) ms_nn__collapse_product(c, r, columns, n, out, inputs, nn->channel_input + ch * in + k0);
+            else ms_nn__collapse_product(c, r, columns, n, out + k0, inputs, NULL);
+        }
+    }
+    residual[total] = sqrt(c->rest);
     return MS_OK;
 }
 
 MS_NN_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace)
 {
-    size_t bytes, h, n, i, k, j;
+    size_t bytes;
     void *allocated = NULL;
-    float *features, *slopes;
-    double *d;
     ms_status status;
     if (c == NULL || x == NULL || residual == NULL || !c->has_target) return MS_INVALID_ARGUMENT;
-    h = c->h;
-    n = jacobian ? ms_nn_input_size(c->nn) : 0;
     bytes = ms_nn_collapse_workspace_size(c, jacobian != NULL);
     if (workspace == NULL) workspace = allocated = ms_nn__alloc(&c->nn->options, bytes);
     if (workspace == NULL) return MS_OUT_OF_MEMORY;
-    d = (double *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
-    features = (float *)(void *)(d + h);
-    slopes = features + h;
-    status = ms_nn__collapse_features(c, x, features, jacobian ? slopes : NULL, slopes + h * n);
-    for (i = 0; i < h; ++i) d[i] = (double)features[i] - c->h0[i];
-    for (i = 0; status == MS_OK && i < h; ++i) { /* R (h - h0) - e */
-        c->nn->kernels->gram(c->r + i * h + i, 1, d + i, 1, h, h - i, &residual[i]);
-        residual[i] -= c->e[i];
-        for (j = 0; j < n; ++j) jacobian[i * n + j] = 0;
-        for (k = i; n > 0 && k < h; ++k)
-            for (j = 0; j < n; ++j) jacobian[i * n + j] += c->r[i * h + k] * (double)slopes[k * n + j];
-    }
-    if (status == MS_OK) residual[h] = sqrt(c->rest);
-    for (j = 0; status == MS_OK && j < n; ++j) jacobian[h * n + j] = 0;
+    status = ms_nn__collapse_evaluate(c, x, residual, jacobian, (double *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63));
     ms__release(&c->nn->options.allocator, allocated, bytes);
     return status;
 }
 
 MS_NN_API ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace)
 {
-    size_t bytes, h, i;
+    size_t bytes, i;
     void *allocated = NULL;
-    float *features;
-    double *d, sum, r;
+    double *residual, sum;
     ms_status status;
     if (c == NULL || x == NULL || value == NULL || !c->has_target) return MS_INVALID_ARGUMENT;
-    h = c->h;
     bytes = ms_nn_collapse_workspace_size(c, 0);
     if (workspace == NULL) workspace = allocated = ms_nn__alloc(&c->nn->options, bytes);
     if (workspace == NULL) return MS_OUT_OF_MEMORY;
-    d = (double *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
-    features = (float *)(void *)(d + h);
-    status = ms_nn__collapse_features(c, x, features, NULL, features + h);
-    for (i = 0; i < h; ++i) d[i] = (double)features[i] - c->h0[i];
+    residual = (double *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    status = ms_nn__collapse_evaluate(c, x, residual, NULL, residual);
     sum = c->rest;
-    for (i = 0; i < h; ++i) {
-        c->nn->kernels->gram(c->r + i * h + i, 1, d + i, 1, h, h - i, &r);
-        sum += (r - c->e[i]) * (r - c->e[i]);
-    }
+    for (i = 0; status == MS_OK && i < c->channels * c->h; ++i) sum += residual[i] * residual[i];
     if (status == MS_OK) *value = sum;
     ms__release(&c->nn->options.allocator, allocated, bytes);
     return status;
@@ -4039,21 +4171,25 @@ static int ms_nn__compare_variance(const void *context, size_t a, size_t b)
     return v[a] > v[b] ? -1 : v[a] < v[b] ? 1 : a < b ? -1 : a > b;
 }
 
-/* Mean and covariance of the features over the samples, one at a time. */
+/* Mean and covariance of the features over the samples and their channels, one sample at a time. */
 static ms_status ms_nn__feature_moments(const ms_nn_collapse *c, int samples, const float *x, double *mean, double *covariance)
 {
-    size_t h = c->h, i, j, bytes = ms__size_add(ms_nn_collapse_workspace_size(c, 0), h * sizeof(float));
+    size_t h = c->h, total = c->channels * h, ch, i, j, bytes = ms__size_add(ms_nn_collapse_workspace_size(c, 0), total * sizeof(float));
     float *workspace = (float *)ms_nn__alloc(&c->nn->options, bytes);
+    double share = 1 / ((double)samples * (double)c->channels);
     int s, pass;
     ms_status status = workspace ? MS_OK : MS_OUT_OF_MEMORY;
     memset(mean, 0, h * sizeof(double));
     memset(covariance, 0, h * h * sizeof(double));
     for (pass = 0; pass < 2; ++pass)
         for (s = 0; status == MS_OK && s < samples; ++s) {
-            status = ms_nn__collapse_features(c, x + (size_t)s * ms_nn_input_size(c->nn), workspace, NULL, workspace + h);
-            for (i = 0; pass == 0 && i < h; ++i) mean[i] += (double)workspace[i] / samples;
-            for (i = 0; pass == 1 && i < h; ++i)
-                for (j = i; j < h; ++j) covariance[i * h + j] += ((double)workspace[i] - mean[i]) * ((double)workspace[j] - mean[j]) / samples;
+            status = ms_nn__collapse_features(c, x + (size_t)s * ms_nn_input_size(c->nn), workspace, workspace + total);
+            for (ch = 0; status == MS_OK && ch < c->channels; ++ch) {
+                const float *f = workspace + ch * h;
+                for (i = 0; pass == 0 && i < h; ++i) mean[i] += share * (double)f[i];
+                for (i = 0; pass == 1 && i < h; ++i)
+                    for (j = i; j < h; ++j) covariance[i * h + j] += share * ((double)f[i] - mean[i]) * ((double)f[j] - mean[j]);
+            }
         }
     ms__release(&c->nn->options.allocator, workspace, bytes);
     return status;
@@ -4179,7 +4315,6 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
     const char *layers, *name;
     char *memory, *text, low_name[272], weight_name[272], bias_name[272];
     double *a, *u, *wide;
-    float *row;
     unsigned char *low, *high, *bias;
     ms_nn_tensor *t;
     ms_nn_entry *e;
@@ -4196,7 +4331,7 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
     entries = ms_nn_file_entry_count(nn->file);
     /* A = D' R'R [r][h], U = W D [p][r], D = left / sqrt(variance) */
     bytes = ms__size_add(ms__size_mul(ms__size_mul(h, r), 2 * sizeof(double) + width), ms__size_mul(p, ms__size_add(ms__size_mul(r, width), 4)));
-    bytes = ms__size_add(bytes, ms__size_mul(tensors, sizeof *t) + ms__size_mul(entries, sizeof *e) + ms__size_mul(h, 2 * sizeof(double) + sizeof(float)) + ms_nn__low_rank_layers(nn, layers, r, NULL) + 1);
+    bytes = ms__size_add(bytes, ms__size_mul(tensors, sizeof *t) + ms__size_mul(entries, sizeof *e) + ms__size_mul(h, 2 * sizeof(double)) + ms_nn__low_rank_layers(nn, layers, r, NULL) + 1);
     memory = (char *)ms_nn__alloc(&nn->options, bytes);
     if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the factors");
     a = (double *)(void *)memory; /* [r][h] */
@@ -4204,8 +4339,7 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
     wide = u + r * h;
     t = (ms_nn_tensor *)(void *)(wide + 2 * h);
     e = (ms_nn_entry *)(void *)(t + tensors);
-    row = (float *)(void *)(e + entries);
-    bias = (unsigned char *)(row + h);
+    bias = (unsigned char *)(e + entries);
     low = bias + 4 * p;
     high = low + r * h * width;
     text = (char *)high + p * r * width;
@@ -4222,7 +4356,7 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
     }
     for (i = 0; i < p; ++i) {
         double b = c->m->bias ? (double)ms_nn__float_at(c->m->bias, i) : 0.0, full, x;
-        ms_nn__double_row(c->m, nn->kernels, i, row, wide, 1, 1.0);
+        nn->kernels->row(c->m, i, 1.0, wide);
         nn->kernels->gram(wide, 1, l->mean, 1, h, h, &full);
         b += full; /* b + W mean - U A mean */
         for (k = 0; k < r; ++k) {
@@ -4388,6 +4522,8 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #undef MS_NN__QR_ROWS
 #undef MS_NN__QR_PANEL
 #undef MS_NN__QR_PARTS
+#undef MS_NN__PASS_ROWS
+#undef MS_NN__COLUMNS
 #undef MS_NN__UNROLL
 #undef MS_NN__INLINE
 #undef MS_NN__FN
@@ -5221,7 +5357,8 @@ static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 #define D_LOAD(p) (*(p))
 #define D_STORE(p, v) (*(p) = (v))
 #define D_SET(x) (x)
-#define D_ADD(a, b) ((a) + (b))
+#define D_WIDEN(p) ((double)*(p))
+#define D_MUL(a, b) ((a) * (b))
 #define D_MADD(a, b, c) ((a) * (b) + (c))
 #elif MS_NN__ISA == 2 && defined(MS__X64)
 #define D_LANES 2
@@ -5229,7 +5366,8 @@ static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 #define D_LOAD(p) _mm_loadu_pd(p)
 #define D_STORE(p, v) _mm_storeu_pd(p, v)
 #define D_SET(x) _mm_set1_pd(x)
-#define D_ADD(a, b) _mm_add_pd(a, b)
+#define D_WIDEN(p) _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
+#define D_MUL(a, b) _mm_mul_pd(a, b)
 #define D_MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
 #elif MS_NN__ISA == 2
 #define D_LANES 2
@@ -5237,7 +5375,8 @@ static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 #define D_LOAD(p) vld1q_f64(p)
 #define D_STORE(p, v) vst1q_f64(p, v)
 #define D_SET(x) vdupq_n_f64(x)
-#define D_ADD(a, b) vaddq_f64(a, b)
+#define D_WIDEN(p) vcvt_f64_f32(vld1_f32(p))
+#define D_MUL(a, b) vmulq_f64(a, b)
 #define D_MADD(a, b, c) vfmaq_f64(c, a, b)
 #elif MS_NN__ISA == 3
 #define D_LANES 4
@@ -5245,7 +5384,8 @@ static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 #define D_LOAD(p) _mm256_loadu_pd(p)
 #define D_STORE(p, v) _mm256_storeu_pd(p, v)
 #define D_SET(x) _mm256_set1_pd(x)
-#define D_ADD(a, b) _mm256_add_pd(a, b)
+#define D_WIDEN(p) _mm256_cvtps_pd(_mm_loadu_ps(p))
+#define D_MUL(a, b) _mm256_mul_pd(a, b)
 #define D_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
 #else
 #define D_LANES 8
@@ -5253,7 +5393,8 @@ static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 #define D_LOAD(p) _mm512_loadu_pd(p)
 #define D_STORE(p, v) _mm512_storeu_pd(p, v)
 #define D_SET(x) _mm512_set1_pd(x)
-#define D_ADD(a, b) _mm512_add_pd(a, b)
+#define D_WIDEN(p) _mm512_maskz_cvtps_pd(0xFF, _mm256_loadu_ps(p))
+#define D_MUL(a, b) _mm512_mul_pd(a, b)
 #define D_MADD(a, b, c) _mm512_fmadd_pd(a, b, c)
 #endif
 
@@ -5300,14 +5441,11 @@ static void MS_NN__FN(gram)(const double *a, size_t na, const double *b, size_t 
     for (k = 0; k < nb; k += 2)
         for (i = 0; i < na; i += 4) {
             const double *ai = a + i * stride, *bk = b + k * stride;
-            if (i + 4 <= na && k + 2 <= nb) {
-                MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 2);
-            } else {
-                size_t p, q;
-                for (p = 0; p < ms_nn__min(4, na - i); ++p)
-                    for (q = 0; q < ms_nn__min(2, nb - k); ++q)
-                        MS_NN__FN(gram_tile)(ai + p * stride, bk + q * stride, stride, n, out + (i + p) * nb + k + q, nb, 1, 1);
-            }
+            size_t p;
+            if (i + 4 <= na && k + 2 <= nb) MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 2);
+            else if (i + 4 <= na) MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 1);
+            else if (k + 2 <= nb) for (p = i; p < na; ++p) MS_NN__FN(gram_tile)(a + p * stride, bk, stride, n, out + p * nb + k, nb, 1, 2);
+            else for (p = i; p < na; ++p) MS_NN__FN(gram_tile)(a + p * stride, bk, stride, n, out + p * nb + k, nb, 1, 1);
         }
 }
 
@@ -5354,17 +5492,27 @@ static void MS_NN__FN(rotate)(double *a, double *b, size_t n, double c, double s
     }
 }
 
-/* One row of a matrix as floats; the scale of I8 is not applied. */
-static void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, float *out)
+/* One row of a matrix in double, times a factor and the scale of I8. */
+MS_NN__INLINE void MS_NN__FN(row_typed)(const unsigned char *w, size_t cols, double factor, double *out, ms_nn_dtype dtype)
 {
-    size_t size = m->dtype == MS_NN_F32 ? 4 : m->dtype == MS_NN_I8 ? 1 : 2, k = 0;
-    const unsigned char *w = m->w + row * m->cols * size;
-    for (; k + V_LANES <= m->cols; k += V_LANES) V_STORE(out + k, MS_NN__FN(weight)(w + k * size, m->dtype));
-    if (k < m->cols) {
-        float last[V_LANES];
-        V_STORE(last, MS_NN__FN(weight_part)(w + k * size, m->dtype, m->cols - k));
-        memcpy(out + k, last, (m->cols - k) * sizeof(float));
+    size_t size = dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2, k, j;
+    D_DOUBLES f = D_SET(factor);
+    float part[V_LANES];
+    for (k = 0; k + V_LANES <= cols; k += V_LANES) {
+        V_STORE(part, MS_NN__FN(weight)(w + k * size, dtype));
+        for (j = 0; j < V_LANES; j += D_LANES) D_STORE(out + k + j, D_MUL(f, D_WIDEN(part + j)));
     }
+    if (k < cols) V_STORE(part, MS_NN__FN(weight_part)(w + k * size, dtype, cols - k));
+    for (j = 0; k < cols; ++k, ++j) out[k] = factor * (double)part[j];
+}
+
+static void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double factor, double *out)
+{
+    size_t at = row * m->cols;
+    if (m->dtype == MS_NN_F32) MS_NN__FN(row_typed)(m->w + 4 * at, m->cols, factor, out, MS_NN_F32);
+    else if (m->dtype == MS_NN_F16) MS_NN__FN(row_typed)(m->w + 2 * at, m->cols, factor, out, MS_NN_F16);
+    else if (m->dtype == MS_NN_BF16) MS_NN__FN(row_typed)(m->w + 2 * at, m->cols, factor, out, MS_NN_BF16);
+    else MS_NN__FN(row_typed)(m->w + at, m->cols, factor * (double)ms_nn__float_at(m->scale, row), out, MS_NN_I8);
 }
 
 #endif
@@ -5424,7 +5572,8 @@ static const ms_nn__kernels MS_NN__FN(table) = {V_BLOCK, MS_NN__FN(dense), MS_NN
 #undef D_LOAD
 #undef D_STORE
 #undef D_SET
-#undef D_ADD
+#undef D_WIDEN
+#undef D_MUL
 #undef D_MADD
 #endif /* kernels */
 
