@@ -22,6 +22,8 @@ typedef struct ref_net {
     ref_layer layer[24];
     int layers, input[3], rank;
     ms_nn_dtype dtype;
+    const char *shared; /* the lists of shared_channels, or NULL; input is then one channel's and */
+    int outer;          /* the size of the file's input */
     unsigned char *file;
     size_t size, room;
 } ref_net;
@@ -311,6 +313,7 @@ static void net_end(ref_net *n, uint64_t *state)
     ms_nn_sink sink;
     ms_error error;
     int k, tensors = 0, i;
+    if (n->shared) snprintf(layers, sizeof layers, "[{\"type\":\"shared_channels\",\"inputs\":%s},", n->shared);
     for (k = 0; k < n->layers; ++k) {
         ref_layer *l = &n->layer[k];
         size_t at = strlen(layers), fan = (size_t)(l->kind == DENSE ? count_of(l->in) : l->in[0] * l->kernel[0] * l->kernel[1]), j;
@@ -363,7 +366,7 @@ static void net_end(ref_net *n, uint64_t *state)
         }
     }
     strcat(layers, "]");
-    if (n->rank == 1) snprintf(input, sizeof input, "[%d]", n->input[0]);
+    if (n->rank == 1) snprintf(input, sizeof input, "[%d]", n->shared ? n->outer : n->input[0]);
     if (n->rank == 2) snprintf(input, sizeof input, "[%d,%d]", n->input[0], n->input[2]);
     if (n->rank == 3) snprintf(input, sizeof input, "[%d,%d,%d]", n->input[0], n->input[1], n->input[2]);
     e[0].key = "ms_nn_version"; e[0].value = "1";
@@ -783,38 +786,21 @@ static void test_activations(void)
 /* Swapping the inputs of red and green swaps the output channels, bit for bit; products as without sharing. */
 static void test_shared(void)
 {
-    static const float red_green[6] = {0, 1, 2, 3, 4, 5};
-    uint64_t state = test_seed + 2;
+    uint64_t state = test_seed + 2, again = state;
     ref_net net, plain;
-    char layers[600];
-    ms_nn_tensor t[6];
-    ms_nn_entry e[3];
-    ms_nn_file *f = NULL;
-    ms_nn_sink sink;
-    ms_nn *nn = NULL, *single;
-    ms_error error;
+    ms_nn *nn, *single;
     size_t i, k;
     float x[7], swapped[7], y[3 * 40], z[3 * 40], g[3 * 40], gx[7], dx[2 * 7], dy[2 * 3 * 40], jacobian[3 * 40 * 7], ws_x[3];
-    (void)red_green;
     net_begin(&plain, MS_NN_F16, 1, 3, 1, 1);
     net_dense(&plain, 25, 3);
     net_dense(&plain, 40, 5);
-    net_end(&plain, &state);
+    net = plain;
+    net.shared = "[[0,3,6],[1,4,6],[2,5,6]]";
+    net.outer = 7;
+    net_end(&plain, &again);
+    net_end(&net, &state);
     single = net_load(&plain, MS_SIMD_AUTO, 0);
-    CHECK_INT(ms_nn_file_open(plain.file, plain.size, NULL, &f, NULL), MS_OK);
-    for (i = 0; i < 4; ++i) t[i] = *ms_nn_file_tensor(f, i);
-    snprintf(layers, sizeof layers, "[{\"type\":\"shared_channels\",\"inputs\":[[0,3,6],[1,4,6],[2,5,6]]},%s", ms_nn_file_metadata(f, "ms_nn_layers") + 1);
-    e[0].key = "ms_nn_version"; e[0].value = "1";
-    e[1].key = "ms_nn_input"; e[1].value = "[7]";
-    e[2].key = "ms_nn_layers"; e[2].value = layers;
-    memset(&net, 0, sizeof net);
-    sink.user = &net;
-    sink.write = net_sink;
-    CHECK_INT(ms_nn_file_write(t, 4, e, 3, NULL, sink, NULL), MS_OK);
-    if (ms_nn_load(net.file, net.size, NULL, &nn, &error) != MS_OK) {
-        TEST_FAIL("%s", error.message);
-        return;
-    }
+    nn = net_load(&net, MS_SIMD_AUTO, 0);
     CHECK_INT(ms_nn_input_size(nn), 7);
     CHECK_INT(ms_nn_output_size(nn), 120);
     CHECK_INT(ms_nn_output_shape(nn).rank, 2);
@@ -846,8 +832,7 @@ static void test_shared(void)
     CHECK(fabs((double)jacobian[1]) <= 0.0 && fabs((double)jacobian[0]) > 0); /* red does not see green */
     ms_nn_destroy(nn);
     ms_nn_destroy(single);
-    ms_nn_file_close(f);
-    free(net.file);
+    net_free(&net);
     net_free(&plain);
 }
 
@@ -1057,20 +1042,119 @@ static void test_arguments(void)
 
 static double direct_value(const ref_net *net, const ms_nn *nn, const float *x, const float *target, const float *weight)
 {
-    int n = count_of(net->layer[net->layers - 1].in), m = net->layer[net->layers - 1].out, i, k;
     const ref_layer *l = &net->layer[net->layers - 1];
+    int n = count_of(l->in), outputs = (int)ms_nn_output_size(nn), i, k;
     ms_nn trunk = *nn;
-    float *h = (float *)malloc((size_t)n * sizeof(float));
+    float *h = (float *)malloc((size_t)n * nn->channels * sizeof(float));
     double sum = 0;
     trunk.ops--; /* the features that the collapse sees, so that only its own error is measured */
     CHECK_INT(ms_nn_forward(&trunk, 1, x, h, NULL), MS_OK);
-    for (i = 0; i < m; ++i) {
-        double r = l->b[i] - (double)target[i];
-        for (k = 0; k < n; ++k) r += l->w[i * n + k] * (double)h[k];
+    for (i = 0; i < outputs; ++i) {
+        double r = l->b[i % l->out] - (double)target[i];
+        for (k = 0; k < n; ++k) r += l->w[i % l->out * n + k] * (double)h[i / l->out * n + k];
         sum += r * r * (weight ? (double)weight[i] : 1);
     }
     free(h);
     return sum;
+}
+
+/* The residual's Jacobian against differences of float features: steps of 1e-2 leave 1e-4 of curvature and
+   |R| 6e-8 / 1e-2 = 2e-4 of rounding; ten times both. */
+static void check_slopes(const ms_nn_collapse *c, const float *x, const double *jacobian, int rows, int inputs)
+{
+    double *plus = (double *)malloc((size_t)rows * sizeof(double)), *minus = (double *)malloc((size_t)rows * sizeof(double));
+    float *moved = (float *)malloc((size_t)inputs * sizeof(float));
+    int i, k;
+    for (k = 0; k < inputs; ++k) {
+        double size = 0, e = 0;
+        memcpy(moved, x, (size_t)inputs * sizeof(float));
+        moved[k] = x[k] + 0.005f;
+        CHECK_INT(ms_nn_collapse_residual(c, moved, plus, NULL, NULL), MS_OK);
+        moved[k] = x[k] - 0.005f;
+        CHECK_INT(ms_nn_collapse_residual(c, moved, minus, NULL, NULL), MS_OK);
+        for (i = 0; i < rows; ++i) {
+            double d = (plus[i] - minus[i]) / 0.01;
+            if (fabs(d) > size) size = fabs(d);
+            if (fabs(d - jacobian[i * inputs + k]) > e) e = fabs(d - jacobian[i * inputs + k]);
+        }
+        CHECK_LE(e, 1e-3 * size + 2e-3);
+    }
+    free(plus);
+    free(minus);
+    free(moved);
+}
+
+/* Value, residual and Jacobian for one network and one way of weighting its outputs. */
+enum { ALL_ONE, WEIGHTED, MASKED, FEW_OUTPUTS, SHARED, SHARED_WEIGHTED, SHARED_PIXELS, SHARED_CHANNEL, COLLAPSES };
+
+static double collapse_case(ms_nn_dtype dtype, int way, uint64_t *state)
+{
+    enum { IN = 12, FEATURES = 40 };
+    int shared = way >= SHARED, channels = shared ? 3 : 1, rows = way == FEW_OUTPUTS ? 20 : 900, m = channels * rows, features = channels * FEATURES, i, k;
+    float x[IN], best[IN], *weight = (float *)malloc((size_t)m * sizeof(float)), *t = (float *)malloc((size_t)m * sizeof(float));
+    float *target = (float *)malloc((size_t)m * sizeof(float));
+    double *residual = (double *)malloc((size_t)(features + 1) * sizeof(double)), *jacobian = (double *)malloc((size_t)(features + 1) * IN * sizeof(double));
+    double value, worst = 0;
+    ref_net net;
+    ms_nn *nn;
+    ms_nn_collapse *c = NULL;
+    ms_error error;
+    net_begin(&net, dtype, 1, shared ? 5 : (int)IN, 1, 1);
+    if (shared) { /* 7 is not seen, 5 twice by the same channel */
+        net.shared = "[[0,3,6,8,9],[1,4,6,8,10],[2,5,5,8,11]]";
+        net.outer = IN;
+    }
+    net_dense(&net, 30, 4);
+    net_dense(&net, FEATURES, 4);
+    net_dense(&net, rows, 0);
+    net_end(&net, state);
+    nn = net_load(&net, MS_SIMD_AUTO, 0);
+    CHECK_INT(ms_nn_output_size(nn), m);
+    for (i = 0; i < IN; ++i) best[i] = (float)test_uniform(state);
+    for (i = 0; i < m; ++i) weight[i] = way == WEIGHTED || (way == SHARED_WEIGHTED && i < rows) ? (float)test_uniform(state) : 1;
+    for (i = rows; way == SHARED_WEIGHTED && i < m; ++i) weight[i] = weight[i % rows];
+    CHECK_INT(ms_nn_collapse_create(nn, way == WEIGHTED || way == SHARED_WEIGHTED ? weight : NULL, &c, &error), MS_OK);
+    CHECK_INT(ms_nn_collapse_features(c), features);
+    for (k = 0; k < 2 && (way == MASKED || way >= SHARED_PIXELS); ++k) { /* twice, so that the second change starts from the first */
+        size_t index[3 * 300];
+        float changed[3 * 300];
+        int n = way == SHARED_PIXELS ? 3 * 300 : 300;
+        for (i = 0; i < n; ++i) {
+            index[i] = (size_t)(i / 300 * rows + (way == SHARED_CHANNEL ? rows : 0) + i % 300 * 3 + k);
+            changed[i] = i % 3 == 0 ? 0.0f : i % 3 == 1 ? 0.25f : 3.0f;
+            weight[index[i]] = changed[i];
+        }
+        CHECK_INT(ms_nn_collapse_mask(c, (size_t)n, index, changed, &error), MS_OK);
+        CHECK_INT(ms_nn_collapse_value(c, best, &value, NULL), MS_INVALID_ARGUMENT); /* no target yet */
+    }
+    for (i = 0; i < channels; ++i) CHECK_INT(c->owner[i], way == SHARED_CHANNEL && i == 1 ? 1 : 0); /* who shares R */
+    ms_nn_forward(nn, 1, best, target, NULL);
+    for (k = 0; k <= 6; k += 2) { /* targets at 1 to 1e-6 of their norm from what the network reaches */
+        double direct, relative = pow(10, -k), spread = 0, sum = 0;
+        for (i = 0; i < m; ++i) t[i] = target[i] + (float)(relative * test_normal(state));
+        CHECK_INT(ms_nn_collapse_target(c, t, &error), MS_OK);
+        for (i = 0; i < IN; ++i) x[i] = best[i] + (float)(relative * 0.1 * test_normal(state));
+        CHECK_INT(ms_nn_collapse_value(c, x, &value, NULL), MS_OK);
+        direct = direct_value(&net, nn, x, t, weight);
+        for (i = 0; i < m; ++i) spread += (double)t[i] * (double)t[i];
+        /* float residuals of 1e-6 have 1e-7 / 1e-6 of noise in both alike; the collapse adds 1e-16 |t|^2 by theory, with a
+           factor of 1e3 for 900 x 40 sums and their condition */
+        CHECK_NEAR(value, direct, 1e-9 * direct + 1e-13 * spread * relative);
+        if (fabs(value - direct) / direct > worst) worst = fabs(value - direct) / direct;
+        CHECK_INT(ms_nn_collapse_residual(c, x, residual, jacobian, NULL), MS_OK);
+        for (i = 0; i <= features; ++i) sum += residual[i] * residual[i];
+        CHECK_NEAR(sum, value, 1e-12 * value);
+    }
+    check_slopes(c, x, jacobian, features + 1, IN);
+    ms_nn_collapse_destroy(c);
+    ms_nn_destroy(nn);
+    net_free(&net);
+    free(weight);
+    free(t);
+    free(target);
+    free(residual);
+    free(jacobian);
+    return worst;
 }
 
 static void test_collapse(void)
@@ -1078,82 +1162,56 @@ static void test_collapse(void)
     static const ms_nn_dtype types[3] = {MS_NN_F32, MS_NN_F16, MS_NN_I8};
     uint64_t state = test_seed + 3;
     double worst = 0;
-    int type, variant, i, k;
+    int type, way;
     for (type = 0; type < 3; ++type)
-        for (variant = 0; variant < 4; ++variant) { /* all ones; weights; a mask up and down; fewer outputs than features */
-            ref_net net;
-            ms_nn *nn;
-            ms_nn_collapse *c = NULL;
-            ms_error error;
-            int m = variant == 3 ? 20 : 900, features = 40;
-            float x[12], best[12], *target = (float *)malloc(900 * sizeof(float)), *weight = (float *)malloc(900 * sizeof(float)), *y = (float *)malloc(900 * sizeof(float));
-            double value, residual[41], jacobian[41 * 12], other[41], scale = 0;
-            net_begin(&net, types[type], 1, 12, 1, 1);
-            net_dense(&net, 30, 4);
-            net_dense(&net, features, 4);
-            net_dense(&net, m, 0);
-            net_end(&net, &state);
-            nn = net_load(&net, MS_SIMD_AUTO, 0);
-            for (i = 0; i < 12; ++i) best[i] = (float)test_uniform(&state);
-            for (i = 0; i < m; ++i) weight[i] = variant == 1 ? (float)test_uniform(&state) : 1;
-            CHECK_INT(ms_nn_collapse_create(nn, variant == 1 ? weight : NULL, &c, &error), MS_OK);
-            CHECK_INT(ms_nn_collapse_features(c), features);
-            if (variant == 2) {
-                size_t index[300];
-                float changed[300];
-                for (k = 0; k < 2; ++k) { /* twice, so that the second change starts from the first */
-                    for (i = 0; i < 300; ++i) {
-                        index[i] = (size_t)(i * 3 + k);
-                        changed[i] = i % 3 == 0 ? 0.0f : i % 3 == 1 ? 0.25f : 3.0f;
-                        weight[index[i]] = changed[i];
-                    }
-                    CHECK_INT(ms_nn_collapse_mask(c, 300, index, changed, &error), MS_OK);
-                    CHECK_INT(ms_nn_collapse_value(c, best, &value, NULL), MS_INVALID_ARGUMENT); /* no target yet */
-                }
-            }
-            ms_nn_forward(nn, 1, best, target, NULL);
-            for (k = 0; k <= 6; k += 2) { /* targets at 1 to 1e-6 of their norm from what the network reaches */
-                double direct, relative = pow(10, -k), spread = 0;
-                for (i = 0; i < m; ++i) y[i] = target[i] + (float)(relative * test_normal(&state));
-                CHECK_INT(ms_nn_collapse_target(c, y, &error), MS_OK);
-                for (i = 0; i < 12; ++i) x[i] = best[i] + (float)(relative * 0.1 * test_normal(&state));
-                CHECK_INT(ms_nn_collapse_value(c, x, &value, NULL), MS_OK);
-                direct = direct_value(&net, nn, x, y, variant == 1 || variant == 2 ? weight : NULL);
-                for (i = 0; i < m; ++i) spread += (double)y[i] * (double)y[i];
-                /* float residuals of 1e-6 have 1e-7 / 1e-6 of noise in both alike; the collapse adds 1e-16 |t|^2 by theory,
-                   with a factor of 1e3 for 900 x 40 sums and their condition */
-                CHECK_NEAR(value, direct, 1e-9 * direct + 1e-13 * spread * relative);
-                if (fabs(value - direct) / direct > worst) worst = fabs(value - direct) / direct;
-                CHECK_INT(ms_nn_collapse_residual(c, x, residual, jacobian, NULL), MS_OK);
-                scale = 0;
-                for (i = 0; i <= features; ++i) scale += residual[i] * residual[i];
-                CHECK_NEAR(scale, value, 1e-12 * value);
-            }
-            /* Jacobian of the residuals against differences of float features: 1e-2 steps leave 1e-4 of curvature and
-               |R| 6e-8 / 1e-2 = 2e-4 of rounding; ten times both */
-            for (k = 0; k < 12; ++k) {
-                double plus[41], size = 0, e = 0;
-                float moved[12];
-                memcpy(moved, x, sizeof moved);
-                moved[k] = x[k] + 0.005f;
-                CHECK_INT(ms_nn_collapse_residual(c, moved, plus, NULL, NULL), MS_OK);
-                moved[k] = x[k] - 0.005f;
-                CHECK_INT(ms_nn_collapse_residual(c, moved, other, NULL, NULL), MS_OK);
-                for (i = 0; i <= features; ++i) {
-                    double d = (plus[i] - other[i]) / 0.01;
-                    if (fabs(d) > size) size = fabs(d);
-                    if (fabs(d - jacobian[i * 12 + k]) > e) e = fabs(d - jacobian[i * 12 + k]);
-                }
-                CHECK_LE(e, 1e-3 * size + 2e-3);
-            }
-            ms_nn_collapse_destroy(c);
-            ms_nn_destroy(nn);
-            net_free(&net);
-            free(target);
-            free(weight);
-            free(y);
+        for (way = 0; way < COLLAPSES; ++way) {
+            double e = collapse_case(types[type], way, &state);
+            if (e > worst) worst = e;
         }
     TEST_NOTE("largest relative error of the value %.1e", worst);
+}
+
+/* A network of one layer: its features are the channels' inputs, the Jacobian of the residual is R. */
+static void test_collapse_alone(void)
+{
+    enum { IN = 4, ROWS = 50 };
+    uint64_t state = test_seed + 9;
+    ref_net net;
+    ms_nn *nn;
+    ms_nn_collapse *c = NULL;
+    float x[IN], t[2 * ROWS];
+    double value, direct = 0, residual[7], jacobian[7 * IN];
+    const double *r;
+    int i, k, j, at = 0;
+    net_begin(&net, MS_NN_BF16, 1, 3, 1, 1);
+    net.shared = "[[0,1,3],[3,2,1]]";
+    net.outer = IN;
+    net_dense(&net, ROWS, 0);
+    net_end(&net, &state);
+    nn = net_load(&net, MS_SIMD_AUTO, 0);
+    for (i = 0; i < IN; ++i) x[i] = (float)test_normal(&state);
+    for (i = 0; i < 2 * ROWS; ++i) t[i] = (float)test_normal(&state);
+    CHECK_INT(ms_nn_collapse_create(nn, NULL, &c, NULL), MS_OK);
+    CHECK_INT(ms_nn_collapse_target(c, t, NULL), MS_OK);
+    CHECK_INT(ms_nn_collapse_value(c, x, &value, NULL), MS_OK);
+    CHECK_INT(ms_nn_collapse_residual(c, x, residual, jacobian, NULL), MS_OK);
+    for (i = 0; i < 2 * ROWS; ++i) {
+        static const int sees[2][3] = {{0, 1, 3}, {3, 2, 1}};
+        double y = net.layer[0].b[i % ROWS] - (double)t[i];
+        for (k = 0; k < 3; ++k) y += net.layer[0].w[i % ROWS * 3 + k] * (double)x[sees[i / ROWS][k]];
+        direct += y * y;
+    }
+    CHECK_NEAR(value, direct, 1e-13 * direct); /* sums of 100 doubles */
+    r = ms_nn_collapse_r(c);
+    for (i = 0; i < 3; ++i)
+        for (j = i; j < 3; ++j, ++at) {
+            static const int first[3] = {0, 1, 3}, second[3] = {3, 2, 1};
+            CHECK_NEAR(jacobian[i * IN + first[j]], r[at], 1e-15);
+            CHECK_NEAR(jacobian[(3 + i) * IN + second[j]], r[at], 1e-15);
+        }
+    ms_nn_collapse_destroy(c);
+    ms_nn_destroy(nn);
+    net_free(&net);
 }
 
 /* R'R = W'W, the same bits for any number of threads, kept in a file. */
@@ -1262,20 +1320,21 @@ static void test_collapse_factor(void)
     net_free(&net);
 }
 
-/* The predicted PSNR of a rank is the measured one over the samples; plain truncation needs a higher rank. */
-static void test_low_rank(void)
+/* The predicted PSNR of a rank is the measured one over the samples and, if there are, their channels. */
+static void low_rank_case(const char *shared, uint64_t state)
 {
     enum { IN = 6, H = 60, P = 400, SAMPLES = 300 };
-    uint64_t state = test_seed + 4;
     ref_net net;
     ms_nn *nn;
     ms_nn_collapse *c = NULL;
     ms_nn_low_rank *l = NULL;
     ms_error error;
-    float *x = (float *)malloc(SAMPLES * IN * sizeof(float)), y[P], z[P];
-    int i, s, rank, need;
+    float *x = (float *)malloc(SAMPLES * IN * sizeof(float)), y[2 * P], z[2 * P];
+    int i, s, rank, need, outputs = shared ? 2 * (int)P : (int)P;
     double last = -1e9;
-    net_begin(&net, MS_NN_F32, 1, IN, 1, 1);
+    net_begin(&net, MS_NN_F32, 1, shared ? 4 : (int)IN, 1, 1);
+    net.shared = shared;
+    net.outer = IN;
     net_dense(&net, 40, 4);
     net_dense(&net, H, 3);
     net_dense(&net, P, 0);
@@ -1305,14 +1364,14 @@ static void test_low_rank(void)
             TEST_FAIL("%s", error.message);
             break;
         }
-        CHECK_INT(ms_nn_layer_count(lean), 4);
-        CHECK_INT(ms_nn_layer_at(lean, 2).output.size[0], rank);
+        CHECK_INT(ms_nn_layer_count(lean), shared ? 5 : 4);
+        CHECK_INT(ms_nn_layer_at(lean, shared ? 3 : 2).output.size[0], rank);
         for (s = 0; s < SAMPLES; ++s) {
             ms_nn_forward(nn, 1, x + s * IN, y, NULL);
             ms_nn_forward(lean, 1, x + s * IN, z, NULL);
-            for (i = 0; i < P; ++i) error_sum += ((double)y[i] - (double)z[i]) * ((double)y[i] - (double)z[i]);
+            for (i = 0; i < outputs; ++i) error_sum += ((double)y[i] - (double)z[i]) * ((double)y[i] - (double)z[i]);
         }
-        measured = 10 * log10((double)SAMPLES * (int)P / error_sum);
+        measured = 10 * log10((double)SAMPLES * outputs / error_sum);
         if (rank == need) {
             CHECK_NEAR(measured, ms_nn_low_rank_psnr(l, rank), 0.01); /* float rounding is 70 dB further down */
             TEST_NOTE("50 dB at rank %d of %d, measured %.2f dB", need, H, measured);
@@ -1323,7 +1382,7 @@ static void test_low_rank(void)
         small.size = 0;
         CHECK_INT(ms_nn_low_rank_write(l, rank, MS_NN_F16, sink, &error), MS_OK);
         CHECK_INT(ms_nn_load(small.file, small.size, NULL, &lean, &error), MS_OK);
-        CHECK_INT(ms_nn_layer_at(lean, 3).dtype, MS_NN_F16);
+        CHECK_INT(ms_nn_layer_at(lean, shared ? 4 : 3).dtype, MS_NN_F16);
         ms_nn_destroy(lean);
         free(small.file);
         if (rank == H) break;
@@ -1339,6 +1398,12 @@ static void test_low_rank(void)
     ms_nn_destroy(nn);
     net_free(&net);
     free(x);
+}
+
+static void test_low_rank(void)
+{
+    low_rank_case(NULL, test_seed + 4);
+    low_rank_case("[[0,1,2,3],[2,3,4,5]]", test_seed + 4);
 }
 
 /* What nn_info prints. */
@@ -1375,6 +1440,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"refused", test_refused},
                                   {"arguments", test_arguments},
                                   {"collapse", test_collapse},
+                                  {"collapse of one layer", test_collapse_alone},
                                   {"collapse factor", test_collapse_factor},
                                   {"low rank", test_low_rank},
                                   {"queries", test_queries}};
