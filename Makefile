@@ -16,7 +16,7 @@ CFLAGS = -O2
 LDLIBS = -lm
 
 TOOLS = build/mcml build/mcml_split build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
-	build/recommend build/latent build/nn_info build/nn_run build/preview
+	build/recommend build/latent build/nn_info build/nn_run build/preview build/match
 DEMOS = build/demo_sss
 IMAGE = examples/image.h
 PLOT = examples/plot.h
@@ -50,6 +50,8 @@ build/nn_run: examples/nn_run.c ms_nn.h
 	$(BUILD) examples/nn_run.c $(LDLIBS)
 build/preview: examples/preview.c examples/neural.h examples/materials.h ms_nn.h $(IMAGE)
 	$(BUILD) examples/preview.c $(LDLIBS)
+build/match: examples/match.c examples/matcher.h examples/neural.h examples/materials.h ms_nn.h ms_pme.h $(IMAGE)
+	$(BUILD) examples/match.c $(LDLIBS)
 
 demo: all
 	@sh examples/demo.sh

@@ -153,5 +153,29 @@ if [ -x build/preview ]; then
     is "nothing is drawn" "$(ls "$out/never.png" 2>/dev/null)" ""
 fi
 
+if [ -x build/match ]; then
+    net=tests/data/nn/renderer_f16.safetensors # 19 parameters to 8 x 8 pixels
+    grey() { printf "$1"; awk -v n="$2" 'BEGIN {for (i = 0; i < n; i++) printf "%c", 97 + i % 7}'; } # header, bytes
+    grey 'P6\n8 8\n255\n' 192 >"$out/t.ppm"
+    grey 'P6\n4 4\n255\n' 48 >"$out/small.ppm"
+    grey 'P5\n8 8\n255\n' 64 >"$out/mask.pgm"
+    { printf 'P5\n8 8\n255\n'; head -c 64 /dev/zero; } >"$out/none.pgm"
+    { printf 'PF\n8 8\n-1.0\n'; head -c 764 /dev/zero; printf '\000\000\300\177'; } >"$out/nan.pfm"
+    ok "a material for a picture" build/match $net "$out/t.ppm" --weights "$out/mask.pgm" --out-params "$out/match.csv" --out-png "$out/match.png"
+    is "a row of parameters" "$(awk -F, 'NR == 1 {print NF}' "$out/match.csv")" 19
+    ok "starts from it again" build/match $net "$out/t.ppm" --start "$out/match.csv" --cost 5
+    refuses "a target of another size" "4 x 4 .* 8 x 8" build/match $net "$out/small.ppm" --out-png "$out/never.png"
+    refuses "a target that is grey" "channels" build/match $net "$out/mask.pgm"
+    refuses "NaN in the target" "finite" build/match $net "$out/nan.pfm" --out-params "$out/never.csv"
+    refuses "no weights" "weight is 0" build/match $net "$out/t.ppm" --weights "$out/none.pgm"
+    refuses "no target" "missing.ppm" build/match $net "$out/missing.ppm"
+    refuses "no network" "missing.safetensors" build/match "$out/missing.safetensors" "$out/t.ppm"
+    refuses "no renderer" "picture" build/match tests/data/nn/act_elu.safetensors "$out/t.ppm"
+    refuses "no folder" "missing" build/match $net "$out/t.ppm" --inversion "$out/missing"
+    refuses "an inversion network of another size" "inversion_small" build/match $net "$out/t.ppm" --inversion tests/data/nn
+    refuses "an unknown option" "usage" build/match $net "$out/t.ppm" --quickly 1
+    is "nothing is written by failures" "$(ls "$out/never.png" "$out/never.csv" 2>/dev/null)" ""
+fi
+
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]
