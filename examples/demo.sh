@@ -14,5 +14,7 @@ build/latent examples/data/scores.csv $out/latent.png
 if [ -f examples/data/renderer_128.safetensors ]; then
     echo "neural previews | path-traced truth | 8 x difference -> $out/preview.png"
     build/preview examples/data/renderer_128.safetensors examples/data/materials.csv $out/preview.png examples/data/materials.ppm
+    echo "gallery, taste, recommendations, variants, an edited picture -> $out/workflow.png, materials -> $out/workflow.mtlx"
+    build/workflow $out
 fi
 ls -l $out | awk 'NR > 1 {print "  " $NF, $5, "bytes"}'

@@ -177,5 +177,28 @@ if [ -x build/match ]; then
     is "nothing is written by failures" "$(ls "$out/never.png" "$out/never.csv" 2>/dev/null)" ""
 fi
 
+if [ -x build/workflow ]; then
+    refuses "workflow of nothing" "usage" build/workflow
+    refuses "an unknown taste" "usage" build/workflow "$out" --taste salt
+    refuses "no networks" "renderer_64" build/workflow "$out" --networks "$out/nowhere"
+fi
+if [ -x build/workflow ] && [ -f examples/data/renderer_128.safetensors ]; then
+    mkdir -p "$out/a" "$out/b"
+    ok "the whole workflow" build/workflow "$out/a" --taste metal
+    is "all files" "$(cd "$out/a" && echo *)" "chosen.csv gallery.csv recommended.csv times.md workflow.mtlx workflow.png"
+    is "250 scores" "$(grep -c '^[0-9]' "$out/a/gallery.csv")" 250
+    is "300 recommendations" "$(grep -c '^[0-9]' "$out/a/recommended.csv")" 300
+    ok "scores of a file" build/workflow "$out/b" --scores "$out/a/gallery.csv"
+    is "with those scores" "$(cksum <"$out/b/gallery.csv")" "$(cksum <"$out/a/gallery.csv")"
+    ok "a sheet of the recommendations" build/preview examples/data/renderer_64.safetensors "$out/a/recommended.csv" "$out/recommended.png"
+    ok "a sheet of the variants" build/preview examples/data/renderer_128.safetensors "$out/a/chosen.csv" "$out/chosen.png"
+    if command -v python3 >/dev/null 2>&1; then ok "the MaterialX file" python3 tests/materialx.py "$out/a"; fi
+    sed '3s/^[^,]*/1.5/' "$out/a/gallery.csv" >"$out/bad.csv"
+    refuses "scores of an impossible material" "outside" build/workflow "$out/b" --scores "$out/bad.csv"
+    awk -F, -v OFS=, 'NR > 1 {$20 = 0} {print}' "$out/a/gallery.csv" >"$out/bad.csv"
+    refuses "scores of one who likes nothing" "score" build/workflow "$out/b" --scores "$out/bad.csv"
+    refuses "an output folder that is not there" "nowhere" build/workflow "$out/nowhere"
+fi
+
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

@@ -1,0 +1,106 @@
+/* Materials of the 19-parameter shader (thesis 3.5.3) as a MaterialX file, so that renderers and editors open them.
+
+     FILE *f = fopen("materials.mtlx", "w");
+     materialx_begin(f);
+     materialx_write(f, "jade", x, "predicted score 8.1");    once for each material, x [19]; names: letters, digits, _
+     materialx_end(f);                                        0: writing failed
+
+   Each is one Autodesk standard_surface, whose closure is
+
+     metalness M (metal) + (1 - M) (specular over (1 - T) ((1 - S) diffuse + S subsurface) + T transmission)
+
+   so the shares of the four lobes, diffuse d, glossy g, glass t and translucent l, come out exactly with M = g,
+   T = t / (1 - g), S = l / (d + l). The rest is a compromise, because one node has one of each:
+     base_color         of diffuse and metal: mean weighted by their shares; exact where one of them is 0
+     specular           the reflection of glass alone: weight T, its colour, its index of refraction
+     specular_roughness of metal and glass: mean weighted by their shares; transmission_extra_roughness restores the
+                        glass's own behind the surface. Roughness is sqrt(alpha) here and there, but GGX, not Beckmann
+     metal              has a Fresnel edge, the shader's glossy lobe has none
+     transmission_color what a path through the middle of a ball of radius 1 leaves: the glass colour twice (in and out)
+                        and Beer's law, at transmission_depth 2; the colour thus moves from the surface into the volume.
+                        Scale the depth with your object
+     subsurface         stands for the translucent lobe (Lambert behind the surface, absorption along the mean chord
+                        4/3) with a radius of 1: scattering in the volume, similar light and not the same
+   Colours are linear with Rec. 709 primaries. */
+#ifndef EXAMPLES_MATERIALX_H
+#define EXAMPLES_MATERIALX_H
+#include <math.h>
+#include <stdio.h>
+
+/* The inputs of a standard_surface that the shader sets. */
+typedef struct materialx_surface {
+    double base_color[3], metalness;
+    double specular, specular_color[3], specular_roughness, specular_ior;
+    double transmission, transmission_color[3], transmission_extra_roughness;
+    double subsurface, subsurface_color[3];
+} materialx_surface;
+
+static inline double materialx__mean(double a, double b, double weight_a, double weight_b)
+{
+    return weight_a + weight_b > 0 ? (weight_a * a + weight_b * b) / (weight_a + weight_b) : 0.5 * (a + b);
+}
+
+static inline materialx_surface materialx_from(const double x[19])
+{
+    double d = (1 - x[17]) * (1 - x[7]), g = (1 - x[17]) * x[7], t = x[17] * (1 - x[16]), l = x[17] * x[16];
+    double absorption = 4 * x[18]; /* per ball radius */
+    materialx_surface s;
+    int c;
+    s.metalness = g;
+    s.transmission = g < 1 ? t / (1 - g) : 0;
+    s.subsurface = d + l > 0 ? l / (d + l) : 0;
+    s.specular = s.transmission;
+    s.specular_roughness = materialx__mean(x[6], x[11], g, t);
+    s.transmission_extra_roughness = x[11] - s.specular_roughness;
+    s.specular_ior = 1 + (x[12] > 0.01 ? x[12] : 0.01);
+    for (c = 0; c < 3; ++c) {
+        s.base_color[c] = materialx__mean(x[c], x[3 + c], d, g);
+        s.specular_color[c] = x[8 + c];
+        s.transmission_color[c] = fmax(x[8 + c] * x[8 + c] * exp(-2 * absorption), 1e-4); /* its logarithm is taken */
+        s.subsurface_color[c] = x[13 + c] * exp(-4.0 / 3 * absorption);
+    }
+    return s;
+}
+
+static inline void materialx__float(FILE *f, const char *name, double v)
+{
+    fprintf(f, "    <input name=\"%s\" type=\"float\" value=\"%.5g\" />\n", name, v);
+}
+
+static inline void materialx__color(FILE *f, const char *name, const double v[3])
+{
+    fprintf(f, "    <input name=\"%s\" type=\"color3\" value=\"%.5g, %.5g, %.5g\" />\n", name, v[0], v[1], v[2]);
+}
+
+static inline void materialx_begin(FILE *f)
+{
+    fprintf(f, "<?xml version=\"1.0\"?>\n<materialx version=\"1.38\" colorspace=\"lin_rec709\">\n");
+}
+
+static inline void materialx_write(FILE *f, const char *name, const double x[19], const char *doc)
+{
+    materialx_surface s = materialx_from(x);
+    fprintf(f, "  <standard_surface name=\"%s_shader\" type=\"surfaceshader\">\n", name);
+    materialx__float(f, "base", 1);
+    materialx__color(f, "base_color", s.base_color);
+    materialx__float(f, "metalness", s.metalness);
+    materialx__float(f, "specular", s.specular);
+    materialx__color(f, "specular_color", s.specular_color);
+    materialx__float(f, "specular_roughness", s.specular_roughness);
+    materialx__float(f, "specular_IOR", s.specular_ior);
+    materialx__float(f, "transmission", s.transmission);
+    materialx__color(f, "transmission_color", s.transmission_color);
+    materialx__float(f, "transmission_depth", 2);
+    materialx__float(f, "transmission_extra_roughness", s.transmission_extra_roughness);
+    materialx__float(f, "subsurface", s.subsurface);
+    materialx__color(f, "subsurface_color", s.subsurface_color);
+    fprintf(f, "  </standard_surface>\n  <surfacematerial name=\"%s\" type=\"material\" doc=\"%s\">\n", name, doc);
+    fprintf(f, "    <input name=\"surfaceshader\" type=\"surfaceshader\" nodename=\"%s_shader\" />\n  </surfacematerial>\n", name);
+}
+
+static inline int materialx_end(FILE *f)
+{
+    fprintf(f, "</materialx>\n");
+    return !ferror(f);
+}
+#endif

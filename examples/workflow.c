@@ -1,0 +1,615 @@
+/* Gaussian Material Synthesis from start to end (thesis, algorithm 1): scores of a few random materials, a taste learned from
+   them, 300 recommendations, a plane of variants of one of them, and an edited picture turned into a material.
+
+     build/workflow OUT [--taste glass|metal|jade] [--scores SCORES.csv] [--networks examples/data] [--seed S]
+
+   OUT: an existing folder. A scripted user scores 250 materials, or SCORES.csv does (19 parameters and a score a row, such
+   as OUT/gallery.csv after an earlier run, edited). Written into OUT:
+     gallery.csv       what was scored, with the scores
+     recommended.csv   300 materials with predicted score and its standard deviation
+     chosen.csv        the chosen material, its 7 variants, and the one matched to the edited picture
+     workflow.mtlx     all of these as MaterialX (see materialx.h)
+     workflow.png      the gallery, bright as it was scored | 300 recommendations | the plane: preference, similarity,
+                       product; the chosen material and its variants | chosen, edited, first guess, match, difference x 8,
+                       and a walk through the plane
+     times.md          what each stage took, beside the thesis's Table 3.3 */
+#define MS_GPR_IMPLEMENTATION
+#include "ms_gpr.h"
+#define MS_NN_IMPLEMENTATION
+#include "ms_nn.h"
+#define MS_PME_IMPLEMENTATION
+#include "ms_pme.h"
+#include "neural.h"
+#include "scores.h"
+#include "studio.h"
+#include "matcher.h"
+#include "materialx.h"
+#include <time.h>
+
+enum { M = 19, GALLERY = 250, RECOMMENDED = 300, FINE = 50, COARSE = 20, VARIANTS = 7, STEPS = 5 };
+
+/* A scripted user: what is liked, from 0 to 1, and the words for it. */
+typedef struct taste {
+    const char *name, *words;
+    double (*likes)(const double *x);
+} taste;
+
+typedef struct stage {
+    const char *name, *thesis;
+    char size[24];
+    double seconds;
+} stage;
+
+typedef struct flow {
+    const taste *user;
+    neural small, large; /* 64^2 for searching, 128^2 for looking */
+    uint64_t seed;
+    int n;               /* scored */
+    double *x, *y;       /* [n][M], [n] */
+    ms_gpr *gp;
+    double recommended[RECOMMENDED * M], mean[RECOMMENDED], sigma[RECOMMENDED];
+    double chosen[M];
+    ms_gpr_latent *plane;
+    ms_gpr_grid fine, coarse;
+    double preference[FINE * FINE], confidence[FINE * FINE], product[FINE * FINE], similar[COARSE * COARSE];
+    ms_gpr_variant variant[VARIANTS];
+    double variants[VARIANTS * M];
+    float *edited;       /* the target picture, [3][64][64], and the one before the edit */
+    double guess[M], matched[M];
+    matcher match;
+    ms_pme_match_result found;
+    stage stages[16];
+    int stage_count;
+    ms_error error;
+} flow;
+
+static int usage(void)
+{
+    fprintf(stderr, "usage: workflow OUT [--taste glass|metal|jade] [--scores SCORES.csv] [--networks examples/data] [--seed S]\n");
+    return 2;
+}
+
+static int fail(const char *what, const char *problem)
+{
+    fprintf(stderr, "workflow: %s: %s\n", what, problem);
+    return 1;
+}
+
+static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
+
+/* ------------------------------------------------------------------------------------------------ the scripted user */
+
+static double step(double a, double b, double v) /* 0 below a, 1 above b; smooth */
+{
+    double t = (v - a) / (b - a);
+    t = t > 0 ? t < 1 ? t : 1 : 0;
+    return t * t * (3 - 2 * t);
+}
+
+static double likes_glass(const double *x)
+{
+    return step(0.25, 0.8, x[17] * (1 - x[16])) * (1 - step(0.3, 0.9, x[11])) * step(-0.5, 0.6, x[10] - x[8]) * (1 - step(0, 0.7, x[18]));
+}
+
+static double likes_metal(const double *x)
+{
+    return step(0.25, 0.8, (1 - x[17]) * x[7]) * (1 - step(0.3, 0.9, x[6])) * step(-0.5, 0.6, x[3] - x[5]);
+}
+
+static double likes_jade(const double *x)
+{
+    return step(0.2, 0.7, x[17] * x[16]) * step(-0.4, 0.6, x[14] - 0.5 * (x[13] + x[15])) * (1 - 0.6 * x[18]);
+}
+
+static const taste tastes[] = {{"glass", "clear glass, blue and green before red", likes_glass},
+                               {"metal", "polished metals, gold and copper before blue steel", likes_metal},
+                               {"jade", "translucent stones, green ones most", likes_jade}};
+
+/* Whole scores from 0 to 10. */
+static double score_of(const taste *user, const double *x) { return floor(10 * user->likes(x) + 0.5); }
+
+static double mean_score(const taste *user, const double *x, int count)
+{
+    double sum = 0;
+    int i;
+    for (i = 0; i < count; ++i) sum += score_of(user, x + i * M) / count;
+    return sum;
+}
+
+/* ------------------------------------------------------------------------------------------------------- the stages */
+
+static void pictures(const neural *net, const double *x, int count, float *planes)
+{
+    float row[NEURAL_BATCH * M];
+    int i, k, batch;
+    for (i = 0; i < count; i += batch) {
+        batch = count - i < NEURAL_BATCH ? count - i : (int)NEURAL_BATCH;
+        for (k = 0; k < batch * M; ++k) row[k] = (float)fmin(fmax(x[i * M + k], 0), 1);
+        neural_render(net, row, batch, planes + (size_t)i * ms_nn_output_size(net->nn));
+    }
+}
+
+/* Lines 2 to 4 of algorithm 1, in two rounds: the second gallery shows what may be liked and is not known yet. */
+static ms_status score_gallery(flow *f)
+{
+    ms_gpr_gallery_options options;
+    ms_status status;
+    int round, i;
+    memset(&options, 0, sizeof options);
+    f->n = GALLERY;
+    f->x = (double *)malloc(sizeof(double) * GALLERY * M);
+    f->y = (double *)malloc(sizeof(double) * GALLERY);
+    if (f->x == NULL || f->y == NULL) return MS_OUT_OF_MEMORY;
+    for (round = 0; round < 2; ++round) {
+        ms_gpr *known;
+        int first = round * GALLERY / 2, count = GALLERY / 2;
+        options.kind = round ? MS_GPR_GALLERY_PROMISING : MS_GPR_GALLERY_UNIFORM;
+        options.seed = f->seed + (uint64_t)round;
+        status = ms_gpr_fit(f->x, f->y, first, M, NULL, &known, NULL, &f->error);
+        if (status == MS_OK) status = ms_gpr_gallery(known, &options, count, f->x + first * M, &f->error);
+        ms_gpr_destroy(known);
+        if (status != MS_OK) return status;
+        for (i = first; i < first + count; ++i) f->y[i] = score_of(f->user, f->x + i * M);
+    }
+    return MS_OK;
+}
+
+static ms_status learn(flow *f) { return ms_gpr_fit(f->x, f->y, f->n, M, NULL, &f->gp, NULL, &f->error); }
+
+/* Lines 6 to 9, and 10: one that is only just good enough is chosen, to be improved in the plane. */
+static ms_status recommend(flow *f)
+{
+    ms_gpr_recommend_options options;
+    ms_status status;
+    int i, pick = 0;
+    memset(&options, 0, sizeof options);
+    options.tau = 0.7;
+    options.seed = f->seed;
+    status = ms_gpr_recommend(f->gp, &options, RECOMMENDED, f->recommended, f->mean, f->sigma, NULL, &f->error);
+    if (status != MS_OK) return status;
+    for (i = 1; i < RECOMMENDED; ++i)
+        if (f->mean[i] < f->mean[pick]) pick = i;
+    memcpy(f->chosen, f->recommended + pick * M, sizeof f->chosen);
+    return MS_OK;
+}
+
+/* Lines 5 and 14: the best-scored materials and the chosen one in a plane. */
+static ms_status embed(flow *f)
+{
+    double liked[(STUDIO_LIKED + 1) * M];
+    ms_gpr_latent_options options;
+    int count = studio_liked(f->gp, STUDIO_LIKED, liked);
+    ms_status status;
+    memset(&options, 0, sizeof options);
+    options.prior = 0.1; /* keeps the plane compact */
+    memcpy(liked + count * M, f->chosen, sizeof f->chosen);
+    status = ms_gpr_latent_fit(liked, count + 1, M, &options, &f->plane, NULL, &f->error);
+    f->fine = ms_gpr_grid_around(f->plane, FINE);
+    f->coarse = ms_gpr_grid_around(f->plane, COARSE);
+    return status;
+}
+
+/* Lines 16 and 12 to 18. */
+static ms_status map_preference(flow *f)
+{
+    ms_status status = ms_gpr_map_preference(f->plane, f->gp, &f->fine, f->preference, NULL, &f->error);
+    return status == MS_OK ? ms_gpr_map_confidence(f->plane, &f->fine, f->confidence, &f->error) : status;
+}
+
+static ms_status draw_small(void *user, const double *x, float *picture)
+{
+    pictures((const neural *)user, x, 1, picture);
+    return MS_OK;
+}
+
+static ms_gpr_similarity to_the_chosen(flow *f)
+{
+    ms_gpr_similarity similarity;
+    memset(&similarity, 0, sizeof similarity);
+    similarity.x = f->chosen;
+    similarity.scale = 0.05; /* s = 0.61 at a PSNR of 26 dB */
+    similarity.pixels = ms_nn_output_size(f->small.nn);
+    similarity.render = draw_small;
+    similarity.user = &f->small;
+    return similarity;
+}
+
+/* Line 15. */
+static ms_status map_similarity(flow *f)
+{
+    ms_gpr_similarity similarity = to_the_chosen(f);
+    ms_status status = ms_gpr_map_similarity(f->plane, &similarity, &f->coarse, f->similar, &f->error);
+    if (status == MS_OK) ms_gpr_map_product(&f->fine, f->preference, &f->coarse, f->similar, f->product);
+    return status;
+}
+
+/* Section 3.7: from most similar to best liked. */
+static ms_status vary(flow *f)
+{
+    ms_gpr_similarity similarity = to_the_chosen(f);
+    double lambda[VARIANTS];
+    ms_status status;
+    int i;
+    for (i = 0; i < VARIANTS; ++i) lambda[i] = 1 - (i + 0.5) / VARIANTS;
+    status = ms_gpr_variants(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, f->variant, f->variants, &f->error);
+    for (i = 0; i < VARIANTS * M && status == MS_OK; ++i) f->variants[i] = fmin(fmax(f->variants[i], 0), 1);
+    return status;
+}
+
+/* An edit as in any picture editor: hues turned by 50 degrees around the grey axis; what has no colour stays as it is. */
+static void edit(const float *planes, int pixels, float *edited)
+{
+    const double angle = 50 * 3.14159265358979 / 180, c = cos(angle), s = sin(angle) / sqrt(3.0);
+    int i, k;
+    for (i = 0; i < pixels; ++i)
+        for (k = 0; k < 3; ++k) {
+            double own = (double)planes[k * pixels + i], next = (double)planes[(k + 1) % 3 * pixels + i];
+            double last = (double)planes[(k + 2) % 3 * pixels + i], grey = (own + next + last) / 3;
+            edited[k * pixels + i] = (float)fmin(fmax(grey + c * (own - grey) + s * (last - next), 0), 1);
+        }
+}
+
+/* Chapter 4: the picture of the chosen material, edited, and the material that looks like it; first the best of the inversion
+   networks' guesses, then the match that starts there. */
+static ms_status match_edit(flow *f)
+{
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_status status;
+    pictures(&f->small, f->chosen, 1, f->edited + ms_nn_output_size(f->small.nn));
+    edit(f->edited + ms_nn_output_size(f->small.nn), f->small.size * f->small.size, f->edited);
+    options.initial_only = 1;
+    status = matcher_aim(&f->match, f->edited, NULL, &f->error);
+    if (status == MS_OK) status = ms_pme_match(&f->match.renderer, f->edited, NULL, &options, f->guess, NULL, &f->found, &f->error);
+    if (status == MS_OK) status = ms_pme_match(&f->match.renderer, f->edited, NULL, NULL, f->matched, NULL, &f->found, &f->error);
+    return status;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- the page */
+
+enum { PAGE = 1320, GAP = 8 };
+
+/* A picture, averaged over boxes of shrink x shrink pixels, `light` times as bright. */
+static void tile(image *page, int left, int top, const float *planes, int size, int shrink, double light)
+{
+    int side = size / shrink, x, y, c, u, v;
+    for (c = 0; c < 3; ++c)
+        for (y = 0; y < side; ++y)
+            for (x = 0; x < side; ++x) {
+                double sum = 0;
+                for (v = 0; v < shrink; ++v)
+                    for (u = 0; u < shrink; ++u) sum += (double)planes[(c * size + y * shrink + v) * size + x * shrink + u];
+                page->pixels[3 * ((top + y) * page->width + left + x) + c] = (float)fmin(fmax(light * sum / (shrink * shrink), 0), 1);
+            }
+}
+
+/* Blue, green and yellow as v goes from 0 to 1; dark where the confidence is 0. */
+static void colour(float *pixel, double v, double confidence)
+{
+    static const double stop[4][3] = {{0.27, 0.0, 0.33}, {0.19, 0.41, 0.56}, {0.21, 0.72, 0.47}, {0.99, 0.91, 0.14}};
+    double at = (v > 0 ? v < 1 ? v : 1 : 0) * 3;
+    int i = at < 2 ? (int)at : 2, c;
+    for (c = 0; c < 3; ++c)
+        pixel[c] = (float)((0.25 + 0.75 * confidence) * (stop[i][c] + (at - i) * (stop[i + 1][c] - stop[i][c])));
+}
+
+static void dot(image *page, int left, int top, int side, const ms_gpr_grid *grid, const double *latent, double radius, const float *rgb)
+{
+    double cx = (latent[0] - grid->x0) / (grid->x1 - grid->x0) * side, cy = (grid->y1 - latent[1]) / (grid->y1 - grid->y0) * side;
+    int x, y, c;
+    for (y = 0; y < side; ++y)
+        for (x = 0; x < side; ++x)
+            for (c = 0; c < 3; ++c)
+                if (hypot(x + 0.5 - cx, y + 0.5 - cy) < radius) page->pixels[3 * ((top + y) * page->width + left + x) + c] = rgb[c];
+}
+
+/* A map over the plane with its dots: white the embedded materials, red the chosen one, black its variants. */
+static void map(const flow *f, image *page, int left, int top, int side, const ms_gpr_grid *grid, const double *value)
+{
+    static const float white[3] = {1, 1, 1}, red[3] = {1, 0.15f, 0.1f}, black[3] = {0, 0, 0};
+    const double *latent = ms_gpr_latent_points(f->plane);
+    int count = ms_gpr_latent_count(f->plane), x, y, i;
+    double least = value[0], most = value[0];
+    for (i = 0; i < grid->columns * grid->rows; ++i) {
+        least = fmin(least, value[i]);
+        most = fmax(most, value[i]);
+    }
+    for (y = 0; y < side; ++y)
+        for (x = 0; x < side; ++x) {
+            double a = grid->x0 + (grid->x1 - grid->x0) * (x + 0.5) / side, b = grid->y1 - (grid->y1 - grid->y0) * (y + 0.5) / side;
+            colour(page->pixels + 3 * ((top + y) * page->width + left + x), (ms_gpr_grid_value(grid, value, a, b) - least) / fmax(most - least, 1e-300),
+                   ms_gpr_grid_value(&f->fine, f->confidence, a, b));
+        }
+    for (i = 0; i < count; ++i)
+        dot(page, left, top, side, grid, latent + 2 * i, i < count - 1 ? 3 : 5, i < count - 1 ? white : red);
+    for (i = 0; i < VARIANTS; ++i) dot(page, left, top, side, grid, f->variant[i].latent, 2.5, black);
+}
+
+/* Gallery and recommendations come as pictures of f->small, the walk as pictures of f->large. */
+static const char *draw_page(const flow *f, const float *gallery, const float *recommended, const float *walk, image *page)
+{
+    enum { WIDE = 40, PITCH = PAGE / WIDE, SIDE = 264 };
+    int small = f->small.size, large = f->large.size, rows = f->n < WIDE ? 1 : f->n / WIDE, i, k, top = GAP;
+    size_t pixels = ms_nn_output_size(f->small.nn), large_pixels = ms_nn_output_size(f->large.nn);
+    double best = 1e-300; /* score */
+    float *planes = (float *)malloc((VARIANTS + 1) * large_pixels * sizeof(float));
+    *page = image_new(PAGE, GAP + (rows + RECOMMENDED / WIDE) * PITCH + GAP + SIDE + GAP + 132 + GAP + GAP, 3);
+    if (page->pixels == NULL || planes == NULL) return "out of memory";
+    for (i = 0; i < f->n; ++i) best = fmax(best, f->y[i]);
+    for (i = 0; (size_t)i < image_count(page); ++i) page->pixels[i] = 0.09f;
+    for (i = 0; i < rows * WIDE && i < f->n; ++i)
+        tile(page, i % WIDE * PITCH, top + i / WIDE * PITCH, gallery + (size_t)i * pixels, small, 2, 0.3 + 0.7 * fmax(f->y[i], 0) / best);
+    top += rows * PITCH + GAP;
+    for (i = 0; i < RECOMMENDED / WIDE * WIDE; ++i)
+        tile(page, i % WIDE * PITCH, top + i / WIDE * PITCH, recommended + (size_t)i * pixels, small, 2, 1);
+    top += RECOMMENDED / WIDE * PITCH + GAP;
+
+    map(f, page, 0, top, SIDE - 2, &f->fine, f->preference);
+    map(f, page, SIDE, top, SIDE - 2, &f->coarse, f->similar);
+    map(f, page, 2 * SIDE, top, SIDE - 2, &f->fine, f->product);
+    pictures(&f->large, f->chosen, 1, planes);
+    pictures(&f->large, f->variants, VARIANTS, planes + large_pixels);
+    for (i = 0; i <= VARIANTS; ++i)
+        tile(page, 3 * SIDE + i % 4 * 132, top + i / 4 * 132, planes + (size_t)i * large_pixels, large, 1, 1);
+    top += SIDE + GAP;
+
+    edit(planes, large * large, planes + large_pixels); /* of the chosen one, which stands first */
+    pictures(&f->large, f->guess, 1, planes + 2 * large_pixels);
+    pictures(&f->large, f->matched, 1, planes + 3 * large_pixels);
+    for (k = 0; k < (int)large_pixels; ++k)
+        planes[4 * large_pixels + (size_t)k] = fabsf(planes[3 * large_pixels + (size_t)k] - planes[large_pixels + (size_t)k]);
+    for (i = 0; i < 5; ++i) tile(page, i * 132, top, planes + (size_t)i * large_pixels, large, 1, i < 4 ? 1 : 8);
+    for (i = 0; i < STEPS; ++i) tile(page, (5 + i) * 132, top, walk + (size_t)i * large_pixels, large, 1, 1);
+    free(planes);
+    return NULL;
+}
+
+/* -------------------------------------------------------------------------------------------------------- the files */
+
+static const char *write_files(flow *f, const char *folder)
+{
+    static const char *const kinds[] = {"chosen", "variant", "matched"};
+    double picked[(VARIANTS + 2) * M], score[VARIANTS + 2];
+    char path[512], name[32], doc[80];
+    FILE *csv, *mtlx;
+    int i, k, ok, table;
+    memcpy(picked, f->chosen, sizeof f->chosen);
+    memcpy(picked + M, f->variants, sizeof f->variants);
+    memcpy(picked + (VARIANTS + 1) * M, f->matched, sizeof f->matched);
+    if (ms_gpr_predict(f->gp, picked, VARIANTS + 2, score, NULL, &f->error) != MS_OK) return f->error.message;
+    snprintf(path, sizeof path, "%s/workflow.mtlx", folder);
+    if ((mtlx = fopen(path, "w")) == NULL) return "cannot write into the folder";
+    materialx_begin(mtlx);
+    for (table = 0; table < 3; ++table) {
+        static const char *const names[] = {"gallery", "recommended", "chosen"};
+        const double *x = table == 0 ? f->x : table == 1 ? f->recommended : picked;
+        int rows = table == 0 ? f->n : table == 1 ? (int)RECOMMENDED : VARIANTS + 2;
+        snprintf(path, sizeof path, "%s/%s.csv", folder, names[table]);
+        if ((csv = fopen(path, "w")) == NULL) return "cannot write into the folder";
+        for (k = 0; k < M; ++k) fprintf(csv, "x%d,", k);
+        fprintf(csv, table == 1 ? "mean,sigma\n" : table == 0 ? "score\n" : "mean\n");
+        for (i = 0; i < rows; ++i) {
+            for (k = 0; k < M; ++k) fprintf(csv, "%.6f,", x[i * M + k]);
+            if (table == 0) fprintf(csv, "%g\n", f->y[i]);
+            else if (table == 1) fprintf(csv, "%.4g,%.4g\n", f->mean[i], f->sigma[i]);
+            else fprintf(csv, "%.4g\n", score[i]);
+            if (table == 0) continue;
+            if (table == 1) snprintf(name, sizeof name, "recommended_%03d", i + 1);
+            else if (i % (VARIANTS + 1) == 0) snprintf(name, sizeof name, "%s", kinds[i ? 2 : 0]);
+            else snprintf(name, sizeof name, "%s_%d", kinds[1], i);
+            snprintf(doc, sizeof doc, "predicted score %.2f", table == 1 ? f->mean[i] : score[i]);
+            materialx_write(mtlx, name, x + i * M, doc);
+        }
+        ok = !ferror(csv);
+        if (fclose(csv) != 0 || !ok) return "cannot write the whole file";
+    }
+    ok = materialx_end(mtlx);
+    return fclose(mtlx) == 0 && ok ? NULL : "cannot write the whole file";
+}
+
+/* ---------------------------------------------------------------------------------- the same, frame by frame */
+
+typedef struct call {
+    const char *name;
+    int count;
+    double sum, most; /* seconds */
+} call;
+
+static void timed(call *c, double begin)
+{
+    double t = seconds() - begin;
+    ++c->count;
+    c->sum += t;
+    c->most = fmax(c->most, t);
+}
+
+/* A session with studio.h: the scores one by one, the fit in steps, recommendations, a circle around the chosen material in the
+   plane, of which STEPS pictures are kept. */
+static ms_status session(const flow *f, call calls[5], float *walk, ms_error *error)
+{
+    enum { ROW = 4, MOVES = 60 };
+    static const char *const names[] = {"score", "update", "recommend 4", "choose", "move"};
+    size_t pixels = ms_nn_output_size(f->large.nn);
+    double x[ROW * M], begin;
+    ms_status status = MS_OK;
+    studio_view view;
+    studio s;
+    int i;
+    memset(calls, 0, 5 * sizeof *calls);
+    for (i = 0; i < 5; ++i) calls[i].name = names[i];
+    studio_open(&s, &f->large);
+    for (i = 0; i < f->n && status == MS_OK; ++i) {
+        begin = seconds();
+        status = studio_score(&s, f->x + i * M, f->y[i], error);
+        timed(&calls[0], begin);
+    }
+    while (status == MS_OK && !s.settled && calls[1].count < 100) {
+        begin = seconds();
+        status = studio_update(&s, error);
+        timed(&calls[1], begin);
+    }
+    for (i = 0; i < 10 && status == MS_OK; ++i) {
+        begin = seconds();
+        status = studio_recommend(&s, ROW, x, walk, error);
+        timed(&calls[2], begin);
+    }
+    for (i = 0; i < 5 && status == MS_OK; ++i) {
+        begin = seconds();
+        status = studio_choose(&s, f->chosen, error);
+        timed(&calls[3], begin);
+    }
+    for (i = 0; i < MOVES && status == MS_OK; ++i) {
+        double turn = 2 * 3.14159265358979 / MOVES;
+        begin = seconds();
+        status = studio_move(&s, -0.7 * turn * sin(turn * i), 0.7 * turn * cos(turn * i), &view, error);
+        timed(&calls[4], begin);
+        if (status == MS_OK && i % (MOVES / STEPS) == 0)
+            memcpy(walk + (size_t)(i / (MOVES / STEPS)) * pixels, view.planes, pixels * sizeof *walk);
+    }
+    studio_close(&s);
+    return status;
+}
+
+/* --------------------------------------------------------------------------------------------------------- the report */
+
+static int report(FILE *out, const flow *f, const call calls[5])
+{
+    double sum = 0;
+    int i;
+    fprintf(out, "| stage | size | time, ms | thesis, ms (size) |\n|---|---|---:|---:|\n");
+    for (i = 0; i < f->stage_count; ++i) {
+        fprintf(out, "| %s | %s | %.1f | %s |\n", f->stages[i].name, f->stages[i].size, 1e3 * f->stages[i].seconds, f->stages[i].thesis);
+        sum += f->stages[i].seconds;
+    }
+    fprintf(out, "| **sum** | | **%.0f** | 20180, with 300 recommendations 37520 |\n", 1e3 * sum);
+    fprintf(out, "\n| interactive call | calls | mean, ms | longest, ms |\n|---|---:|---:|---:|\n");
+    for (i = 0; i < 5; ++i)
+        fprintf(out, "| %s | %d | %.2f | %.2f |\n", calls[i].name, calls[i].count, 1e3 * calls[i].sum / calls[i].count, 1e3 * calls[i].most);
+    return !ferror(out);
+}
+
+/* Notes what a stage took since `begin`; count 0: it has no size. */
+static double note(flow *f, const char *name, int count, const char *unit, const char *thesis, double begin)
+{
+    stage *s = &f->stages[f->stage_count++];
+    double now = seconds();
+    s->name = name;
+    s->thesis = thesis;
+    s->seconds = now - begin;
+    if (count) snprintf(s->size, sizeof s->size, "%d%s", count, unit);
+    return now;
+}
+
+static const char *load(flow *f, const char *folder)
+{
+    char path[512];
+    const char *problem;
+    snprintf(path, sizeof path, "%s/renderer_64.safetensors", folder);
+    if ((problem = neural_load(path, &f->small)) != NULL) return problem;
+    if (matcher_open(&f->match, path, &f->error) != MS_OK) return f->error.message;
+    snprintf(path, sizeof path, "%s/renderer_128.safetensors", folder);
+    if ((problem = neural_load(path, &f->large)) != NULL) return problem;
+    if (f->small.parameters != M || f->large.parameters != M) return "a renderer has not 19 parameters";
+    if (f->small.size != 64 || f->large.size != 128) return "the pictures are not of 64 and 128 pixels";
+    return matcher_add_inversions(&f->match, folder, &f->error) == MS_OK ? NULL : f->error.message;
+}
+
+static const char *read_scores(flow *f, const char *path)
+{
+    scores s;
+    const char *problem = scores_read(path, &s);
+    int i;
+    if (!problem && s.m != M) problem = "expected 19 parameters and a score a row";
+    for (i = 0; !problem && i < s.n * M; ++i)
+        if (!(s.x[i] >= 0 && s.x[i] <= 1)) problem = "a parameter is outside [0, 1]";
+    if (problem) {
+        scores_free(&s);
+        return problem;
+    }
+    f->n = s.n;
+    f->x = s.x;
+    f->y = s.y;
+    return NULL;
+}
+
+int main(int argc, char **argv)
+{
+    static flow flow_data;
+    flow *f = &flow_data;
+    const char *out = NULL, *file = NULL, *networks = "examples/data", *problem = NULL;
+    float *gallery, *recommended, *walk;
+    char path[512];
+    call calls[5];
+    double t;
+    image page;
+    FILE *times;
+    int i;
+    f->user = &tastes[0];
+    for (i = 1; i < argc; ++i) {
+        if (argv[i][0] != '-' && out == NULL) out = argv[i];
+        else if (argv[i][0] != '-' || i + 1 == argc) return usage();
+        else if (strcmp(argv[i], "--scores") == 0) file = argv[++i];
+        else if (strcmp(argv[i], "--networks") == 0) networks = argv[++i];
+        else if (strcmp(argv[i], "--seed") == 0) f->seed = (uint64_t)strtod(argv[++i], NULL);
+        else if (strcmp(argv[i], "--taste") == 0) {
+            for (f->user = tastes, ++i; f->user < tastes + 3 && strcmp(f->user->name, argv[i]) != 0; ++f->user) {}
+            if (f->user == tastes + 3) return usage();
+        } else return usage();
+    }
+    if (out == NULL) return usage();
+
+    t = seconds();
+    if ((problem = load(f, networks)) != NULL) return fail(networks, problem);
+    t = note(f, "load the networks", 0, "", "", t);
+    if (file && (problem = read_scores(f, file)) != NULL) return fail(file, problem);
+    if (!file && score_gallery(f) != MS_OK) return fail("gallery", f->error.message);
+    t = note(f, file ? "read the scores" : "gallery in two rounds", f->n, "", "", t);
+    gallery = (float *)malloc((size_t)f->n * ms_nn_output_size(f->small.nn) * sizeof(float));
+    recommended = (float *)malloc(RECOMMENDED * ms_nn_output_size(f->small.nn) * sizeof(float));
+    walk = (float *)malloc((STEPS + 3) * ms_nn_output_size(f->large.nn) * sizeof(float));
+    f->edited = (float *)malloc(2 * ms_nn_output_size(f->small.nn) * sizeof(float));
+    if (!gallery || !recommended || !walk || !f->edited) return fail("pictures", "out of memory");
+    pictures(&f->small, f->x, f->n, gallery);
+    t = note(f, "pictures of the gallery", f->n, " of 64^2", "", t);
+    if (learn(f) != MS_OK) return fail("the taste", f->error.message);
+    t = note(f, "GPR", f->n, "", "7220 (250)", t);
+    if (recommend(f) != MS_OK) return fail("recommendations", f->error.message);
+    t = note(f, "recommendation", RECOMMENDED, "", "17400 (300)", t);
+    pictures(&f->small, f->recommended, RECOMMENDED, recommended);
+    t = note(f, "their pictures", RECOMMENDED, " of 64^2", "40 (one of 410^2, GPU)", t);
+    if (embed(f) != MS_OK) return fail("the plane", f->error.message);
+    t = note(f, "GPLVM", ms_gpr_latent_count(f->plane), "", "1960 (16)", t);
+    if (map_preference(f) != MS_OK) return fail("the preference map", f->error.message);
+    t = note(f, "preference coding", FINE, "^2", "2750 (50^2)", t);
+    if (map_similarity(f) != MS_OK) return fail("the similarity map", f->error.message);
+    t = note(f, "similarity coding", COARSE, "^2", "8150 (20^2, GPU)", t);
+    if (vary(f) != MS_OK) return fail("the variants", f->error.message);
+    t = note(f, "variants", VARIANTS, "", "", t);
+    if (match_edit(f) != MS_OK) return fail("the match", f->error.message);
+    t = note(f, "match of an edited picture", f->small.size, "^2", "", t);
+    if (session(f, calls, walk, &f->error) != MS_OK) return fail("the session", f->error.message);
+    t = seconds(); /* the session repeats what was done above: it has a table of its own */
+    if ((problem = write_files(f, out)) != NULL) return fail(out, problem);
+    if ((problem = draw_page(f, gallery, recommended, walk, &page)) != NULL) return fail(out, problem);
+    snprintf(path, sizeof path, "%s/workflow.png", out);
+    if ((problem = image_write(path, &page)) != NULL) return fail(path, problem);
+    note(f, "page, CSV and MaterialX", 0, "", "", t);
+    snprintf(path, sizeof path, "%s/times.md", out);
+    if ((times = fopen(path, "w")) == NULL) return fail(path, "cannot be written");
+    i = report(times, f, calls);
+    if (fclose(times) != 0 || !i) return fail(path, "cannot be written");
+
+    if (file) printf("%d scores of %s\n", f->n, file);
+    else printf("%d scores of one who likes %s; of the first, random %d %.1f on average, of the recommended ones %.1f\n", f->n, f->user->words,
+                GALLERY / 2, mean_score(f->user, f->x, GALLERY / 2), mean_score(f->user, f->recommended, RECOMMENDED));
+    printf("match: RMSE %.2f of 255 at first, %.2f after %.0f renders\n\n", 255 * f->found.rmse_initial, 255 * f->found.rmse, f->found.cost);
+    report(stdout, f, calls);
+    ms_gpr_latent_destroy(f->plane);
+    ms_gpr_destroy(f->gp);
+    matcher_close(&f->match);
+    neural_free(&f->small);
+    neural_free(&f->large);
+    image_free(&page);
+    free(f->x), free(f->y), free(f->edited);
+    free(gallery), free(recommended), free(walk);
+    return 0;
+}
