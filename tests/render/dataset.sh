@@ -1,7 +1,7 @@
 #!/bin/sh
 # make dataset: pictures of the materials FIRST to FIRST + COUNT - 1 (0, 4096), SIZE (128) pixels, SAMPLES (32) paths a
-# pixel, by JOBS (2) processes, into DATASET (build/dataset). What is there already is kept. At 128 pixels and 32 samples
-# a picture takes a second or two on one core, and 100 KB.
+# pixel, by JOBS (2) processes, into DATASET (build/dataset); TAKE (0) numbers pictures with independent noise. What is
+# there already is kept. At 128 pixels and 32 samples a picture takes a second or two on one core, and 100 KB.
 set -eu
 folder=${DATASET:-build/dataset}
 first=${FIRST:-0}
@@ -16,4 +16,4 @@ ${CC:-cc} -std=c99 -O3 -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples tests/re
 seq "$first" 256 $((first + count - 1)) | while read -r at; do
     left=$((first + count - at))
     echo "$at $((left < 256 ? left : 256))"
-done | xargs -n 2 -P "${JOBS:-2}" sh -c 'build/dataset_tool "$1" "$4" "$5" "$2" "$3"' dataset "$folder" "${SIZE:-128}" "${SAMPLES:-32}"
+done | xargs -n 2 -P "${JOBS:-2}" sh -c 'build/dataset_tool "$1" "$5" "$6" "$2" "$3" "$4"' dataset "$folder" "${SIZE:-128}" "${SAMPLES:-32}" "${TAKE:-0}"
