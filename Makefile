@@ -5,7 +5,9 @@
 #   make check      tests that need a C compiler only, a minute or two
 #   make test       all tests
 #   make bench      speed against error: tables and plots in build/bench/, peers where they are installed
-#   make sanitize, check-style, thread, valgrind, fuzz     other ways to run the tests
+#   make sanitize, check-style, thread, valgrind, fuzz, soak     other ways to run the tests
+#   make test-cross other machines, each where its compiler and emulator are installed
+#   make sizes      what each header adds to a program, in kilobytes
 #   make dataset    path-traced pictures of random materials for training (FIRST, COUNT, SIZE, SAMPLES, JOBS)
 #   make common     copies the block that all headers share from ms_mcml.h into the rest
 .POSIX:
@@ -62,10 +64,14 @@ demo: all
 deps:
 	@sh tests/deps.sh
 
+# The examples, two at a time, for the tests.
+examples:
+	@printf '%s\n' $(TOOLS) $(DEMOS) | xargs -n 1 -P $${JOBS:-2} $(MAKE) -s
+
 RUN = CC="$(CC)" CXX="$(CXX)" CFLAGS="$(CFLAGS)" sh tests/run.sh
-check: all
+check: examples
 	@$(RUN) check
-test: all
+test: examples
 	@$(RUN) test
 check-style:
 	@$(RUN) style
@@ -77,6 +83,12 @@ valgrind:
 	@$(RUN) valgrind
 fuzz:
 	@$(RUN) fuzz
+soak:
+	@$(RUN) soak
+test-cross:
+	@$(RUN) cross
+sizes:
+	@CC="$(CC)" sh tests/dropin/sizes.sh
 bench: all
 	@CC="$(CC)" CFLAGS="$(CFLAGS)" sh tests/bench/run.sh
 
@@ -89,4 +101,4 @@ common:
 clean:
 	rm -rf build
 
-.PHONY: all demo deps check test check-style sanitize thread valgrind fuzz bench dataset common clean
+.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross sizes bench dataset common clean
