@@ -4,17 +4,20 @@
 #   sh tests/run.sh test       check, the long versions, C++, scalar and other builds, OpenImageIO and Embree
 #   sh tests/run.sh style      warnings as errors: GCC and Clang, C99 and C++11, -O0 and -O3, 32-bit where there is one
 #   sh tests/run.sh sanitize   address and undefined-behaviour sanitizers
-#   sh tests/run.sh thread     thread sanitizer;   valgrind, fuzz: as they say
+#   sh tests/run.sh thread     thread sanitizer;   valgrind, fuzz, soak: as they say
+#   sh tests/run.sh cross      other machines and C libraries, those whose compiler (and emulator) is installed
 # Called by make from the repository's root. CC, CXX, CFLAGS, JOBS (2), FILTER (part of a job's name), FUZZ_SECONDS (20).
-# Each job writes build/run/GROUP/NAME.log; the log of a failed one is shown.
+# Each job writes build/run/GROUP/NAME.log; the log of a failed one is shown. The seconds are those of the clock.
 set -u
 
 # --- one job (called through xargs): run it, count what it says, keep its log -------------------------------------
 if [ "${1:-}" = --one ]; then
     job=$2
     log=${job%.job}.log
+    start=$(date +%s)
     sh "$job" >"$log" 2>&1
     rc=$?
+    seconds=$(($(date +%s) - start))
     line=$(grep -E '^[0-9]+ passed, [0-9]+ failed' "$log" | tail -1)
     if [ $rc -eq 77 ]; then counts="0 0 1" # a job that can't run here exits with 77 after a line that says why
     elif [ -n "$line" ]; then
@@ -30,12 +33,12 @@ if [ "${1:-}" = --one ]; then
         echo "FAIL $name (exit $rc)"
         grep -v -E '^ok  ' "$log" | tail -40 | sed 's/^/    /'
     elif [ "$3" != 0 ] && [ "$1" = 0 ]; then echo "skip $name: $(tail -1 "$log")"
-    else echo "ok   $name: $1 passed$([ "$3" = 0 ] || echo ", $3 skipped")"
+    else echo "ok   $name: $1 passed$([ "$3" = 0 ] || echo ", $3 skipped")$([ $seconds -lt 5 ] || echo " ($seconds s)")"
     fi
     exit 0
 fi
 
-group=${1:?usage: sh tests/run.sh check|test|style|sanitize|thread|valgrind|fuzz}
+group=${1:?usage: sh tests/run.sh check|test|style|sanitize|thread|valgrind|fuzz|soak|cross}
 CC=${CC:-cc}
 CXX=${CXX:-c++}
 CFLAGS=${CFLAGS:--O2}
@@ -66,37 +69,46 @@ compiles() {
     "$@" "$out/probe.c" -o "$out/probe" >/dev/null 2>&1
 }
 
-# test_jobs PREFIX COMPILER LANGUAGE-FLAGS ARGUMENTS: every tests/test_*.c, built and run
+# Long to compile for what they add in a minute: other groups than check run them.
+long="test_nn_big_endian test_memory"
+
+# test_jobs PREFIX COMPILER LANGUAGE-FLAGS RUNNER ARGUMENTS: every tests/test_*.c, built and run
 test_jobs() {
     for t in tests/test_*.c; do
         n=$(basename "$t" .c)
+        case "$group: $long " in "check:"*" $n "*) continue ;; esac
         job "$1$n" "$2 $posix $paths $3 $t -o $out/$1$n -lm -lpthread && $4 $out/$1$n $5"
     done
 }
 
 # --- groups --------------------------------------------------------------------------------------------------------
 
+# replay_jobs FLAGS: every fuzz target over its corpus
+replay_jobs() {
+    for f in tests/fuzz/fuzz_*.c; do
+        n=$(basename "$f" .c)
+        job "replay_$n" "$CC $posix $paths -std=c99 $1 $f tests/fuzz/replay.c -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}"
+    done
+}
+
 check_jobs() {
+    [ ! -f tests/examples.sh ] || job examples "sh tests/examples.sh $out/examples"
     test_jobs "" "$CC" "-std=c99 $CFLAGS" "" ""
     job common "sh tests/common.sh check"
     for h in $headers; do
         n=${h%.h}
-        job "manual_$n" "sh tests/compile/manual.sh $h $out/manual_$n"
-        job "symbols_$n" "sh tests/compile/symbols.sh $h $out/symbols_$n"
+        job "manual_$n" "sh tests/dropin/manual.sh $h $out/manual_$n"
+        job "symbols_$n" "sh tests/dropin/symbols.sh $h $out/symbols_$n"
     done
-    for f in tests/fuzz/fuzz_*.c; do
-        [ -f "$f" ] || continue
-        n=$(basename "$f" .c)
-        job "replay_$n" "$CC $posix $paths -std=c99 $CFLAGS $f tests/fuzz/replay.c -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}"
-    done
-    [ ! -f tests/examples.sh ] || job examples "sh tests/examples.sh $out/examples"
+    replay_jobs -O1
 }
 
 oiio="-lOpenImageIO -lOpenImageIO_Util"
 if [ -f /usr/include/embree4/rtcore.h ] || [ -f /usr/local/include/embree4/rtcore.h ]; then embree=-lembree4; else embree=-lembree3; fi
 
 test_group() {
-    job compile "sh tests/compile/compile.sh $out/compile"
+    for h in $headers; do job "dropin_${h%.h}" "sh tests/dropin/dropin.sh $out/dropin_${h%.h} $h"; done
+    job dropin_together "sh tests/dropin/dropin.sh $out/dropin_together $(echo $headers)"
     check_jobs
     test_jobs "full_" "$CC" "-std=c99 -O3" "" "--full"
     test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS" "" ""
@@ -149,11 +161,7 @@ sanitize_jobs() {
         return
     fi
     test_jobs "" "$CC" "-std=c99 $flags" "ASAN_OPTIONS=detect_leaks=1" ""
-    for f in tests/fuzz/fuzz_*.c; do
-        [ -f "$f" ] || continue
-        n=$(basename "$f" .c)
-        job "replay_$n" "$CC $posix $paths -std=c99 $flags $f tests/fuzz/replay.c -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}"
-    done
+    replay_jobs "$flags"
 }
 
 fuzz_jobs() {
@@ -181,6 +189,8 @@ valgrind)
         job valgrind "echo 'no valgrind on this machine'; exit 77"
     fi ;;
 fuzz) fuzz_jobs ;;
+soak) job soak "$CC $posix $paths -std=c99 -O2 tests/test_memory.c -o $out/soak -lm -lpthread && $out/soak --full soak" ;;
+cross) for machine in $(sh tests/cross.sh); do job "$machine" "sh tests/cross.sh $machine $out/$machine"; done ;;
 *) echo "unknown group '$group'" >&2; exit 2 ;;
 esac
 

@@ -73,7 +73,7 @@ static void totals(void)
         ms_mcml_layer layers[8];
         ms_mcml_tissue tissue = tissue_of(layers, 1, 1, 1);
         ms_mcml_grid grid = grid_of(0.01, 100, 0.01, 10, 1);
-        ms_mcml_options options = options_of(test_full ? 4e6 : 3e5);
+        ms_mcml_options options = options_of(test_full ? 4e6 : 1e5);
         ms_mcml_result r;
         double d, scale;
         if (list) {

@@ -1,17 +1,18 @@
 #!/bin/sh
-# The program in a header's comment, as C99 and as C++11: sh tests/compile/manual.sh HEADER OUT. It stands between
-# the lines "   Example:" and "   End of example.", indented by six spaces.
+# The program in a header's comment, in a folder of its own: sh tests/dropin/manual.sh HEADER OUT [COMPILER FLAGS...]. It
+# stands between the lines "   Example:" and "   End of example.", indented by six spaces.
 set -eu
-sed -n '/^   Example:/,/^   End of example\./p' "$1" | sed '1d;$d' | sed 's/^      //' >"$2.c"
-if ! grep -q main "$2.c"; then
-    echo "$1 has no example in its comment"
+header=$1
+out=$2
+shift 2
+[ $# -gt 0 ] || set -- ${CC:-cc} -std=c99
+sed -n '/^   Example:/,/^   End of example\./p' "$header" | sed '1d;$d' | sed 's/^      //' >"$out.c"
+if ! grep -q main "$out.c"; then
+    echo "$header has no example in its comment"
     exit 1
 fi
-warn="-Wall -Wextra -pedantic -Wconversion -Wshadow -Werror"
-${CC:-cc} -std=c99 -O2 -I. $warn "$2.c" -o "$2" -lm
+"$@" -O1 -I. -Wall -Wextra -pedantic -Wconversion -Wshadow -Werror "$out.c" -o "$out" -lm
 folder=$(mktemp -d)
-program=$(pwd)/$2
-(cd "$folder" && "$program")
-${CXX:-c++} -x c++ -std=c++11 -O2 -I. $warn "$2.c" -o "$2" -lm
+program=$(pwd)/$out
 (cd "$folder" && "$program")
 rm -rf "$folder"

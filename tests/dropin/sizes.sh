@@ -1,0 +1,25 @@
+#!/bin/sh
+# What a header costs a program: a table of lines and of bytes of code and constants in its object, whole and as small as it
+# gets, in build/bench/sizes.md (for README, between <!-- bench:sizes --> and <!-- end -->).
+set -eu
+CC=${CC:-cc}
+mkdir -p build/bench
+kilobytes() { # HEADER FLAGS...
+    printf '#define %s_IMPLEMENTATION\n#include "%s"\n' "$(echo "${1%.h}" | tr a-z A-Z)" "$1" >build/bench/size.c
+    shift
+    $CC -std=c99 -I. "$@" -c build/bench/size.c -o build/bench/size.o
+    size build/bench/size.o | awk 'NR == 2 {printf "%.0f", ($1 + $2 + $3) / 1000}'
+}
+{
+    echo "Kilobytes of code and constants in the object, $($CC --version | head -1), $(uname -m); \`make sizes\`."
+    echo
+    echo "| header | lines | \`-O2\` | \`-O2\`, no SIMD | \`-Os\`, no SIMD, no stdio | writable |"
+    echo "|---|---:|---:|---:|---:|---:|"
+    for h in ms_*.h; do
+        no_stdio="-D$(echo "${h%.h}" | tr a-z A-Z)_NO_STDIO"
+        full=$(kilobytes "$h" -O2)
+        writable=$(size build/bench/size.o | awk 'NR == 2 {print $3}')
+        echo "| \`$h\` | $(wc -l <"$h" | tr -d ' ') | $full | $(kilobytes "$h" -O2 -DMS_NO_SIMD) | $(kilobytes "$h" -Os -DMS_NO_SIMD "$no_stdio") | $writable |"
+    done
+} >build/bench/sizes.md
+cat build/bench/sizes.md
