@@ -62,10 +62,20 @@ static inline uint32_t trace__scramble(uint32_t x, uint32_t seed)
     return trace__reverse(x);
 }
 
+/* Sobol's second dimension from the first: Pascal's triangle mod 2, the fifth Kronecker power of (1 1; 0 1). */
+static inline uint32_t trace__pascal(uint32_t x)
+{
+    x ^= x << 16;
+    x ^= (x & 0x00ff00ffu) << 8;
+    x ^= (x & 0x0f0f0f0fu) << 4;
+    x ^= (x & 0x33333333u) << 2;
+    return x ^ (x & 0x55555555u) << 1;
+}
+
 /* The next pair of numbers in [0, 1). */
 static inline void trace_sample(trace_sampler *s, float *u, float *v)
 {
-    uint32_t seed = trace__hash(s->seed ^ trace__hash(s->pair++)), x, y = 0, i, bits, column = 1u << 31;
+    uint32_t seed = trace__hash(s->seed ^ trace__hash(s->pair++)), i, x, y;
     if (s->pair > TRACE_SOBOL_PAIRS && s->pair < TRACE_LAMP_PAIR) { /* deep in a walk order no longer helps */
         *u = (float)(trace__hash(seed ^ s->index) >> 8) * (1.0f / 16777216.0f);
         *v = (float)(trace__hash(seed + 0x9e3779b9u + s->index) >> 8) * (1.0f / 16777216.0f);
@@ -73,9 +83,7 @@ static inline void trace_sample(trace_sampler *s, float *u, float *v)
     }
     i = trace__scramble(s->index, seed);
     x = trace__reverse(i);
-    for (bits = i; bits;
-         bits >>= 1, column ^= column >> 1) /* the second dimension's matrix is Pascal's triangle mod 2 */
-        if (bits & 1) y ^= column;
+    y = trace__pascal(x);
     x = trace__scramble(x, trace__hash(seed ^ 0xa511e9b3u));
     y = trace__scramble(y, trace__hash(seed ^ 0x63d83595u));
     *u = (float)(x >> 8) * (1.0f / 16777216.0f);
