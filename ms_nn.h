@@ -2698,7 +2698,7 @@ typedef struct ms_nn__kernels {
     void (*derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha);
     void (*pool2)(const float *x, size_t row, float *y, size_t n);
     void (*gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out);
-    void (*add)(double *y, const double *a, size_t na, size_t stride, size_t n, const double *s, size_t s_stride);
+    void (*add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n, const double *s);
     void (*rotate)(double *a, double *b, size_t n, double c, double s);
     void (*row)(const ms_nn__matrix *m, size_t row, double factor, double *out);
 } ms_nn__kernels;
@@ -3578,7 +3578,7 @@ static void ms_nn__qr_fold(const ms_nn__kernels *kernels, double *r, size_t h, d
                 kernels->gram(bj, 1, bk, 1, rows, rows, &dot);
                 dot = -tau * (rj[j0 + k] + dot);
                 rj[j0 + k] += dot;
-                kernels->add(bk, bj, 1, rows, rows, &dot, 1);
+                kernels->add(bk, 1, bj, 1, rows, rows, &dot);
             }
             /* T(0..j, j) = -tau T V' v_j, the identity parts of V being orthogonal */
             kernels->gram(b + j0 * rows, j, bj, 1, rows, rows, y);
@@ -3599,8 +3599,8 @@ static void ms_nn__qr_fold(const ms_nn__kernels *kernels, double *r, size_t h, d
                     z[i * q + j] = -sum;
                     r[(j0 + i) * h + k + j] += z[i * q + j];
                 }
-                kernels->add(b + (k + j) * rows, b + j0 * rows, n, rows, rows, z + j, q);
             }
+            kernels->add(b + k * rows, q, b + j0 * rows, n, rows, rows, z);
         }
     }
 }
@@ -3878,7 +3878,7 @@ static void ms_nn__pass_block(const ms_nn__pass_job *job, const size_t *row, siz
             residual[i * channels + ch] = weight * res;
             sum[channels * h] += weight * res * res;
         }
-    for (ch = 0; ch < channels; ++ch) kernels->add(sum + ch * h, wide, n, h, h, residual + ch, channels);
+    kernels->add(sum, channels, wide, n, h, h, residual);
 }
 
 static void ms_nn__pass_task(void *context, int index)
@@ -3930,7 +3930,7 @@ static void ms_nn__solve_transposed(const ms_nn__kernels *kernels, const double 
         const double *row = r + j * h;
         x[j] = fabs(row[j]) > least ? x[j] / row[j] : 0.0;
         minus = -x[j];
-        kernels->add(x + j + 1, row + j + 1, 1, h, h - j - 1, &minus, 1);
+        kernels->add(x + j + 1, 1, row + j + 1, 1, h, h - j - 1, &minus);
     }
 }
 
@@ -4351,7 +4351,7 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
         for (i = 0; i < h; ++i) /* R'(R d) */
             nn->kernels->gram(c->r + i * h, 1, u + k * h, 1, h, h, &wide[i]);
         memset(a + k * h, 0, h * sizeof(double));
-        for (i = 0; i < h; ++i) nn->kernels->add(a + k * h, c->r + i * h, 1, h, h, &wide[i], 1);
+        for (i = 0; i < h; ++i) nn->kernels->add(a + k * h, 1, c->r + i * h, 1, h, h, &wide[i]);
         for (i = 0; i < h; ++i) ms_nn__put_element(low, dtype, k * h + i, a[k * h + i]);
     }
     for (i = 0; i < p; ++i) {
@@ -4416,12 +4416,9 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
 #elif defined(__GNUC__)
 #define MS_NN__UNROLL _Pragma("GCC unroll 16")
 #define MS_NN__INLINE static inline __attribute__((always_inline))
-#elif defined(_MSC_VER)
-#define MS_NN__UNROLL
-#define MS_NN__INLINE static __forceinline
 #else
 #define MS_NN__UNROLL
-#define MS_NN__INLINE static inline
+#define MS_NN__INLINE static __forceinline
 #endif
 
 /* The larger of two, or the NaN if there is one. */
@@ -5040,52 +5037,65 @@ static void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
     else MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_BF16);
 }
 
-/* out += g_0 w_0 + ... + g_{rows-1} w_{rows-1} over columns [col0, col1), the rows in order. */
-MS_NN__INLINE void MS_NN__FN(axpy)(const ms_nn__matrix *m, const float *g, size_t row, size_t col0, size_t col1, float *out, ms_nn_dtype dtype,
-                                   int rows)
+/* out_b += g_b,0 w_0 + ... + g_b,rows-1 w_rows-1 over columns [col0, col1), the rows in order, for `batch` samples. */
+MS_NN__INLINE void MS_NN__FN(axpy)(const ms_nn__dense *job, size_t sample, size_t row, size_t col0, size_t col1, float *out, ms_nn_dtype dtype,
+                                   int rows, int batch)
 {
-    size_t size = dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2, k;
-    const unsigned char *w = m->w + row * m->cols * size;
-    V_FLOATS factor[4];
-    int r;
+    const ms_nn__matrix *m = job->m;
+    size_t cols = m->cols, size = dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2, k;
+    const unsigned char *w = m->w + row * cols * size;
+    V_FLOATS factor[4][3], sum[3];
+    int r, b;
     MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) factor[r] = V_SET(dtype == MS_NN_I8 ? g[r] * ms_nn__float_at(m->scale, row + (size_t)r) : g[r]);
-    for (k = col0; k + V_LANES <= col1; k += V_LANES) {
-        V_FLOATS sum = V_LOAD(out + k);
+    for (r = 0; r < rows; ++r) {
         MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) sum = V_MADD(factor[r], MS_NN__FN(weight)(w + ((size_t)r * m->cols + k) * size, dtype), sum);
-        V_STORE(out + k, sum);
+        for (b = 0; b < batch; ++b) {
+            float g = job->x[(sample + (size_t)b) * m->rows + row + (size_t)r];
+            factor[r][b] = V_SET(dtype == MS_NN_I8 ? g * ms_nn__float_at(m->scale, row + (size_t)r) : g);
+        }
     }
-    if (k < col1) {
+    out += sample * cols;
+    for (k = col0; k + V_LANES <= col1; k += V_LANES) {
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) sum[b] = V_LOAD(out + (size_t)b * cols + k);
+        MS_NN__UNROLL
+        for (r = 0; r < rows; ++r) {
+            V_FLOATS u = MS_NN__FN(weight)(w + ((size_t)r * cols + k) * size, dtype);
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) sum[b] = V_MADD(factor[r][b], u, sum[b]);
+        }
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) V_STORE(out + (size_t)b * cols + k, sum[b]);
+    }
+    if (k == col1) return;
+    MS_NN__UNROLL
+    for (b = 0; b < batch; ++b) {
         float last[V_LANES];
         size_t n = col1 - k;
-        V_FLOATS sum;
         memset(last, 0, sizeof last);
-        memcpy(last, out + k, n * sizeof(float));
-        sum = V_LOAD(last);
+        memcpy(last, out + (size_t)b * cols + k, n * sizeof(float));
+        sum[b] = V_LOAD(last);
         MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) sum = V_MADD(factor[r], MS_NN__FN(weight_part)(w + ((size_t)r * m->cols + k) * size, dtype, n), sum);
-        V_STORE(last, sum);
-        memcpy(out + k, last, n * sizeof(float));
+        for (r = 0; r < rows; ++r) sum[b] = V_MADD(factor[r][b], MS_NN__FN(weight_part)(w + ((size_t)r * cols + k) * size, dtype, n), sum[b]);
+        V_STORE(last, sum[b]);
+        memcpy(out + (size_t)b * cols + k, last, n * sizeof(float));
     }
 }
 
 MS_NN__INLINE void MS_NN__FN(dense_back_typed)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out,
                                                ms_nn_dtype dtype)
 {
-    const ms_nn__matrix *m = job->m;
-    size_t row = row0, b, from, to;
-    if (job->batch > 1) {
+    size_t row = row0, batch = (size_t)job->batch, b, from, to;
+    if (batch > 1) {
         for (; row + 4 <= row1; row += 4)
             for (from = col0; from < col1; from = to) { /* four row pieces stay in the first cache */
                 to = ms_nn__min(from + 1024, col1);
-                for (b = 0; b < (size_t)job->batch; ++b)
-                    MS_NN__FN(axpy)(m, job->x + b * m->rows + row, row, from, to, out + b * m->cols, dtype, 4);
+                for (b = 0; b + 3 <= batch; b += 3) MS_NN__FN(axpy)(job, b, row, from, to, out, dtype, 4, 3);
+                for (; b < batch; ++b) MS_NN__FN(axpy)(job, b, row, from, to, out, dtype, 4, 1);
             }
     }
     for (; row < row1; ++row)
-        for (b = 0; b < (size_t)job->batch; ++b)
-            MS_NN__FN(axpy)(m, job->x + b * m->rows + row, row, col0, col1, out + b * m->cols, dtype, 1);
+        for (b = 0; b < batch; ++b) MS_NN__FN(axpy)(job, b, row, col0, col1, out, dtype, 1, 1);
 }
 
 static void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out)
@@ -5452,30 +5462,49 @@ static void MS_NN__FN(gram)(const double *a, size_t na, const double *b, size_t 
         }
 }
 
-/* y += s_0 a_0 + ... + s_3 a_3 over n elements. */
-MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride, size_t n, const double *s, size_t s_stride, int na)
+/* y_k += sum_i s_ik a_i for ny x na vectors (at most 2 x 4) of n elements, `stride` apart. */
+MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride, size_t n, const double *s, size_t s_stride, int ny, int na)
 {
-    D_DOUBLES f[4];
+    D_DOUBLES f[4][2];
     size_t j = 0;
-    int i;
+    int i, k;
     MS_NN__UNROLL
-    for (i = 0; i < na; ++i) f[i] = D_SET(s[(size_t)i * s_stride]);
-    for (; j + D_LANES <= n; j += D_LANES) {
-        D_DOUBLES sum = D_LOAD(y + j);
+    for (i = 0; i < na; ++i) {
         MS_NN__UNROLL
-        for (i = 0; i < na; ++i) sum = D_MADD(f[i], D_LOAD(a + (size_t)i * stride + j), sum);
-        D_STORE(y + j, sum);
+        for (k = 0; k < ny; ++k) f[i][k] = D_SET(s[(size_t)i * s_stride + (size_t)k]);
+    }
+    for (; j + D_LANES <= n; j += D_LANES) {
+        D_DOUBLES sum[2];
+        MS_NN__UNROLL
+        for (k = 0; k < ny; ++k) sum[k] = D_LOAD(y + (size_t)k * stride + j);
+        MS_NN__UNROLL
+        for (i = 0; i < na; ++i) {
+            D_DOUBLES v = D_LOAD(a + (size_t)i * stride + j);
+            MS_NN__UNROLL
+            for (k = 0; k < ny; ++k) sum[k] = D_MADD(f[i][k], v, sum[k]);
+        }
+        MS_NN__UNROLL
+        for (k = 0; k < ny; ++k) D_STORE(y + (size_t)k * stride + j, sum[k]);
     }
     for (; j < n; ++j)
-        for (i = 0; i < na; ++i) y[j] += s[(size_t)i * s_stride] * a[(size_t)i * stride + j];
+        for (k = 0; k < ny; ++k)
+            for (i = 0; i < na; ++i) y[(size_t)k * stride + j] += s[(size_t)i * s_stride + (size_t)k] * a[(size_t)i * stride + j];
 }
 
-/* y += sum_i s_i a_i; the factors are s_stride apart, the vectors stride. */
-static void MS_NN__FN(add)(double *y, const double *a, size_t na, size_t stride, size_t n, const double *s, size_t s_stride)
+/* The same for any ny and na; s [na][ny]. */
+static void MS_NN__FN(add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n, const double *s)
 {
-    size_t i = 0;
-    for (; i + 4 <= na; i += 4) MS_NN__FN(add_tile)(y, a + i * stride, stride, n, s + i * s_stride, s_stride, 4);
-    for (; i < na; ++i) MS_NN__FN(add_tile)(y, a + i * stride, stride, n, s + i * s_stride, s_stride, 1);
+    size_t i, k;
+    for (k = 0; k < ny; k += 2)
+        for (i = 0; i < na; i += 4) {
+            double *yk = y + k * stride;
+            const double *ai = a + i * stride, *sik = s + i * ny + k;
+            size_t p;
+            if (i + 4 <= na && k + 2 <= ny) MS_NN__FN(add_tile)(yk, ai, stride, n, sik, ny, 2, 4);
+            else if (i + 4 <= na) MS_NN__FN(add_tile)(yk, ai, stride, n, sik, ny, 1, 4);
+            else if (k + 2 <= ny) for (p = i; p < na; ++p) MS_NN__FN(add_tile)(yk, a + p * stride, stride, n, s + p * ny + k, ny, 2, 1);
+            else for (p = i; p < na; ++p) MS_NN__FN(add_tile)(yk, a + p * stride, stride, n, s + p * ny + k, ny, 1, 1);
+        }
 }
 
 /* (a, b) = (c a - s b, s a + c b). */
