@@ -11,16 +11,17 @@
 
 static int usage(void)
 {
-    fprintf(stderr, "usage: recommend SCORES.csv [--count 300] [--tau 0.6] [--seed S] [--out FILE]\n");
+    fprintf(stderr, "usage: recommend SCORES.csv [--count 300] [--tau 0.6] [--seed S] [--out FILE]\n"
+                    "       count: 1 to 1000000; tau: above 0, at most 1\n");
     return 2;
 }
 
-/* The value behind an option; ends the program where it is no number. */
-static double number(const char *text)
+/* The value behind an option; ends the program where it is no number from low to high. */
+static double number(const char *text, double low, double high)
 {
     char *end;
     double v = strtod(text, &end);
-    if (end == text || *end) exit(usage());
+    if (end == text || *end || !(v >= low && v <= high)) exit(usage());
     return v;
 }
 
@@ -54,13 +55,13 @@ int main(int argc, char **argv)
     for (i = 1; i < argc; ++i) {
         if (argv[i][0] != '-' && in == NULL) in = argv[i];
         else if (argv[i][0] != '-' || i + 1 == argc) return usage();
-        else if (strcmp(argv[i], "--count") == 0) count = number(argv[++i]);
-        else if (strcmp(argv[i], "--tau") == 0) options.tau = number(argv[++i]);
-        else if (strcmp(argv[i], "--seed") == 0) options.seed = (uint64_t)number(argv[++i]);
+        else if (strcmp(argv[i], "--count") == 0) count = number(argv[++i], 1, 1e6);
+        else if (strcmp(argv[i], "--tau") == 0) options.tau = number(argv[++i], 1e-6, 1);
+        else if (strcmp(argv[i], "--seed") == 0) options.seed = (uint64_t)number(argv[++i], 0, 9007199254740992.0);
         else if (strcmp(argv[i], "--out") == 0) out = argv[++i];
         else return usage();
     }
-    if (in == NULL || !(count >= 1 && count <= 1e6) || count > floor(count)) return usage();
+    if (in == NULL || count > floor(count)) return usage();
     problem = scores_read(in, &s);
     if (problem) {
         fprintf(stderr, "recommend: %s: %s (line %d)\n", in, problem, s.line);

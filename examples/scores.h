@@ -52,6 +52,7 @@ static const char *scores_read(const char *path, scores *s)
     if (f == NULL) return "cannot be opened";
     while (problem == NULL && fgets(text, TEXT, f)) {
         ++s->line;
+        if (s->line == 1 && strncmp(text, "\xEF\xBB\xBF", 3) == 0) memmove(text, text + 3, strlen(text + 3) + 1); /* a byte order mark */
         if (strlen(text) == TEXT - 1) problem = "a line is too long";
         else if (text[strspn(text, " \t\r\n")] == 0) continue; /* empty */
         else if ((count = scores__line(text, value, LIMIT)) < 2) {
