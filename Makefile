@@ -44,7 +44,7 @@ build/demo_sss: examples/demo_sss.c examples/scene.h ms_sss.h ms_mcml.h $(IMAGE)
 	$(BUILD) examples/demo_sss.c $(LDLIBS)
 build/recommend: examples/recommend.c examples/scores.h ms_gpr.h
 	$(BUILD) examples/recommend.c $(LDLIBS)
-build/latent: examples/latent.c examples/scores.h ms_gpr.h $(IMAGE)
+build/latent: examples/latent.c examples/scores.h examples/maps.h ms_gpr.h $(IMAGE)
 	$(BUILD) examples/latent.c $(LDLIBS)
 build/nn_info: examples/nn_info.c ms_nn.h
 	$(BUILD) examples/nn_info.c $(LDLIBS)
@@ -55,7 +55,7 @@ build/preview: examples/preview.c examples/neural.h examples/materials.h ms_nn.h
 build/match: examples/match.c examples/matcher.h examples/neural.h examples/materials.h ms_nn.h ms_pme.h $(IMAGE)
 	$(BUILD) examples/match.c $(LDLIBS)
 build/workflow: examples/workflow.c examples/neural.h examples/scores.h examples/studio.h examples/matcher.h examples/materialx.h \
-	ms_gpr.h ms_nn.h ms_pme.h $(IMAGE)
+	examples/maps.h ms_gpr.h ms_nn.h ms_pme.h $(IMAGE)
 	$(BUILD) examples/workflow.c $(LDLIBS)
 
 demo: all

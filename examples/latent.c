@@ -9,6 +9,7 @@
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "image.h"
+#include "maps.h"
 #include "scores.h"
 
 #define SIDE 320 /* pixels of a panel */
@@ -18,40 +19,6 @@ static int fail(const char *what)
 {
     fprintf(stderr, "latent: %s\n", what);
     return 1;
-}
-
-/* Blue, green and yellow as v goes from 0 to 1; dark where the confidence is 0. */
-static void colour(float *pixel, double v, double confidence)
-{
-    static const double stop[4][3] = {{0.27, 0.0, 0.33}, {0.19, 0.41, 0.56}, {0.21, 0.72, 0.47}, {0.99, 0.91, 0.14}};
-    double at = (v > 0 ? v < 1 ? v : 1 : 0) * 3;
-    int i = at < 2 ? (int)at : 2, c;
-    for (c = 0; c < 3; ++c)
-        pixel[c] = (float)((0.25 + 0.75 * confidence) * (stop[i][c] + (at - i) * (stop[i + 1][c] - stop[i][c])));
-}
-
-static void panel(image *im, int left, const ms_gpr_grid *grid, const double *map, const ms_gpr_grid *confidence_grid,
-                  const double *confidence)
-{
-    double top = 1e-300;
-    int x, y, i;
-    for (i = 0; i < grid->columns * grid->rows; ++i) top = map[i] > top ? map[i] : top;
-    for (y = 0; y < SIDE; ++y)
-        for (x = 0; x < SIDE; ++x) {
-            double a = grid->x0 + (grid->x1 - grid->x0) * (x + 0.5) / SIDE, b = grid->y1 - (grid->y1 - grid->y0) * (y + 0.5) / SIDE;
-            colour(im->pixels + 3 * (y * im->width + left + x), ms_gpr_grid_value(grid, map, a, b) / top,
-                   ms_gpr_grid_value(confidence_grid, confidence, a, b));
-        }
-}
-
-static void dot(image *im, int left, const ms_gpr_grid *grid, const double *latent, double radius, const float *rgb)
-{
-    double cx = (latent[0] - grid->x0) / (grid->x1 - grid->x0) * SIDE, cy = (grid->y1 - latent[1]) / (grid->y1 - grid->y0) * SIDE;
-    int x, y, c;
-    for (y = 0; y < SIDE; ++y)
-        for (x = 0; x < SIDE; ++x)
-            if (hypot(x + 0.5 - cx, y + 0.5 - cy) < radius)
-                for (c = 0; c < 3; ++c) im->pixels[3 * (y * im->width + left + x) + c] = rgb[c];
 }
 
 /* The rows of the `limit` highest scores above 0, best first, into x; how many. */
@@ -96,9 +63,10 @@ int main(int argc, char **argv)
     im = image_new(3 * SIDE, SIDE, 3);
     if (x == NULL || im.pixels == NULL) return fail("out of memory");
     count = liked(&s, x, LIKED);
+    if (count < 2) return fail("a plane needs at least two materials with scores above 0");
 
     memset(&options, 0, sizeof options);
-    options.prior = 1; /* keeps the plane compact */
+    options.prior = 0.1; /* keeps the plane compact */
     status = ms_gpr_fit(s.x, s.y, s.n, s.m, NULL, &gp, NULL, &error);
     if (status == MS_OK) status = ms_gpr_latent_fit(x, count, s.m, &options, &plane, &report, &error);
     if (status != MS_OK) return fail(error.message);
@@ -117,13 +85,13 @@ int main(int argc, char **argv)
     if (status != MS_OK) return fail(error.message);
     ms_gpr_map_product(&grid, preference, &coarse, similar, product);
 
-    panel(&im, 0, &grid, preference, &grid, confidence);
-    panel(&im, SIDE, &coarse, similar, &grid, confidence);
-    panel(&im, 2 * SIDE, &grid, product, &grid, confidence);
+    map_draw(&im, 0, 0, SIDE, &grid, preference, &grid, confidence);
+    map_draw(&im, SIDE, 0, SIDE, &coarse, similar, &grid, confidence);
+    map_draw(&im, 2 * SIDE, 0, SIDE, &grid, product, &grid, confidence);
     for (k = 0; k < 3; ++k) {
         for (i = count - 1; i >= 0; --i)
-            dot(&im, k * SIDE, &grid, ms_gpr_latent_points(plane) + 2 * i, i ? 3 : 5, i ? white : red);
-        for (i = 0; i < VARIANTS; ++i) dot(&im, k * SIDE, &grid, variant[i].latent, 2.5, black);
+            map_dot(&im, k * SIDE, 0, SIDE, &grid, ms_gpr_latent_points(plane) + 2 * i, i ? 3 : 5, i ? white : red);
+        for (i = 0; i < VARIANTS; ++i) map_dot(&im, k * SIDE, 0, SIDE, &grid, variant[i].latent, 2.5, black);
     }
     problem = image_write(argv[2], &im);
     if (problem) return fail(problem);

@@ -20,6 +20,7 @@
 #define MS_PME_IMPLEMENTATION
 #include "ms_pme.h"
 #include "neural.h"
+#include "maps.h"
 #include "scores.h"
 #include "studio.h"
 #include "matcher.h"
@@ -230,7 +231,7 @@ static ms_status vary(flow *f)
     double lambda[VARIANTS];
     ms_status status;
     int i;
-    for (i = 0; i < VARIANTS; ++i) lambda[i] = 1 - (i + 0.5) / VARIANTS;
+    for (i = 0; i < VARIANTS; ++i) lambda[i] = 1 - (i + 0.5) / (int)VARIANTS;
     status = ms_gpr_variants(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, f->variant, f->variants, &f->error);
     for (i = 0; i < VARIANTS * M && status == MS_OK; ++i) f->variants[i] = fmin(fmax(f->variants[i], 0), 1);
     return status;
@@ -282,46 +283,16 @@ static void tile(image *page, int left, int top, const float *planes, int size, 
             }
 }
 
-/* Blue, green and yellow as v goes from 0 to 1; dark where the confidence is 0. */
-static void colour(float *pixel, double v, double confidence)
-{
-    static const double stop[4][3] = {{0.27, 0.0, 0.33}, {0.19, 0.41, 0.56}, {0.21, 0.72, 0.47}, {0.99, 0.91, 0.14}};
-    double at = (v > 0 ? v < 1 ? v : 1 : 0) * 3;
-    int i = at < 2 ? (int)at : 2, c;
-    for (c = 0; c < 3; ++c)
-        pixel[c] = (float)((0.25 + 0.75 * confidence) * (stop[i][c] + (at - i) * (stop[i + 1][c] - stop[i][c])));
-}
-
-static void dot(image *page, int left, int top, int side, const ms_gpr_grid *grid, const double *latent, double radius, const float *rgb)
-{
-    double cx = (latent[0] - grid->x0) / (grid->x1 - grid->x0) * side, cy = (grid->y1 - latent[1]) / (grid->y1 - grid->y0) * side;
-    int x, y, c;
-    for (y = 0; y < side; ++y)
-        for (x = 0; x < side; ++x)
-            for (c = 0; c < 3; ++c)
-                if (hypot(x + 0.5 - cx, y + 0.5 - cy) < radius) page->pixels[3 * ((top + y) * page->width + left + x) + c] = rgb[c];
-}
-
 /* A map over the plane with its dots: white the embedded materials, red the chosen one, black its variants. */
 static void map(const flow *f, image *page, int left, int top, int side, const ms_gpr_grid *grid, const double *value)
 {
     static const float white[3] = {1, 1, 1}, red[3] = {1, 0.15f, 0.1f}, black[3] = {0, 0, 0};
     const double *latent = ms_gpr_latent_points(f->plane);
-    int count = ms_gpr_latent_count(f->plane), x, y, i;
-    double least = value[0], most = value[0];
-    for (i = 0; i < grid->columns * grid->rows; ++i) {
-        least = fmin(least, value[i]);
-        most = fmax(most, value[i]);
-    }
-    for (y = 0; y < side; ++y)
-        for (x = 0; x < side; ++x) {
-            double a = grid->x0 + (grid->x1 - grid->x0) * (x + 0.5) / side, b = grid->y1 - (grid->y1 - grid->y0) * (y + 0.5) / side;
-            colour(page->pixels + 3 * ((top + y) * page->width + left + x), (ms_gpr_grid_value(grid, value, a, b) - least) / fmax(most - least, 1e-300),
-                   ms_gpr_grid_value(&f->fine, f->confidence, a, b));
-        }
-    for (i = 0; i < count; ++i)
-        dot(page, left, top, side, grid, latent + 2 * i, i < count - 1 ? 3 : 5, i < count - 1 ? white : red);
-    for (i = 0; i < VARIANTS; ++i) dot(page, left, top, side, grid, f->variant[i].latent, 2.5, black);
+    int last = ms_gpr_latent_count(f->plane) - 1, i;
+    map_draw(page, left, top, side, grid, value, &f->fine, f->confidence);
+    for (i = 0; i < last; ++i) map_dot(page, left, top, side, grid, latent + 2 * i, 3, white);
+    map_dot(page, left, top, side, grid, latent + 2 * last, 5, red);
+    for (i = 0; i < VARIANTS; ++i) map_dot(page, left, top, side, grid, f->variant[i].latent, 2.5, black);
 }
 
 /* Gallery and recommendations come as pictures of f->small, the walk as pictures of f->large. */
@@ -458,7 +429,7 @@ static ms_status session(const flow *f, call calls[5], float *walk, ms_error *er
         timed(&calls[3], begin);
     }
     for (i = 0; i < MOVES && status == MS_OK; ++i) {
-        double turn = 2 * 3.14159265358979 / MOVES;
+        double turn = 2 * 3.14159265358979 / (int)MOVES;
         begin = seconds();
         status = studio_move(&s, -0.7 * turn * sin(turn * i), 0.7 * turn * cos(turn * i), &view, error);
         timed(&calls[4], begin);
