@@ -14,6 +14,8 @@ build/latent examples/data/scores.csv $out/latent.png
 if [ -f examples/data/renderer_128.safetensors ]; then
     echo "neural previews | path-traced truth | 8 x difference -> $out/preview.png"
     build/preview examples/data/renderer_128.safetensors examples/data/materials.csv $out/preview.png examples/data/materials.ppm
+fi
+if [ -f examples/data/inversion_1.safetensors ]; then
     echo "gallery, taste, recommendations, variants, an edited picture -> $out/workflow.png, materials -> $out/workflow.mtlx"
     build/workflow $out
 fi

@@ -182,7 +182,7 @@ if [ -x build/workflow ]; then
     refuses "an unknown taste" "usage" build/workflow "$out" --taste salt
     refuses "no networks" "renderer_64" build/workflow "$out" --networks "$out/nowhere"
 fi
-if [ -x build/workflow ] && [ -f examples/data/renderer_128.safetensors ]; then
+if [ -x build/workflow ] && [ -f examples/data/inversion_1.safetensors ]; then
     mkdir -p "$out/a" "$out/b"
     ok "the whole workflow" build/workflow "$out/a" --taste metal
     is "all files" "$(cd "$out/a" && echo *)" "chosen.csv gallery.csv recommended.csv times.md workflow.mtlx workflow.png"
