@@ -39,7 +39,7 @@ def check(name, net, shape, forward, tolerance):
 
 
 torch.manual_seed(3)
-renderer = nn.Sequential(nn.Conv1d(1, 8, 3, padding=1), nn.ELU(), nn.Upsample(scale_factor=2), nn.Conv1d(8, 6, 3, padding=1), nn.ELU(0.5),
+renderer = nn.Sequential(nn.Conv1d(1, 8, 3, padding=1), nn.ELU(), nn.Upsample(scale_factor=2), nn.Conv1d(8, 6, 4, padding="same"), nn.ELU(0.5),
                          nn.Upsample(scale_factor=2), nn.Flatten(), nn.Dropout(0.5), nn.Linear(6 * 76, 30), nn.Tanh(), nn.Linear(30, 48, bias=False))
 inversion = nn.Sequential(nn.Conv2d(3, 8, (5, 3), padding=(2, 1)), nn.ReLU(), nn.MaxPool2d(2), nn.Conv2d(8, 5, 3, stride=2), nn.LeakyReLU(0.2),
                           nn.MaxPool2d(3, stride=1), nn.Softplus(), nn.Upsample(scale_factor=(2, 3)), nn.Flatten(), nn.Linear(5 * 4 * 12, 19), nn.Sigmoid())
@@ -91,6 +91,22 @@ def keras_forward(x):  # Keras's own definitions: channels last throughout
 
 
 check("keras", keras, (2, 10, 12), keras_forward, 1e-5)
+
+conv, dense = r.normal(size=(4, 2, 3)) / 3, r.normal(size=(18 * 3, 5)) / 7
+keras = types.SimpleNamespace(input_shape=(None, 9, 2), layers=[
+    keras_layer("Conv1D", (conv,), name="c", filters=3, kernel_size=(4,), strides=(1,), padding="same", activation="leaky_relu", use_bias=False),
+    keras_layer("UpSampling1D", size=2), keras_layer("ELU", alpha=0.5), keras_layer("Flatten"),
+    keras_layer("Dense", (dense,), name="d", units=5, activation="linear", use_bias=False), keras_layer("LeakyReLU", negative_slope=0.3)])
+ms.save_keras(FILE, keras)
+
+
+def keras_forward_1d(x):  # an even kernel: one zero in front, two behind; the string means a slope of 0.2
+    y = nn.functional.leaky_relu(nn.functional.conv1d(nn.functional.pad(x, (1, 2)), t(conv).permute(2, 1, 0)), 0.2)
+    y = nn.functional.elu(y.repeat_interleave(2, dim=2), 0.5).permute(0, 2, 1).reshape(len(x), -1)
+    return nn.functional.leaky_relu(y @ t(dense), 0.3)
+
+
+check("keras 1d", keras, (2, 9), keras_forward_1d, 1e-5)
 for f in (FILE, X, G):
     os.remove(f)
 sys.exit(failed != 0)
