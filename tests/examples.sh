@@ -184,7 +184,7 @@ if [ -x build/workflow ]; then
 fi
 if [ -x build/workflow ] && [ -f examples/data/inversion_1.safetensors ]; then
     mkdir -p "$out/a" "$out/b"
-    ok "the whole workflow" build/workflow "$out/a" --taste metal
+    ok "the whole workflow" build/workflow "$out/a" 
     is "all files" "$(cd "$out/a" && echo *)" "chosen.csv gallery.csv recommended.csv times.md workflow.mtlx workflow.png"
     is "250 scores" "$(grep -c '^[0-9]' "$out/a/gallery.csv")" 250
     is "300 recommendations" "$(grep -c '^[0-9]' "$out/a/recommended.csv")" 300
