@@ -4416,9 +4416,12 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
 #elif defined(__GNUC__)
 #define MS_NN__UNROLL _Pragma("GCC unroll 16")
 #define MS_NN__INLINE static inline __attribute__((always_inline))
-#else
+#elif defined(_MSC_VER)
 #define MS_NN__UNROLL
 #define MS_NN__INLINE static __forceinline
+#else
+#define MS_NN__UNROLL
+#define MS_NN__INLINE static inline
 #endif
 
 /* The larger of two, or the NaN if there is one. */
