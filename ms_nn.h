@@ -2042,8 +2042,8 @@ static double ms_nn__weight_at(const ms_nn__weights *w, size_t row, size_t i)
     return w->scale ? x * ms_nn__element(w->scale->data, w->scale->dtype, row) : x;
 }
 
-/* Dense weights where they lie; F64 as a float copy; on big-endian hosts a copy in native order. With fold > 1 the
-   columns of the fold_h x fold_w positions that one low-resolution element was copied to are added up (in double,
+/* Dense weights where they lie; F64 as a float copy; on big-endian hosts F32 as a copy in native order (the scalar kernels,
+   which are all that those have, read the other types byte by byte). With fold > 1 the columns of the fold_h x fold_w positions that one low-resolution element was copied to are added up (in double,
    rounded once): W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
 static ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t fold[2], ms_nn__dims low,
                                    int last, ms_error *error)
@@ -2078,17 +2078,8 @@ static ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weight
             }
             copy += m->cols;
         }
-    } else if (MS_NN__BIG_ENDIAN && m->dtype != MS_NN_I8) {
-        size_t n = w->weight->bytes / (size_t)(ms_nn__bits(m->dtype) / 8);
-        unsigned char *copy = (unsigned char *)ms_nn__hold(nn, w->weight->bytes, 1);
-        if (copy == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
-        for (i = 0; i < n; ++i) {
-            uint32_t wide = m->dtype == MS_NN_F32 ? ms_nn__u32(m->w + 4 * i) : 0;
-            uint16_t narrow = m->dtype == MS_NN_F32 ? (uint16_t)0 : (uint16_t)ms_nn__u16(m->w + 2 * i);
-            if (m->dtype == MS_NN_F32) memcpy(copy + 4 * i, &wide, 4);
-            else memcpy(copy + 2 * i, &narrow, 2);
-        }
-        m->w = copy;
+    } else if (m->dtype == MS_NN_F32 && (m->w = ms_nn__floats(nn, w->weight)) == NULL) {
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
     }
     if (w->bias && (m->bias = ms_nn__floats(nn, w->bias)) == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a bias");
     if (w->scale && (m->scale = ms_nn__floats(nn, w->scale)) == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for scales");
