@@ -2042,9 +2042,10 @@ static double ms_nn__weight_at(const ms_nn__weights *w, size_t row, size_t i)
     return w->scale ? x * ms_nn__element(w->scale->data, w->scale->dtype, row) : x;
 }
 
-/* Dense weights where they lie; F64 as a float copy; on big-endian hosts F32 as a copy in native order (the scalar kernels,
-   which are all that those have, read the other types byte by byte). With fold > 1 the columns of the fold_h x fold_w positions that one low-resolution element was copied to are added up (in double,
-   rounded once): W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
+/* Dense weights where they lie; F64 as a float copy; on big-endian hosts F32 as a copy in native order (the scalar
+   kernels, which are all that those have, read the other types byte by byte). With fold > 1 the columns of the
+   fold_h x fold_w positions that one low-resolution element was copied to are added up (in double, rounded once):
+   W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
 static ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t fold[2], ms_nn__dims low,
                                    int last, ms_error *error)
 {
