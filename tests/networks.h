@@ -8,29 +8,28 @@
 
 enum { NETWORKS_TILES = 64, NETWORKS_ACROSS = 8, NETWORKS_PARAMETERS = 19, NETWORKS_INVERSIONS = 9 };
 
-/* truth [64][3][size][size]: display values of the stored tiles, averaged to size x size in linear light; malloc'd.
-   The pictures' own noise is about 50 dB (128 paths a pixel, averaged), their 8 bits 59 dB. NULL: no file. */
+/* truth [64][3][size][size]: display values of the stored tiles; malloc'd. size 128 or 64: highlights are clipped after
+   the average, so one does not follow from the other. The pictures' own noise is about 50 dB, their 8 bits 59 dB. NULL:
+   no such file. */
 static inline float *networks_truth(int size)
 {
     image sheet;
     float *truth = (float *)malloc((size_t)NETWORKS_TILES * 3 * (size_t)size * (size_t)size * sizeof(float)), *out = truth;
-    int tile, factor, t, c, x, y, i, j;
-    if (truth == NULL || image_read("examples/data/materials.ppm", &sheet) != NULL) {
+    int t, c, x, y;
+    if (truth == NULL || image_read(size == 64 ? "examples/data/materials_64.ppm" : "examples/data/materials.ppm", &sheet) != NULL) {
         free(truth);
         return NULL;
     }
-    tile = sheet.width / NETWORKS_ACROSS;
-    factor = tile / size;
+    if (sheet.width != NETWORKS_ACROSS * size || sheet.height != NETWORKS_TILES / NETWORKS_ACROSS * size || sheet.channels != 3) {
+        image_free(&sheet);
+        free(truth);
+        return NULL;
+    }
     for (t = 0; t < NETWORKS_TILES; ++t)
         for (c = 0; c < 3; ++c)
             for (y = 0; y < size; ++y)
-                for (x = 0; x < size; ++x) {
-                    int left = t % NETWORKS_ACROSS * tile + x * factor, top = t / NETWORKS_ACROSS * tile + y * factor;
-                    float sum = 0;
-                    for (j = 0; j < factor; ++j)
-                        for (i = 0; i < factor; ++i) sum += image_srgb_decode(sheet.pixels[3 * ((top + j) * sheet.width + left + i) + c]);
-                    *out++ = image_srgb_encode(sum / (float)(factor * factor));
-                }
+                for (x = 0; x < size; ++x)
+                    *out++ = sheet.pixels[3 * ((t / NETWORKS_ACROSS * size + y) * sheet.width + t % NETWORKS_ACROSS * size + x) + c];
     image_free(&sheet);
     return truth;
 }
