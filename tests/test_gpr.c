@@ -749,7 +749,7 @@ static void test_dimensions(void)
 static void test_refusals(void)
 {
     double x[6] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, y[3] = {1, 2, 3}, theta[4] = {0, 0, 0, -1}, mean;
-    static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
+    const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     ms_error error;
     ms_gpr *gp, *good = make(x, y, 3, 2, theta, NULL);
     int i;
