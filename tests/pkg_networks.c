@@ -38,22 +38,22 @@ static void test_rendered_again(void)
     neural n[2];
     materials list;
     float *truth = networks_truth(128);
-    material_scene *tracer = material_scene_create(1);
+    material_scene *s = material_scene_create(1);
     const char *problem = materials_read("examples/data/materials.csv", MATERIAL_PARAMETERS, &list);
     double least[3] = {1e9, 1e9, 1e9};
     size_t k;
     int net;
     if (problem == NULL) problem = neural_load("examples/data/renderer_128.safetensors", &n[0]);
     if (problem == NULL) problem = neural_load("examples/data/renderer_64.safetensors", &n[1]);
-    if (problem || tracer == NULL || truth == NULL || list.count != NETWORKS_TILES) {
+    if (problem || s == NULL || truth == NULL || list.count != NETWORKS_TILES) {
         TEST_FAIL("%s", problem ? problem : "Embree, or the pictures");
         return;
     }
     for (k = 0; k < sizeof chosen / sizeof *chosen; ++k) {
         const float *m = list.x + chosen[k] * MATERIAL_PARAMETERS;
         image a, b;
-        CHECK(material_render(tracer, m, 128, 128, 24, 71, &a));
-        CHECK(material_render(tracer, m, 128, 128, 24, 72, &b));
+        CHECK(material_render(s, m, 128, 128, 24, 71, &a));
+        CHECK(material_render(s, m, 128, 128, 24, 72, &b));
         for (net = 0; net < 2; ++net) {
             neural_render(&n[net], m, 1, n[net].planes);
             least[net] = fmin(least[net], against(n[net].planes, n[net].size, &a, &b));
@@ -67,7 +67,7 @@ static void test_rendered_again(void)
     CHECK_LE(38.1, least[1]);
     CHECK_LE(38.4, least[2]); /* the stored pictures' own noise: material 8, the noisiest, has 39.9 dB at 320 paths a pixel */
     TEST_NOTE("least: %.1f dB at 128, %.1f dB at 64, stored %.1f dB", least[0], least[1], least[2]);
-    material_scene_destroy(tracer);
+    material_scene_destroy(s);
     materials_free(&list);
     neural_free(&n[0]);
     neural_free(&n[1]);
