@@ -8,7 +8,8 @@
 #   make sanitize, check-style, thread, valgrind, fuzz, soak     other ways to run the tests
 #   make test-cross other machines, each where its compiler and emulator are installed
 #   make sizes      what each header adds to a program, in kilobytes
-#   make dataset    path-traced pictures of random materials for training (FIRST, COUNT, SIZE, SAMPLES, JOBS)
+#   make dataset    path-traced pictures of random materials for training (FIRST, COUNT, SIZE, SAMPLES, TAKE, JOBS)
+#   make train      the networks of examples/data from nothing: hours (PyTorch)
 #   make common     copies the block that all headers share from ms_mcml.h into the rest
 .POSIX:
 
@@ -94,6 +95,8 @@ bench: all
 
 dataset:
 	@CC="$(CC)" sh tests/render/dataset.sh
+train:
+	@CC="$(CC)" sh tests/train/train.sh
 
 common:
 	@sh tests/common.sh copy
@@ -101,4 +104,4 @@ common:
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross sizes bench dataset common clean
+.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross sizes bench dataset train common clean
