@@ -1,0 +1,240 @@
+/* What the examples of the workflow share: studio.h, neural.h, materials.h, materialx.h. */
+#define MS_NO_SIMD /* compiles in a tenth of the time; the headers' own tests run every level */
+#define MS_GPR_IMPLEMENTATION
+#include "ms_gpr.h"
+#define MS_NN_IMPLEMENTATION
+#include "ms_nn.h"
+#include "test.h"
+#include "neural.h"
+#include "materials.h"
+#include "studio.h"
+#include "materialx.h"
+
+enum { M = 19 };
+
+static const char network[] = "tests/data/nn/renderer_f16.safetensors"; /* 19 parameters to 3 x 8 x 8 values */
+
+/* Somebody who likes the third parameter large and the fifth small: 0 to 10, a third of all materials above 0. */
+static double taste(const double *x)
+{
+    double v = 10 * (x[2] - x[4]);
+    return v > 2 ? v : 0;
+}
+
+static void random_material(uint64_t *state, double *x)
+{
+    int k;
+    for (k = 0; k < M; ++k) x[k] = test_uniform(state);
+}
+
+static void test_states(void)
+{
+    neural net;
+    studio s;
+    studio_view view;
+    double x[M], more[2 * M];
+    static float planes[2 * 192];
+    uint64_t state = test_seed;
+    ms_error error;
+    int i;
+    CHECK(neural_load(network, &net) == NULL);
+    studio_open(&s, &net);
+    random_material(&state, x);
+    CHECK_INT(studio_update(&s, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(studio_recommend(&s, 2, more, planes, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(studio_choose(&s, x, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(studio_move(&s, 0, 0, &view, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(s.state, STUDIO_EMPTY);
+    for (i = 0; i < 60; ++i) {
+        random_material(&state, x);
+        CHECK_INT(studio_score(&s, x, taste(x), &error), MS_OK);
+    }
+    x[3] = NAN;
+    CHECK_INT(studio_score(&s, x, 1, &error), MS_BAD_DATA);
+    CHECK_INT(s.state, STUDIO_SCORED);
+    CHECK_INT(studio_recommend(&s, 2, more, planes, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(studio_update(&s, &error), MS_OK);
+    CHECK_INT(s.state, STUDIO_LEARNED);
+    CHECK_INT(studio_move(&s, 0, 0, &view, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(studio_recommend(&s, 2, more, planes, &error), MS_OK);
+    CHECK_INT(studio_choose(&s, more, &error), MS_OK);
+    CHECK_INT(s.state, STUDIO_EXPLORING);
+    CHECK_INT(studio_move(&s, NAN, 0, &view, &error), MS_BAD_DATA);
+    CHECK_INT(studio_move(&s, 0.1, 0, &view, &error), MS_OK);
+    random_material(&state, x);
+    s.settled = 1;
+    CHECK_INT(studio_score(&s, x, taste(x), &error), MS_OK);
+    CHECK_INT(s.state, STUDIO_EXPLORING);
+    CHECK_INT(s.settled, 0);
+    studio_close(&s);
+    neural_free(&net);
+}
+
+static void test_session(void)
+{
+    enum { SCORES = 120, COUNT = 30 };
+    neural net;
+    studio s;
+    studio_view view;
+    double x[M], recommended[COUNT * M], first[M], liked = 0, last = -1e300;
+    static float planes[COUNT * 192], alone[192];
+    float row[M];
+    uint64_t state = test_seed + 5;
+    ms_error error;
+    int i, k, updates = 0;
+    CHECK(neural_load(network, &net) == NULL);
+    studio_open(&s, &net);
+    for (i = 0; i < SCORES; ++i) {
+        random_material(&state, x);
+        CHECK_INT(studio_score(&s, x, taste(x), &error), MS_OK);
+    }
+    while (!s.settled && updates < 100) {
+        CHECK_INT(studio_update(&s, &error), MS_OK);
+        if (updates > 0) CHECK_LE(last, s.likelihood + 1e-6); /* each starts where the last one stopped */
+        last = s.likelihood;
+        ++updates;
+    }
+    CHECK(s.settled);
+    CHECK_INT(studio_recommend(&s, COUNT, recommended, planes, &error), MS_OK);
+    for (i = 0; i < COUNT; ++i) {
+        liked += taste(recommended + i * M) / COUNT;
+        for (k = 0; k < M; ++k) {
+            CHECK(recommended[i * M + k] >= 0 && recommended[i * M + k] <= 1);
+            row[k] = (float)recommended[i * M + k];
+        }
+        neural_render(&net, row, 1, alone);
+        CHECK(memcmp(alone, planes + i * 192, sizeof alone) == 0);
+    }
+    CHECK_LE(4.0, liked); /* uniform materials: 1.5; the threshold asks for 0.6 of 10 and the model is not perfect */
+    CHECK_INT(studio_choose(&s, recommended, &error), MS_OK);
+    CHECK_INT(studio_move(&s, 0, 0, &view, &error), MS_OK);
+    for (k = 0; k < M; ++k) CHECK_NEAR(view.x[k], recommended[k], 0.1); /* the plane passes near what it was made from */
+    memcpy(first, view.x, sizeof first);
+    for (i = 0; i < 40; ++i) {
+        double turn = 2 * 3.14159265358979 / 40;
+        CHECK_INT(studio_move(&s, -0.5 * turn * sin(turn * i), 0.5 * turn * cos(turn * i), &view, &error), MS_OK);
+        CHECK(view.sigma >= 0 && view.score == view.score);
+        for (k = 0; k < M; ++k) CHECK(view.x[k] >= 0 && view.x[k] <= 1);
+    }
+    for (k = 0; k < M; ++k) CHECK_NEAR(view.x[k], first[k], 1e-9); /* the steps add up to 0 but for rounding */
+    TEST_NOTE("settled after %d updates; mean true score of the recommended %.1f", updates, liked);
+    studio_close(&s);
+    neural_free(&net);
+}
+
+static void test_neural(void)
+{
+    enum { COUNT = 70 }; /* more than two batches */
+    static float x[COUNT * M], planes[COUNT * 192], again[192];
+    uint64_t state = test_seed;
+    neural net, none;
+    image sheet, one;
+    int i, y;
+    CHECK(neural_load("tests/data/nn/inversion_small_valid_channels_first.safetensors", &none) != NULL);
+    CHECK(neural_load("tests/data/nn/missing.safetensors", &none) != NULL);
+    CHECK(neural_load(network, &net) == NULL);
+    CHECK_INT(net.parameters, M);
+    CHECK_INT(net.size, 8);
+    for (i = 0; i < COUNT * M; ++i) x[i] = (float)test_uniform(&state);
+    neural_render(&net, x, COUNT, planes);
+    CHECK(neural_sheet(&net, x, COUNT, 9, 1, &sheet) == NULL);
+    CHECK_INT(sheet.width, 9 * 9 + 1);
+    CHECK_INT(sheet.height, 8 * 9 + 1);
+    CHECK(neural_sheet(&net, x, 1, 1 << 29, 1, &one) != NULL); /* too large */
+    for (i = 0; i < COUNT; ++i) {
+        CHECK(neural_sheet(&net, x + i * M, 1, 1, 0, &one) == NULL);
+        for (y = 0; y < 8; ++y)
+            CHECK(memcmp(one.pixels + 24 * y, sheet.pixels + 3 * ((1 + i / 9 * 9 + y) * sheet.width + 1 + i % 9 * 9), 24 * sizeof(float)) == 0);
+        neural_planes(&one, again);
+        for (y = 0; y < 192; ++y) {
+            float v = planes[i * 192 + y];
+            CHECK(again[y] == (v > 0 ? v < 1 ? v : 1 : 0));
+        }
+        image_free(&one);
+    }
+    image_free(&sheet);
+    neural_free(&net);
+}
+
+static const char *read_text(const char *text, materials *list)
+{
+    FILE *f = fopen("build/test_studio.csv", "wb");
+    if (f == NULL) return "build/test_studio.csv cannot be written";
+    fputs(text, f);
+    fclose(f);
+    return materials_read("build/test_studio.csv", 3, list);
+}
+
+static void test_materials(void)
+{
+    static const struct { const char *text; int count; float last; } good[] = {
+        {"0,0.5,1\n", 1, 1}, {"0,0.5,1", 1, 1}, {"\xEF\xBB\xBFx0,x1,x2\r\n0,0.5,1\r\n1;1;0.25\r\n", 2, 0.25f},
+        {"# a comment\n\na,b,c,score\n 0 , 0.5 ,1e-1, whatever\n", 1, 0.1f}, {"a,b,c, \"mean\" ,sigma\n0,1,0,3,4\n", 1, 0}};
+    static const struct { const char *text, *says; } bad[] = {
+        {"", "no materials"}, {"x0,x1,x2\n", "no materials"}, {"0,1\n", "2 columns"}, {"0,1,0,1\n", "4 columns"}, {"0,1,0\n0,1,0,\n", "line 2"},
+        {"0,1,1.0001\n", "column 3"}, {"0,-1e-9,1\n", "column 2"}, {"nan,1,1\n", "column 1"}, {"0,1,inf\n", "column 3"}, {"0,,1\n", "column 2"},
+        {"0,1 2,1\n", "column 2"}, {"a,b,c\na,b,c\n", "line 2"}, {"a,b,c,d\n0,0,0,0\n", "header"}, {"a,b\n0,0\n", "header"},
+        {"a,b,c,score\n0,0,0\n", "3 columns"}};
+    materials list;
+    size_t i;
+    char *text;
+    for (i = 0; i < sizeof good / sizeof *good; ++i) {
+        const char *problem = read_text(good[i].text, &list);
+        if (problem) TEST_FAIL("%d: %s", (int)i, problem);
+        CHECK_INT(list.count, good[i].count);
+        CHECK(!problem && list.x[3 * list.count - 1] == good[i].last);
+        materials_free(&list);
+    }
+    for (i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        const char *problem = read_text(bad[i].text, &list);
+        if (!problem || !strstr(problem, bad[i].says)) TEST_FAIL("'%s': %s", bad[i].text, problem ? problem : "accepted");
+        CHECK(list.x == NULL);
+    }
+    text = (char *)calloc(1, 60001); /* a line beyond every reasonable length */
+    for (i = 0; text && i < 60000; ++i) text[i] = i % 2 ? ',' : '0';
+    CHECK(text && strstr(read_text(text, &list), "too long"));
+    free(text);
+    CHECK(materials_read("build", 3, &list) != NULL); /* a folder */
+    remove("build/test_studio.csv");
+}
+
+/* The lobes of standard_surface (see materialx.h) against those of the shader. */
+static void test_materialx(void)
+{
+    uint64_t state = test_seed;
+    double x[M], worst = 0;
+    int round, k;
+    for (round = 0; round < 2000; ++round) {
+        double share[4], lobe[4];
+        materialx_surface s;
+        random_material(&state, x);
+        if (round % 2) { /* corners of the mixes, where shares are 0 */
+            x[7] = floor(2 * x[7]);
+            x[16] = floor(2 * x[16]);
+            x[17] = floor(2 * x[17]);
+        }
+        s = materialx_from(x);
+        share[0] = (1 - x[17]) * (1 - x[7]);
+        share[1] = (1 - x[17]) * x[7];
+        share[2] = x[17] * (1 - x[16]);
+        share[3] = x[17] * x[16];
+        lobe[0] = (1 - s.metalness) * (1 - s.transmission) * (1 - s.subsurface);
+        lobe[1] = s.metalness;
+        lobe[2] = (1 - s.metalness) * s.transmission;
+        lobe[3] = (1 - s.metalness) * (1 - s.transmission) * s.subsurface;
+        for (k = 0; k < 4; ++k) worst = fmax(worst, fabs(lobe[k] - share[k]));
+        for (k = 0; k < 3; ++k) {
+            if (share[1] <= 0 && share[0] > 0) CHECK(s.base_color[k] == x[k]);
+            if (share[0] <= 0 && share[1] > 0) CHECK(s.base_color[k] == x[3 + k]);
+            CHECK(s.transmission_color[k] > 0 && s.transmission_color[k] <= 1 && s.subsurface_color[k] >= 0 && s.subsurface_color[k] <= 1);
+        }
+        CHECK(s.specular_roughness >= 0 && s.specular_roughness <= 1);
+        CHECK_NEAR(s.specular_roughness + s.transmission_extra_roughness, x[11], 1e-15);
+    }
+    CHECK_LE(worst, 1e-14); /* a few roundings */
+    TEST_NOTE("shares differ by %.1e at most", worst);
+}
+
+static const test_case cases[] = {{"states", test_states},       {"session", test_session},     {"neural", test_neural},
+                                  {"materials", test_materials}, {"materialx", test_materialx}};
+TEST_MAIN(cases)
