@@ -1667,27 +1667,32 @@ static int ms_nn__index_of(const char *const *names, int count, const char *name
     return -1;
 }
 
-/* A JSON number as a double; enough for slopes and rates: up to 17 digits and a power of ten. */
+/* A JSON number as a double, within some units of its last place: enough for slopes and rates. */
 static ms_status ms_nn__json_real(ms_nn__json *j, double *value)
 {
-    int negative = ms_nn__take(j, '-'), exponent = 0, shift = 0, digits = 0;
+    int negative = ms_nn__take(j, '-'), exponent = 0, shift = 0, minus;
+    const unsigned char *first;
     double v = 0;
-    ms_nn__space(j);
-    for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p, ++digits) v = v * 10 + (*j->p - '0');
-    if (j->p < j->end && *j->p == '.' && digits)
-        for (++j->p; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p, ++digits, --shift) v = v * 10 + (*j->p - '0');
-    if (digits == 0 || digits > 17) return ms_nn__bad(j, "expected a number of at most 17 digits");
+    if (!negative) ms_nn__space(j);
+    first = j->p;
+    for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p) v = v * 10 + (*j->p - '0');
+    if (j->p == first || (*first == '0' && j->p > first + 1)) return ms_nn__bad(j, "expected a number without leading zeros");
+    if (j->p < j->end && *j->p == '.') {
+        first = ++j->p;
+        for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p, --shift) v = v * 10 + (*j->p - '0');
+        if (j->p == first) return ms_nn__bad(j, "expected digits behind the point");
+    }
     if (j->p < j->end && (*j->p == 'e' || *j->p == 'E')) {
-        int minus, any = 0;
         ++j->p;
         minus = j->p < j->end && *j->p == '-';
         if (j->p < j->end && (*j->p == '-' || *j->p == '+')) ++j->p;
-        for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p, any = 1)
+        first = j->p;
+        for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
             if (exponent < 1000) exponent = exponent * 10 + (*j->p - '0');
-        if (!any) return ms_nn__bad(j, "expected the digits of an exponent");
+        if (j->p == first) return ms_nn__bad(j, "expected the digits of an exponent");
         if (minus) exponent = -exponent;
     }
-    v *= pow(10.0, (double)(exponent + shift));
+    v *= pow(10.0, (double)exponent + (double)shift);
     *value = negative ? -v : v;
     return MS_OK;
 }

@@ -1000,6 +1000,50 @@ static void test_refused(void)
     TEST_NOTE("%d layer lists", (int)i);
 }
 
+/* Slopes as other writers print them; what is no JSON number is refused. */
+static void test_numbers(void)
+{
+    static const char *const good[] = {"0.30000000000000004", "0.009999999776482582", "1E-2", "12.5e+1", "0", "0.0", "100000000000000000000"};
+    static const char *const bad[] = {"01", "1.", ".5", "-0.5", "1e", "1e+", "0x1", "nan", "- 1", "1e31", "\"1\""};
+    size_t i, goods = sizeof good / sizeof good[0];
+    for (i = 0; i < goods + sizeof bad / sizeof bad[0]; ++i) {
+        static const size_t shape[2] = {1, 1};
+        static const unsigned char one[4] = {0, 0, 0x80, 0x3f};
+        const char *text = i < goods ? good[i] : bad[i - goods];
+        char layers[200];
+        ref_net file;
+        ms_nn_tensor t;
+        ms_nn_entry e[3];
+        ms_nn_sink sink;
+        ms_nn *nn = NULL;
+        memset(&file, 0, sizeof file);
+        memset(&t, 0, sizeof t);
+        snprintf(layers, sizeof layers, "[{\"type\":\"dense\",\"name\":\"f\",\"bias\":false,\"activation\":\"leaky_relu\",\"alpha\":%s}]", text);
+        t.name = "f.weight";
+        t.dtype = MS_NN_F32;
+        t.rank = 2;
+        t.shape = shape;
+        t.data = one;
+        t.bytes = sizeof one;
+        e[0].key = "ms_nn_version"; e[0].value = "1";
+        e[1].key = "ms_nn_input"; e[1].value = "[1]";
+        e[2].key = "ms_nn_layers"; e[2].value = layers;
+        sink.user = &file;
+        sink.write = net_sink;
+        CHECK_INT(ms_nn_file_write(&t, 1, e, 3, NULL, sink, NULL), MS_OK);
+        if (ms_nn_load(file.file, file.size, NULL, &nn, NULL) == MS_OK) {
+            float x = -1, y = 0;
+            if (i >= goods) TEST_FAIL("alpha %s was taken", text);
+            CHECK_INT(ms_nn_forward(nn, 1, &x, &y, NULL), MS_OK);
+            CHECK_NEAR(-(double)y, strtod(text, NULL), 1e-7 * strtod(text, NULL)); /* a float's rounding */
+        } else if (i < goods) {
+            TEST_FAIL("alpha %s was refused", text);
+        }
+        ms_nn_destroy(nn);
+        free(file.file);
+    }
+}
+
 static void test_arguments(void)
 {
     uint64_t state = 1;
@@ -1438,6 +1482,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"unaligned", test_unaligned},
                                   {"not finite", test_not_finite},
                                   {"refused", test_refused},
+                                  {"numbers", test_numbers},
                                   {"arguments", test_arguments},
                                   {"collapse", test_collapse},
                                   {"collapse of one layer", test_collapse_alone},
