@@ -1,11 +1,17 @@
 /* ms_nn.h: the thesis's networks at full size, speed against error, beside the speed of memory, OpenBLAS, oneDNN and PyTorch.
-   Writes build/bench/nn.csv, nn.md. Needs 4.5 GB of memory; `bench_nn small` needs 300 MB (pictures of 128 x 128).
+   Writes build/bench/nn.csv, nn.md (the renderer) and nn_more.md. Needs 9 GB of memory, without PyTorch 5; `bench_nn small` 500 MB
+   (pictures of 128 x 128). A word after it picks a part: shared, convolution, renderer, inversion, collapse.
    peer libraries: -lopenblas -ldnnl */
+#ifndef _DEFAULT_SOURCE
+#define _DEFAULT_SOURCE /* madvise */
+#endif
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "bench.h"
 #include "nets.h"
 #include <pthread.h>
+#include <signal.h>
+#include <sys/mman.h>
 #include <unistd.h>
 #include "test.h"
 #if defined(HAVE_DNNL)
@@ -19,10 +25,8 @@ void cblas_sgemv(int order, int trans, int m, int n, float alpha, const float *a
 #include <immintrin.h>
 #endif
 
-static FILE *csv, *md;
+static FILE *csv, *md, *more;
 static int side = 410;
-static double torch_time[3][3]; /* [renderer, inversion, convolution][threads]; 0: not measured */
-static char torch_version[64] = "";
 
 static void record(const char *what, const char *how, double seconds, double spread)
 {
@@ -197,27 +201,92 @@ static void dnnl_make(dnnl_job *j, int n, int size)
 }
 #endif
 
-static void run_torch(void)
+/* tests/bench/bench_nn_torch.py as a process that runs a network when it is told to, so that its runs and ours take turns. */
+typedef struct torch_peer {
+    FILE *to, *from;
+    char version[64];
+} torch_peer;
+
+static torch_peer torch_start(int huge_pages)
 {
-    static const char *const names[3] = {"renderer", "inversion", "convolution"};
     static const char *const pythons[2] = {"python3", "/usr/bin/python3"};
-    char line[200], command[200], name[64], version[64];
-    int i, p;
-    for (p = 0; p < 2 && torch_version[0] == 0; ++p) {
-        FILE *f;
-        snprintf(command, sizeof command, "%s tests/bench/bench_nn_torch.py 2>/dev/null", pythons[p]);
-        f = popen(command, "r");
-        while (f && fgets(line, sizeof line, f)) {
-            int threads;
-            double seconds;
-            if (sscanf(line, "%63s %d %lf %63s", name, &threads, &seconds, version) < 3) continue;
-            if (strcmp(name, "version") == 0) strcpy(torch_version, version);
-            for (i = 0; i < 3; ++i)
-                if (strcmp(name, names[i]) == 0) torch_time[i][threads] = seconds;
+    torch_peer t;
+    int i;
+    memset(&t, 0, sizeof t);
+    signal(SIGPIPE, SIG_IGN);
+    for (i = 0; i < 2; ++i) {
+        int in[2], out[2];
+        pid_t child;
+        if (pipe(in) != 0 || pipe(out) != 0) exit(1);
+        child = fork();
+        if (child == 0) {
+            dup2(in[0], 0);
+            dup2(out[1], 1);
+            close(in[1]);
+            close(out[0]);
+            if (huge_pages) setenv("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1", 1);
+            if (freopen("/dev/null", "w", stderr) == NULL) exit(1);
+            execlp(pythons[i], pythons[i], "tests/bench/bench_nn_torch.py", (char *)NULL);
+            exit(1);
         }
-        if (f) pclose(f);
+        close(in[0]);
+        close(out[1]);
+        t.to = fdopen(in[1], "w");
+        t.from = fdopen(out[0], "r");
+        if (fscanf(t.from, "version %63s", t.version) == 1) return t;
+        fclose(t.to);
+        fclose(t.from);
     }
-    if (torch_version[0] == 0) printf("PyTorch: not found, skipped\n");
+    t.version[0] = 0;
+    printf("PyTorch: not found, skipped\n");
+    return t;
+}
+
+static void torch_stop(torch_peer *t)
+{
+    if (t->version[0] == 0) return;
+    fclose(t->to); /* the end of its input ends it */
+    fclose(t->from);
+}
+
+/* Seconds of one run: thread CPU time for one thread, else by the wall. */
+static double torch_run(torch_peer *t, const char *network, int threads)
+{
+    double seconds;
+    fprintf(t->to, "%s %d %d\n", network, side, threads);
+    fflush(t->to);
+    if (fscanf(t->from, "%lf", &seconds) != 1) exit(1);
+    return seconds;
+}
+
+/* Ours and PyTorch's in turn. */
+static bench_pair torch_compare(torch_peer *t, const char *network, void (*run)(void *), void *context, int n)
+{
+    double a[64], b[64], ratio[64];
+    bench_pair p;
+    int i;
+    run(context);
+    torch_run(t, network, 1);
+    for (i = 0; i < n; ++i) {
+        double start = bench_cpu();
+        run(context);
+        a[i] = bench_cpu() - start;
+        b[i] = torch_run(t, network, 1);
+        ratio[i] = b[i] / a[i];
+    }
+    p.a = bench_summary(a, n);
+    p.b = bench_summary(b, n);
+    p.ratio = bench_summary(ratio, n);
+    return p;
+}
+
+static double torch_wall(torch_peer *t, const char *network, int threads, int n)
+{
+    double seconds[64];
+    int i;
+    torch_run(t, network, threads);
+    for (i = 0; i < n; ++i) seconds[i] = torch_run(t, network, threads);
+    return bench_median(seconds, n);
 }
 
 /* --- tables --- */
@@ -235,112 +304,132 @@ static double psnr(const float *y, const float *reference, size_t n)
     return 10 * log10((high - low) * (high - low) * (double)n / sum);
 }
 
+/* The last layer alone, a view of the network's, beside the general matrix-vector product of a BLAS. */
+static void bench_last_layer(const runner *r)
+{
+#if defined(HAVE_OPENBLAS)
+    const ms_nn_tensor *w = ms_nn_file_find(ms_nn_tensors(r->nn), "fc2.weight");
+    ms_nn view = *r->nn;
+    runner layer = *r;
+    blas_job blas;
+    bench_pair p;
+    uint64_t state = 3;
+    int i;
+    blas.rows = (int)w->shape[0];
+    blas.cols = (int)w->shape[1];
+    layer.x = (float *)malloc((size_t)blas.cols * sizeof(float));
+    for (i = 0; i < blas.cols; ++i) layer.x[i] = nets_uniform(&state);
+    view.op += view.ops - 1;
+    view.ops = 1;
+    view.inner.c = (size_t)blas.cols;
+    view.inner.h = view.inner.w = 1;
+    view.input.rank = 1;
+    view.input.size[0] = (size_t)blas.cols;
+    layer.nn = &view;
+    openblas_set_num_threads(1);
+    blas.w = (const float *)w->data;
+    blas.x = layer.x;
+    blas.y = (float *)malloc((size_t)blas.rows * sizeof(float));
+    p = bench_compare(run_forward, &layer, run_sgemv, &blas, 9);
+    record("last layer", "ms_nn f32", p.a.median, p.a.spread);
+    record("last layer", "OpenBLAS sgemv", p.b.median, p.b.spread);
+    fprintf(csv, "sgemv over ms_nn,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
+    fprintf(md, "| last layer: OpenBLAS sgemv | %.1f | | | | %.1f | |\n| last layer: ms_nn F32, %.2f +- %.2f x sgemv | %.1f | | | | %.1f | |\n", 1e3 * p.b.median,
+            (double)w->bytes / p.b.median * 1e-9, p.ratio.median, p.ratio.spread, 1e3 * p.a.median, (double)w->bytes / p.a.median * 1e-9);
+    free(layer.x);
+    free(blas.y);
+#else
+    (void)r;
+    printf("OpenBLAS: not found, skipped\n");
+#endif
+}
+
+/* Beside the network in floats: the same bytes only read, sgemv, the scalar code, PyTorch. */
+static void renderer_peers(runner *r, torch_peer *torch)
+{
+    memory_job memory;
+    runner scalar;
+    bench_pair p;
+    bench_time t;
+    memory.bytes = r->file->bytes;
+    memory.size = r->file->size;
+    memory.sum = 0;
+    p = bench_compare(run_read, &memory, run_forward, r, 9);
+    record("memory read", "one thread", p.a.median, p.a.spread);
+    fprintf(csv, "renderer over read,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
+    fprintf(md, "| reading the F32 file, nothing else (%.0f%% of ms_nn F32) | %.1f | | | %.0f | %.1f | |\n", 100 / p.ratio.median, 1e3 * p.a.median, (double)memory.size * 1e-6,
+            (double)memory.size / p.a.median * 1e-9);
+    bench_last_layer(r);
+    scalar = runner_make(r->file, MS_SIMD_SCALAR, no_threads(), 0);
+    t = bench_run(run_forward, &scalar, 3);
+    record("renderer, scalar code", "F32", t.median, t.spread);
+    fprintf(md, "| ms_nn F32, scalar code | %.1f | | | | %.1f | |\n", 1e3 * t.median, (double)memory.size / t.median * 1e-9);
+    runner_free(&scalar);
+    if (torch->version[0] && side == 410) {
+        double both;
+        p = torch_compare(torch, "renderer", run_forward, r, 9);
+        both = torch_wall(torch, "renderer", 2, 5);
+        record("renderer", "PyTorch", p.b.median, p.b.spread);
+        fprintf(csv, "PyTorch over ms_nn,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
+        fprintf(md, "| PyTorch %s F32: %.2f +- %.2f x ms_nn F32 | %.1f +- %.1f | | | | | %.1f |\n", torch->version, p.ratio.median, p.ratio.spread, 1e3 * p.b.median,
+                1e3 * p.b.spread, 1e3 * both);
+    }
+}
+
 static void bench_renderer(void)
 {
     static const ms_nn_dtype types[4] = {MS_NN_F32, MS_NN_BF16, MS_NN_F16, MS_NN_I8};
     size_t outputs = (size_t)(3 * side * side);
     float *reference = (float *)malloc(outputs * sizeof(float));
-    double f32 = 0, wall1 = 0;
-    int k;
-    fprintf(md, "\n| renderer %d x %d, one picture | ms | x f32 | PSNR against f32, dB | file, MB | GB/s | two threads, ms |\n|---|---:|---:|---:|---:|---:|---:|\n", side, side);
+    torch_peer torch = torch_start(0);
+    double f32[2] = {0, 0};
+    int k, huge;
+    fprintf(md, "\n| renderer %d x %d, one picture | ms | x F32 | PSNR against F32, dB | file, MB | GB/s | two threads, ms |\n|---|---:|---:|---:|---:|---:|---:|\n", side, side);
     for (k = 0; k < 4; ++k) {
         nets_file *f = (nets_file *)malloc(sizeof *f);
-        runner r, two;
-        bench_time t;
-        char label[64];
-        double quality, both;
-        test_pool pool;
         if (nets_renderer(f, side, 64, 1000, types[k])) exit(1);
-        r = runner_make(f, MS_SIMD_AUTO, no_threads(), 1);
-        record("renderer load, no folds", ms_nn_dtype_string(types[k]), r.load, 0);
-        runner_free(&r);
-        r = runner_make(f, MS_SIMD_AUTO, no_threads(), 0);
-        record("renderer load", ms_nn_dtype_string(types[k]), r.load, 0);
-        if (types[k] == MS_NN_F32) {
-            memory_job memory;
-            bench_pair p;
-            memory.bytes = f->bytes;
-            memory.size = f->size;
-            memory.sum = 0;
-            p = bench_compare(run_read, &memory, run_forward, &r, 9);
-            record("memory read", "one thread", p.a.median, p.a.spread);
-            fprintf(csv, "renderer over read,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
-            printf("renderer / read of the file: %.3f +- %.3f (read %.1f GB/s)\n", p.ratio.median, p.ratio.spread, (double)f->size / p.a.median * 1e-9);
-            fprintf(md, "| reading the f32 file, nothing else | %.1f | | | %.0f | %.1f | |\n", 1e3 * p.a.median, (double)f->size * 1e-6, (double)f->size / p.a.median * 1e-9);
-#if defined(HAVE_OPENBLAS)
-            {
-                blas_job blas;
-                const ms_nn_tensor *w = ms_nn_file_find(ms_nn_tensors(r.nn), "fc2.weight");
-                runner l;
-                uint64_t state = 3;
-                int i;
-                float *h = (float *)malloc(1000 * sizeof(float)), *y = (float *)malloc(outputs * sizeof(float));
-                openblas_set_num_threads(1);
-                blas.w = (const float *)w->data;
-                blas.x = h;
-                blas.y = y;
-                blas.rows = (int)outputs;
-                blas.cols = 1000;
-                for (i = 0; i < 1000; ++i) h[i] = nets_uniform(&state);
-                l = r; /* the same matrix: a view of the network's last layer */
-                {
-                    ms_nn view = *r.nn;
-                    view.op += view.ops - 1;
-                    view.ops = 1;
-                    view.inner.c = 1000;
-                    view.inner.h = view.inner.w = 1;
-                    view.input.rank = 1;
-                    view.input.size[0] = 1000;
-                    l.nn = &view;
-                    l.x = h;
-                    p = bench_compare(run_forward, &l, run_sgemv, &blas, 9);
-                }
-                record("last layer", "ms_nn f32", p.a.median, p.a.spread);
-                record("last layer", "OpenBLAS sgemv", p.b.median, p.b.spread);
-                fprintf(csv, "sgemv over ms_nn,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
-                printf("OpenBLAS / ms_nn on the last layer: %.2f +- %.2f\n", p.ratio.median, p.ratio.spread);
-                fprintf(md, "| last layer: OpenBLAS sgemv | %.1f | | | | %.1f | |\n| last layer: ms_nn f32 | %.1f | | | | %.1f | |\n", 1e3 * p.b.median,
-                        (double)w->bytes / p.b.median * 1e-9, 1e3 * p.a.median, (double)w->bytes / p.a.median * 1e-9);
-                free(h);
-                free(y);
+        for (huge = 0; huge < 2; ++huge) {
+            runner r, two;
+            bench_time t;
+            char label[64];
+            double both;
+            test_pool pool;
+            if (huge && nets_huge_pages(f)) break;
+            snprintf(label, sizeof label, "%s%s", ms_nn_dtype_string(types[k]), huge ? ", huge pages" : "");
+            r = runner_make(f, MS_SIMD_AUTO, no_threads(), 0);
+            record("renderer load", label, r.load, 0);
+            if (k == 0 && !huge) renderer_peers(&r, &torch);
+            t = bench_run(run_forward, &r, 9);
+            two = runner_make(f, MS_SIMD_AUTO, test_parallel(&pool, 2), 0);
+            both = wall(run_forward, &two, 5);
+            runner_free(&two);
+            if (k == 0) f32[huge] = t.median;
+            if (k == 0 && !huge) memcpy(reference, r.y, outputs * sizeof(float));
+            record("renderer", label, t.median, t.spread);
+            record("renderer, two threads (wall)", label, both, 0);
+            fprintf(md, "| ms_nn %s | %.1f +- %.1f | %.2f | ", label, 1e3 * t.median, 1e3 * t.spread, f32[huge] / t.median);
+            if (k) {
+                fprintf(csv, "renderer psnr,%s,%.4g,0\n", label, psnr(r.y, reference, outputs));
+                fprintf(md, "%.0f", psnr(r.y, reference, outputs));
             }
-#else
-            printf("OpenBLAS: not found, skipped\n");
-#endif
+            fprintf(md, " | %.0f | %.1f | %.1f |\n", (double)f->size * 1e-6, (double)f->size / t.median * 1e-9, 1e3 * both);
+            runner_free(&r);
         }
-        t = bench_run(run_forward, &r, 9);
-        wall1 = wall(run_forward, &r, 5);
-        two = runner_make(f, MS_SIMD_AUTO, test_parallel(&pool, 2), 0);
-        both = wall(run_forward, &two, 5);
-        runner_free(&two);
-        if (k == 0) {
-            f32 = t.median;
-            memcpy(reference, r.y, outputs * sizeof(float));
-        }
-        quality = k ? psnr(r.y, reference, outputs) : 0;
-        snprintf(label, sizeof label, "%s", ms_nn_dtype_string(types[k]));
-        record("renderer", label, t.median, t.spread);
-        record("renderer, two threads (wall)", label, both, 0);
-        record("renderer, one thread (wall)", label, wall1, 0);
-        fprintf(csv, "renderer psnr,%s,%.4g,0\n", label, quality);
-        printf("  %.2f x f32, PSNR %.1f dB\n", f32 / t.median, quality);
-        fprintf(md, "| ms_nn %s | %.1f +- %.1f | %.2f | ", label, 1e3 * t.median, 1e3 * t.spread, f32 / t.median);
-        if (k) fprintf(md, "%.0f", quality);
-        fprintf(md, " | %.0f | %.1f | %.1f |\n", (double)f->size * 1e-6, (double)f->size / t.median * 1e-9, 1e3 * both);
-        runner_free(&r);
         free(f->bytes);
         free(f);
     }
-    if (torch_time[0][1] > 0) {
-        record("renderer", "PyTorch f32", torch_time[0][1], 0);
-        printf("PyTorch / ms_nn: %.2f\n", torch_time[0][1] / f32);
-        fprintf(md, "| PyTorch %s f32 | %.1f | %.2f | | | | %.1f |\n", torch_version, 1e3 * torch_time[0][1], f32 / torch_time[0][1], 1e3 * torch_time[0][2]);
+    torch_stop(&torch);
+    if (side == 410 && torch.version[0]) {
+        torch = torch_start(1);
+        fprintf(md, "| PyTorch %s F32, huge pages | %.1f | | | | | |\n", torch.version, 1e3 * torch_wall(&torch, "renderer", 1, 9));
+        torch_stop(&torch);
     }
     free(reference);
 }
 
 static void bench_convolution(void)
 {
+    torch_peer torch = torch_start(0);
     nets_file *f = (nets_file *)malloc(sizeof *f);
     double macs = 205.0 * 205 * 32 * 32 * 9;
     int level;
@@ -349,14 +438,14 @@ static void bench_convolution(void)
     nets_begin(f, "[32,205,205]");
     nets_layer(f, "{\"type\":\"conv2d\",\"name\":\"c\",\"filters\":32,\"kernel\":3,\"padding\":\"same\"}", "c", MS_NN_F32, 4, 32, 32, 3, 3);
     nets_end(f);
-    fprintf(md, "\n| Conv2D 32 -> 32, 3 x 3, 205 x 205 | ms | G multiply-adds/s |\n|---|---:|---:|\n");
+    fprintf(more, "\n| Conv2D 32 -> 32, 3 x 3, 205 x 205 | ms | G multiply-adds/s |\n|---|---:|---:|\n");
     for (level = MS_SIMD_AVX512; level >= MS_SIMD_SCALAR; --level) {
         bench_time t;
         r = runner_make(f, (ms_simd)level, no_threads(), 0);
         if ((int)ms_nn_simd(r.nn) == level) {
             t = bench_run(run_forward, &r, level == MS_SIMD_SCALAR ? 3 : 9);
             record("convolution", ms_simd_string((ms_simd)level), t.median, t.spread);
-            fprintf(md, "| ms_nn %s | %.2f +- %.2f | %.1f |\n", ms_simd_string((ms_simd)level), 1e3 * t.median, 1e3 * t.spread, macs / t.median * 1e-9);
+            fprintf(more, "| ms_nn %s | %.2f +- %.2f | %.1f |\n", ms_simd_string((ms_simd)level), 1e3 * t.median, 1e3 * t.spread, macs / t.median * 1e-9);
         }
         runner_free(&r);
     }
@@ -370,7 +459,7 @@ static void bench_convolution(void)
         record("convolution", "oneDNN", p.b.median, p.b.spread);
         fprintf(csv, "oneDNN over ms_nn,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
         printf("oneDNN / ms_nn: %.3f +- %.3f\n", p.ratio.median, p.ratio.spread);
-        fprintf(md, "| oneDNN %d.%d, blocked layouts, no reorders | %.2f +- %.2f | %.1f |\n", dnnl_version()->major, dnnl_version()->minor, 1e3 * p.b.median,
+        fprintf(more, "| oneDNN %d.%d, blocked layouts, no reorders | %.2f +- %.2f | %.1f |\n", dnnl_version()->major, dnnl_version()->minor, 1e3 * p.b.median,
                 1e3 * p.b.spread, macs / p.b.median * 1e-9);
     }
 #else
@@ -383,58 +472,88 @@ static void bench_convolution(void)
         printf("convolution on two threads: %.2f x one\n", one / two);
         record("convolution, two threads (wall)", "auto", two, 0);
         record("convolution, one thread (wall)", "auto", one, 0);
-        fprintf(md, "| ms_nn, two threads (wall; one: %.2f) | %.2f | %.1f |\n", 1e3 * one, 1e3 * two, macs / two * 1e-9);
+        fprintf(more, "| ms_nn, two threads (wall; one: %.2f) | %.2f | %.1f |\n", 1e3 * one, 1e3 * two, macs / two * 1e-9);
         runner_free(&t);
     }
-    if (torch_time[2][1] > 0) fprintf(md, "| PyTorch %s | %.2f | %.1f |\n", torch_version, 1e3 * torch_time[2][1], macs / torch_time[2][1] * 1e-9);
+    if (torch.version[0]) {
+        bench_pair p = torch_compare(&torch, "convolution", run_forward, &r, 15);
+        record("convolution", "PyTorch", p.b.median, p.b.spread);
+        fprintf(more, "| PyTorch %s, %.2f +- %.2f x ms_nn | %.2f +- %.2f | %.1f |\n", torch.version, p.ratio.median, p.ratio.spread, 1e3 * p.b.median, 1e3 * p.b.spread,
+                macs / p.b.median * 1e-9);
+    }
+    torch_stop(&torch);
     runner_free(&r);
     free(f->bytes);
     free(f);
 }
 
+/* 1 (by assumption), 2, 3, 6, 7 and 9 are one architecture: they differ by dropout and training; 4 and 5 are another, 8 a third. */
 static void bench_inversion(void)
 {
+    static const int numbers[9] = {1, 2, 3, 6, 7, 9, 4, 5, 8};
     static const ms_nn_dtype types[2] = {MS_NN_F32, MS_NN_I8};
-    int k, number;
-    fprintf(md, "\n| inversion networks of 4.3.1, %d x %d | parameters, M | multiply-adds, M | file, MB | workspace, MB | ms |\n|---|---:|---:|---:|---:|---:|\n", side, side);
-    for (number = 2; number <= 8; number += number == 2 ? 2 : 4)
-        for (k = 0; k < 2; ++k) {
-            nets_file *f = (nets_file *)malloc(sizeof *f);
-            runner r;
-            bench_time t;
-            double parameters = 0, macs = 0;
+    bench_time t[2][10];
+    size_t size[2][10], workspace[10];
+    double parameters[10], macs[10], total[2] = {0, 0}, megabytes[2] = {0, 0};
+    bench_pair two;
+    torch_peer torch = torch_start(0);
+    int k, i, j, number;
+    memset(&two, 0, sizeof two);
+    for (k = 0; k < 2; ++k) {
+        nets_file *f = NULL;
+        for (i = 0; i < 9; ++i) {
             char label[64];
-            int i;
-            if (nets_inversion(f, number, side, 19, types[k])) exit(1);
+            runner r;
+            number = numbers[i];
+            if (i == 0 || number == 4 || number == 8) { /* another architecture */
+                if (f) free(f->bytes);
+                free(f);
+                f = (nets_file *)malloc(sizeof *f);
+                if (nets_inversion(f, number, side, 19, types[k])) exit(1);
+            }
             r = runner_make(f, MS_SIMD_AUTO, no_threads(), 0);
-            for (i = 0; i < ms_nn_layer_count(r.nn); ++i) {
-                parameters += (double)ms_nn_layer_at(r.nn, i).parameters;
-                macs += (double)ms_nn_layer_at(r.nn, i).multiply_adds;
+            size[k][number] = f->size;
+            workspace[number] = ms_nn_workspace_size(r.nn, MS_NN_FORWARD, 1);
+            parameters[number] = macs[number] = 0;
+            for (j = 0; j < ms_nn_layer_count(r.nn); ++j) {
+                parameters[number] += (double)ms_nn_layer_at(r.nn, j).parameters;
+                macs[number] += (double)ms_nn_layer_at(r.nn, j).multiply_adds;
             }
-            t = bench_run(run_forward, &r, 9);
+            t[k][number] = bench_run(run_forward, &r, 5);
+            if (number == 2 && k == 0 && torch.version[0] && side == 410) two = torch_compare(&torch, "inversion", run_forward, &r, 9);
             snprintf(label, sizeof label, "%d %s", number, ms_nn_dtype_string(types[k]));
-            record("inversion", label, t.median, t.spread);
-            fprintf(md, "| %s | %.1f | %.0f | %.0f | %.1f | %.1f +- %.1f |\n", label, parameters * 1e-6, macs * 1e-6, (double)f->size * 1e-6,
-                    (double)ms_nn_workspace_size(r.nn, MS_NN_FORWARD, 1) * 1e-6, 1e3 * t.median, 1e3 * t.spread);
-            if (number == 2 && k == 0 && torch_time[1][1] > 0) {
-                printf("PyTorch / ms_nn on inversion network 2: %.2f\n", torch_time[1][1] / t.median);
-                fprintf(md, "| 2, PyTorch %s f32 | | | | | %.1f |\n", torch_version, 1e3 * torch_time[1][1]);
-            }
+            record("inversion", label, t[k][number].median, t[k][number].spread);
+            total[k] += t[k][number].median;
+            megabytes[k] += (double)f->size * 1e-6;
             runner_free(&r);
-            free(f->bytes);
-            free(f);
         }
+        free(f->bytes);
+        free(f);
+    }
+    torch_stop(&torch);
+    fprintf(more, "\n| inversion networks of 4.3.1, %d x %d | parameters, M | multiply-adds, M | workspace, MB | F32 file, MB | F32, ms | I8 file, MB | I8, ms |\n", side, side);
+    fprintf(more, "|---|---:|---:|---:|---:|---:|---:|---:|\n");
+    for (number = 1; number <= 9; ++number)
+        fprintf(more, "| %d%s | %.1f | %.0f | %.1f | %.0f | %.1f +- %.1f | %.0f | %.1f +- %.1f |\n", number, number == 1 ? " (missing in the text; taken as 2)" : "", parameters[number] * 1e-6,
+                macs[number] * 1e-6, (double)workspace[number] * 1e-6, (double)size[0][number] * 1e-6, 1e3 * t[0][number].median, 1e3 * t[0][number].spread,
+                (double)size[1][number] * 1e-6, 1e3 * t[1][number].median, 1e3 * t[1][number].spread);
+    fprintf(more, "| best of nine | | | | %.0f | %.1f | %.0f | %.1f |\n", megabytes[0], 1e3 * total[0], megabytes[1], 1e3 * total[1]);
+    if (two.b.median > 0) {
+        record("inversion 2", "PyTorch", two.b.median, two.b.spread);
+        fprintf(csv, "PyTorch over ms_nn inversion 2,ratio,%.4g,%.2g\n", two.ratio.median, two.ratio.spread);
+        fprintf(more, "| 2, PyTorch %s, %.2f +- %.2f x ms_nn | | | | | %.1f +- %.1f | | |\n", torch.version, two.ratio.median, two.ratio.spread, 1e3 * two.b.median, 1e3 * two.b.spread);
+    }
 }
 
 static void bench_shared(void)
 {
     static const ms_nn_dtype types[4] = {MS_NN_F32, MS_NN_BF16, MS_NN_F16, MS_NN_I8};
     int k, level;
-    fprintf(md, "\n| shared-channel renderer, 64 x 64, three channels | file, MB | scalar, ms | base | avx2 | avx512 |\n|---|---:|---:|---:|---:|---:|\n");
+    fprintf(more, "\n| shared-channel renderer, 64 x 64, three channels | file, MB | scalar, ms | base | avx2 | avx512 |\n|---|---:|---:|---:|---:|---:|\n");
     for (k = 0; k < 4; ++k) {
         nets_file *f = (nets_file *)malloc(sizeof *f);
-        if (nets_shared(f, 64, types[k])) exit(1);
-        fprintf(md, "| %s | %.1f |", ms_nn_dtype_string(types[k]), (double)f->size * 1e-6);
+        if (nets_shared(f, 64, 160, types[k])) exit(1);
+        fprintf(more, "| %s | %.1f |", ms_nn_dtype_string(types[k]), (double)f->size * 1e-6);
         for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
             runner r = runner_make(f, (ms_simd)level, no_threads(), 0);
             bench_time t = bench_run(run_forward, &r, 31);
@@ -442,13 +561,13 @@ static void bench_shared(void)
             snprintf(label, sizeof label, "%s %s", ms_nn_dtype_string(types[k]), ms_simd_string((ms_simd)level));
             if ((int)ms_nn_simd(r.nn) == level) {
                 record("shared channels", label, t.median, t.spread);
-                fprintf(md, " %.3f |", 1e3 * t.median);
+                fprintf(more, " %.3f |", 1e3 * t.median);
             } else {
-                fprintf(md, " - |");
+                fprintf(more, " - |");
             }
             runner_free(&r);
         }
-        fprintf(md, "\n");
+        fprintf(more, "\n");
         free(f->bytes);
         free(f);
     }
@@ -473,45 +592,67 @@ static void run_residual(void *context)
     if (ms_nn_collapse_residual(j->c, j->x, j->residual, j->jacobian, j->workspace) != MS_OK) exit(1);
 }
 
-static void bench_collapse(void)
+/* The objective without the last layer: R once a network, q once a target, then value, residual and Jacobian. */
+static void bench_collapse(const char *label, nets_file *f)
 {
-    nets_file *f = (nets_file *)malloc(sizeof *f);
-    int pixels = side < 128 ? side : 128;
     collapse_job job;
     ms_nn_collapse *c = NULL;
-    bench_time t, full;
-    runner r;
-    double start, made, target;
-    if (nets_renderer(f, pixels, 64, 1000, MS_NN_F32)) exit(1);
+    bench_time picture, value, slopes;
+    runner r, two;
+    test_pool pool;
+    double start, made, target[5];
+    size_t features, i;
+    two = runner_make(f, MS_SIMD_AUTO, test_parallel(&pool, 2), 0);
+    start = bench_wall();
+    if (ms_nn_collapse_create(two.nn, NULL, &c, NULL) != MS_OK) exit(1);
+    made = bench_wall() - start;
     r = runner_make(f, MS_SIMD_AUTO, no_threads(), 0);
-    full = bench_run(run_forward, &r, 9);
-    start = bench_cpu();
-    if (ms_nn_collapse_create(r.nn, NULL, &c, NULL) != MS_OK) exit(1);
-    made = bench_cpu() - start;
-    start = bench_cpu();
-    if (ms_nn_collapse_target(c, r.y, NULL) != MS_OK) exit(1);
-    target = bench_cpu() - start;
-    job.c = c;
-    job.x = r.x;
-    job.workspace = malloc(ms_nn_collapse_workspace_size(c, 1));
-    job.residual = (double *)malloc(1001 * sizeof(double));
-    job.jacobian = (double *)malloc(1001 * 19 * sizeof(double));
-    t = bench_run(run_value, &job, 15);
-    record("collapse: QR", "1000 features", made, 0);
-    record("collapse: target", "1000 features", target, 0);
-    record("collapse: value", "1000 features", t.median, t.spread);
-    fprintf(md, "\n| collapse, 1000 features, %d x %d | ms |\n|---|---:|\n| R (once a network) | %.0f |\n| target (once a target) | %.0f |\n| value | %.2f +- %.2f |\n", pixels,
-            pixels, 1e3 * made, 1e3 * target, 1e3 * t.median, 1e3 * t.spread);
-    t = bench_run(run_residual, &job, 9);
-    record("collapse: residual and Jacobian", "1000 features", t.median, t.spread);
-    record("picture for comparison", "f32", full.median, full.spread);
-    fprintf(md, "| residual and Jacobian | %.2f +- %.2f |\n| the picture itself, for comparison | %.2f |\n", 1e3 * t.median, 1e3 * t.spread, 1e3 * full.median);
+    picture = bench_run(run_forward, &r, 9);
+    features = ms_nn_collapse_features(c);
+    {
+        ms_nn_collapse one = *c; /* the same R, run on this thread */
+        one.nn = r.nn;
+        one.m = &r.nn->op[r.nn->ops - 1].matrix;
+        one.trunk.options = r.nn->options;
+        for (i = 0; i < 5; ++i) {
+            start = bench_cpu();
+            if (ms_nn_collapse_target(&one, r.y, NULL) != MS_OK) exit(1);
+            target[i] = bench_cpu() - start;
+        }
+        job.c = &one;
+        job.x = r.x;
+        job.workspace = malloc(ms_nn_collapse_workspace_size(&one, 1));
+        job.residual = (double *)malloc((features + 1) * sizeof(double));
+        job.jacobian = (double *)malloc((features + 1) * ms_nn_input_size(r.nn) * sizeof(double));
+        value = bench_run(run_value, &job, 15);
+        slopes = bench_run(run_residual, &job, 9);
+    }
+    record("collapse: R, two threads (wall)", label, made, 0);
+    record("collapse: target", label, bench_median(target, 5), 0);
+    record("collapse: value", label, value.median, value.spread);
+    record("collapse: residual and Jacobian", label, slopes.median, slopes.spread);
+    record("picture for comparison", label, picture.median, picture.spread);
+    fprintf(more, "| %s | %.0f | %.1f | %.2f +- %.2f | %.2f +- %.2f | %.2f |\n", label, 1e3 * made, 1e3 * bench_median(target, 5), 1e3 * value.median, 1e3 * value.spread,
+            1e3 * slopes.median, 1e3 * slopes.spread, 1e3 * picture.median);
     ms_nn_collapse_destroy(c);
     free(job.workspace);
     free(job.residual);
     free(job.jacobian);
+    runner_free(&two);
     runner_free(&r);
     free(f->bytes);
+}
+
+static void bench_collapses(void)
+{
+    nets_file *f = (nets_file *)malloc(sizeof *f);
+    char label[80];
+    fprintf(more, "\n| collapse | R, once a network, two threads, ms | target, ms | value, ms | residual and Jacobian, ms | the picture, ms |\n|---|---:|---:|---:|---:|---:|\n");
+    if (nets_shared(f, 128, 256, MS_NN_F16)) exit(1);
+    bench_collapse("shared channels, 3 x 256 features, 128 x 128, F16", f);
+    if (nets_renderer(f, side, 64, 1000, MS_NN_F16)) exit(1);
+    snprintf(label, sizeof label, "renderer, 1000 features, %d x %d, F16", side, side);
+    bench_collapse(label, f);
     free(f);
 }
 
@@ -522,19 +663,21 @@ int main(int argc, char **argv)
         setenv("OMP_NUM_THREADS", "1", 1);
         execv(argv[0], argv);
     }
-    only = argc > 1 && strcmp(argv[1], "small") ? argv[1] : "";
     if (argc > 1 && strcmp(argv[1], "small") == 0) side = 128;
+    only = argc > 1 && (side == 410 || argc > 2) ? argv[argc - 1] : "";
     csv = bench_open("nn.csv");
     md = bench_open("nn.md");
+    more = bench_open("nn_more.md");
     fprintf(csv, "what,how,seconds,spread\n");
-    if (side == 410 && (!*only || strstr("torch renderer inversion", only))) run_torch();
     fprintf(md, "%s, one thread unless said, thread CPU time, medians of 9 runs; random weights; `make bench FILTER=nn`.\n", bench_processor());
+    fprintf(more, "%s, one thread unless said, thread CPU time, medians; random weights; `make bench FILTER=nn`.\n", bench_processor());
     if (!*only || strcmp(only, "shared") == 0) bench_shared();
     if (!*only || strcmp(only, "convolution") == 0) bench_convolution();
     if (!*only || strcmp(only, "renderer") == 0) bench_renderer();
     if (!*only || strcmp(only, "inversion") == 0) bench_inversion();
-    if (!*only || strcmp(only, "collapse") == 0) bench_collapse();
+    if (!*only || strcmp(only, "collapse") == 0) bench_collapses();
     fclose(csv);
     fclose(md);
+    fclose(more);
     return 0;
 }

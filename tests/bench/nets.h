@@ -1,5 +1,6 @@
 /* The networks of the thesis with random weights, as files in memory: for benchmarks and the long tests. Glorot-like
-   uniform weights, so that signals neither vanish nor explode. Needs ms_nn.h before it. */
+   uniform weights, so that signals neither vanish nor explode. Needs ms_nn.h before it, and
+   <sys/mman.h> for large pages. */
 #ifndef MS_BENCH_NETS_H
 #define MS_BENCH_NETS_H
 #include <math.h>
@@ -125,15 +126,39 @@ static inline int nets_sink(void *user, const void *bytes, size_t size)
     if (f->bytes == NULL) {
         size_t total = size + 64;
         for (t = 0; t < f->count; ++t) total += f->tensors[t].bytes;
+        void *at;
+        if (posix_memalign(&at, 4096, total) != 0) return 1; /* as a mapped file lies */
         f->room = total;
-        f->bytes = (unsigned char *)malloc(total);
-        if (f->bytes == NULL) return 1;
+        f->bytes = (unsigned char *)at;
     }
     for (t = 0; t < f->count && f->tensors[t].data != bytes; ++t) continue;
     if (t == f->count) memcpy(f->bytes + f->size, bytes, size);
     else if (nets_fill(f, t, f->bytes + f->size)) return 1;
     f->size += size;
     return 0;
+}
+
+/* Moves the file to memory of large pages, where the system has them: 0, else 1 and nothing changes. */
+static inline int nets_huge_pages(nets_file *f)
+{
+#if defined(MADV_HUGEPAGE)
+    const size_t page = (size_t)2 << 20;
+    size_t room = (f->size + page - 1) / page * page;
+    void *at;
+    if (posix_memalign(&at, page, room) != 0) return 1;
+    if (madvise(at, room, MADV_HUGEPAGE) != 0) {
+        free(at);
+        return 1;
+    }
+    memcpy(at, f->bytes, f->size);
+    free(f->bytes);
+    f->bytes = (unsigned char *)at;
+    f->room = room;
+    return 0;
+#else
+    (void)f;
+    return 1;
+#endif
 }
 
 static inline void nets_begin(nets_file *f, const char *input)
@@ -219,10 +244,10 @@ static inline int nets_inversion(nets_file *f, int number, int side, size_t m, m
     return nets_end(f);
 }
 
-/* One network for all three colour channels: 11 of the 19 parameters -> 384 -> 384 -> 384 -> 160 -> side^2. */
-static inline int nets_shared(nets_file *f, int side, ms_nn_dtype dtype)
+/* One network for all three colour channels: 11 of the 19 parameters -> 384 -> 384 -> 384 -> features -> side^2. */
+static inline int nets_shared(nets_file *f, int side, size_t features, ms_nn_dtype dtype)
 {
-    static const size_t width[6] = {11, 384, 384, 384, 160, 0};
+    const size_t width[5] = {11, 384, 384, 384, features};
     char json[200], name[16];
     int i;
     nets_begin(f, "[19]");
