@@ -235,7 +235,8 @@ typedef struct ms_pme_options {
     double difference_step; /* > 0: forward differences of this absolute step; 0: central, near the best step for f64.
                                A float32 renderer wants about 1e-3: with 1.5e-8 its differences are rounding noise */
     int barrier;            /* non-zero: no projection, f is infinite outside the box (to reproduce Table 4.3) */
-    int restarts;           /* Levenberg-Marquardt: runs from random points after the first, while cost is left */
+    int restarts;           /* Levenberg-Marquardt: further runs while cost is left, from random points; ms_pme_match
+                               takes its next best candidates first */
     uint64_t seed;          /* of restarts and hops */
     double (*clock)(void *user); /* seconds, from any origin; NULL: the C library's clock() */
     void *clock_user;
@@ -302,7 +303,7 @@ typedef struct ms_pme_match_options {
     int initial_only;        /* non-zero: the best candidate as it is ("close to real time") */
     const double *candidates;/* [candidate_count][n]: the previous frame's answer, the source material; may be NULL */
     int candidate_count;
-    int random_count;        /* further candidates drawn uniformly; where there is no other, the middle of the box is one */
+    int random_count;        /* further candidates drawn uniformly. The middle of the box is tried where no other has a finite picture */
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
@@ -725,7 +726,7 @@ static void ms_pme__qr_append(double *r, int n, double *rows, int k)
 typedef struct ms_pme__run {
     const ms_pme_function *function;
     const ms_pme_options *options;
-    int n, barrier;
+    int n, barrier, ranged;           /* ranged: every parameter has one that means something */
     size_t m;
     double max_cost, tolerance, jacobian_cost, start_time;
     double *lower, *upper;            /* [n] */
@@ -1078,8 +1079,23 @@ static double ms_pme__predicted_decrease(const ms_pme__run *run, const double *d
     return sum;
 }
 
-/* One run from x, which ends as the last accepted point; returns its value. Scaling by the largest column norms so far
-   (More 1978), damping by the ratio of actual to predicted decrease (Nielsen 1999). */
+/* The trust region's scaling: the largest column norms so far (More 1978). For pictures, whose parameters all have a range,
+   the norms of now, none below 0.3 of the largest (both for a step across the box): what hardly changes the picture does
+   not run off to its bounds, and edited pictures take half the steps. */
+static void ms_pme__rescale(const ms_pme__run *run, double *scale)
+{
+    double largest = 0;
+    int n = run->n, j;
+    for (j = 0; j < n && run->ranged; ++j)
+        largest = ms_pme__max(largest, (run->upper[j] - run->lower[j]) * ms_pme__column_norm(run, j));
+    for (j = 0; j < n; ++j) {
+        double range = run->upper[j] - run->lower[j], norm = ms_pme__column_norm(run, j);
+        scale[j] = ms_pme__max(norm, !run->ranged ? scale[j] : range > 0 ? 0.3 * largest / range : 0);
+    }
+}
+
+/* One run from x, which ends as the last accepted point; returns its value. Damping by the ratio of actual to predicted
+   decrease (Nielsen 1999). */
 static double ms_pme__levenberg_marquardt(ms_pme__run *run, double *x, double *memory)
 {
     int n = run->n, w = n + 1, i, j, done = 0;
@@ -1091,9 +1107,9 @@ static double ms_pme__levenberg_marquardt(ms_pme__run *run, double *x, double *m
     while (!done && !run->stopped && ms__finite(f) && ms_pme__factor(run, g)) {
         double angle = 0; /* largest cosine between the residual and a column that may move */
         int accepted = 0;
+        ms_pme__rescale(run, scale);
         for (j = 0; j < n; ++j) {
             double norm = ms_pme__column_norm(run, j);
-            scale[j] = ms_pme__max(scale[j], norm);
             if (!ms_pme__held(run, x, g, j) && norm > 0) angle = ms_pme__max(angle, 0.5 * fabs(g[j]) / (norm * sqrt(f)));
         }
         run->result.projected_gradient = ms_pme__projected_gradient(run, x, g);
@@ -1129,7 +1145,7 @@ static double ms_pme__levenberg_marquardt(ms_pme__run *run, double *x, double *m
             f_trial = ms_pme__value_to(run, trial, run->residual_step);
             if (f - f_trial > 1e-4 * predicted) {
                 double t = 2 * (f - f_trial) / predicted - 1;
-                lambda = ms_pme__max(lambda * ms_pme__max(1.0 / 3, 1 - t * t * t), 1e-16);
+                lambda = ms_pme__max(lambda * ms_pme__max(0.1, 1 - t * t * t), 1e-16);
                 grow = 2;
                 accepted = 1;
                 done = (f - f_trial <= run->tolerance * f && predicted <= run->tolerance * f) ||
@@ -1563,8 +1579,8 @@ static double ms_pme__basin_hopping(ms_pme__run *run, double *x, double *memory)
     return run->best_value;
 }
 
-/* The chosen method from x; restarts are Levenberg-Marquardt's. */
-static void ms_pme__method(ms_pme__run *run, double *x, double *memory)
+/* The chosen method from x. Restarts are Levenberg-Marquardt's, from starts [count][n] first, then from random points. */
+static void ms_pme__method(ms_pme__run *run, double *x, const double *starts, int count, double *memory)
 {
     int restart;
     switch (run->options->method) {
@@ -1577,7 +1593,8 @@ static void ms_pme__method(ms_pme__run *run, double *x, double *memory)
     default:
         ms_pme__local(run, x, memory);
         for (restart = 0; restart < run->options->restarts && !run->stopped; ++restart) {
-            ms_pme__random_point(run, run->best, x);
+            if (restart < count) ms_pme__copy(x, starts + (size_t)restart * (size_t)run->n, run->n);
+            else ms_pme__random_point(run, run->best, x);
             ms_pme__local(run, x, memory);
         }
     }
@@ -1689,7 +1706,7 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
     start = run.scratch + n; /* scratch itself starts with the moved point of a difference */
     memory = start + n;
     for (j = 0; j < n; ++j) start[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
-    ms_pme__method(&run, start, memory);
+    ms_pme__method(&run, start, NULL, 0, memory);
     if (run.status != MS_OK) {
         status = ms__fail(error, run.status, 0, run.status == MS_CANCELLED ? "cancelled after %g evaluations"
                                                                           : "the function failed after %g evaluations",
@@ -1809,9 +1826,9 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     ms_pme__run run;
     void *block = NULL, *pictures = NULL;
     size_t size = 0, pictures_size = 0, p;
-    double *candidate, *memory, offset = 0, weight_sum = 0, middle[MS_PME_PARAMETERS_MAX], low[MS_PME_PARAMETERS_MAX],
+    double *candidate, *memory, *pool, *pool_value, offset = 0, weight_sum = 0, middle[MS_PME_PARAMETERS_MAX], low[MS_PME_PARAMETERS_MAX],
         high[MS_PME_PARAMETERS_MAX];
-    int n, i, j, total;
+    int n, i, j, total, pool_size, kept = 0;
     ms_status status;
 
     if (options == NULL) options = &defaults;
@@ -1860,9 +1877,12 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     else status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d", n, MS_PME_PARAMETERS_MAX);
     if (status != MS_OK) return status;
 
-    /* memory: the run, one picture and, where there is one, its Jacobian */
+    /* memory: the run; the candidates to restart from, one picture and, where there is one, its Jacobian */
+    total = renderer->prediction_count + options->candidate_count + options->random_count;
+    pool_size = refine.restarts > 0 && refine.restarts < total ? refine.restarts + 1 : refine.restarts > 0 && total > 0 ? total : 1;
     pictures_size = ms__size_mul(ms__size_mul(p, renderer->jacobian != NULL && renderer->reduced == NULL ? (size_t)n + 1 : 1),
                                  sizeof(float));
+    pictures_size = ms__size_add(pictures_size, ms__size_mul((size_t)pool_size * ((size_t)n + 1), sizeof(double)));
     pictures = ms__alloc(&refine.allocator, pictures_size);
     if (pictures == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a picture of %z values", p);
     status = ms_pme__begin(&run, &function, &refine, &block, &size, error);
@@ -1870,17 +1890,19 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
         ms__release(&refine.allocator, pictures, pictures_size);
         return status;
     }
-    picture.image = (float *)pictures;
+    pool = (double *)pictures; /* [pool_size][n], the best first */
+    pool_value = pool + (size_t)pool_size * (size_t)n;
+    picture.image = (float *)(void *)(pool_value + pool_size);
     picture.jacobian = picture.image + p;
     candidate = run.scratch + n;
     memory = candidate + n;
+    for (j = 0, run.ranged = 1; j < n; ++j) run.ranged &= ms__finite(high[j] - low[j]);
 
     /* best of n: eq. (4.3), with the caller's candidates as further members of the pool, eq. (4.4) */
     run.max_cost = MS_PME__INF;
     answer.best_candidate = -1;
-    total = renderer->prediction_count + options->candidate_count + options->random_count;
-    for (i = 0; i < (total > 0 ? total : 1) && run.status == MS_OK; ++i) {
-        double before = run.best_value;
+    for (i = 0; (i < total || (i == total && !ms__finite(run.best_value))) && run.status == MS_OK; ++i) {
+        double before = run.best_value, value;
         int finite = 1;
         ms_pme__copy(candidate, middle, n);
         if (i < renderer->prediction_count) {
@@ -1888,7 +1910,7 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
             if (answer_of_predict != MS_OK) ms_pme__fail(&run, answer_of_predict);
         } else if (i < renderer->prediction_count + options->candidate_count) {
             ms_pme__copy(candidate, options->candidates + (size_t)(i - renderer->prediction_count) * (size_t)n, n);
-        } else if (total > 0) {
+        } else if (i < total) {
             ms_pme__random_point(&run, middle, candidate);
         }
         for (j = 0; j < n; ++j) {
@@ -1896,8 +1918,17 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
             candidate[j] = ms_pme__clip(candidate[j], low[j], high[j]);
         }
         if (finite) {
-            ms_pme__value(&run, candidate);
+            value = ms_pme__value(&run, candidate);
             if (run.best_value < before) answer.best_candidate = i;
+            for (j = kept < pool_size ? kept++ : pool_size; j > 0 && value < pool_value[j - 1]; --j)
+                if (j < pool_size) {
+                    pool_value[j] = pool_value[j - 1];
+                    ms_pme__copy(pool + j * n, pool + (j - 1) * n, n);
+                }
+            if (j < pool_size) {
+                pool_value[j] = value;
+                ms_pme__copy(pool + j * n, candidate, n);
+            }
             if (run.stopped && run.status == MS_OK && run.result.stop == MS_PME_STOP_TARGET) break;
         } else {
             answer.candidates_refused++;
@@ -1908,13 +1939,13 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
         ms_pme__fail(&run, MS_INVALID_ARGUMENT);
     if (run.status == MS_OK) answer.rmse_initial = sqrt(ms_pme__max(run.best_value + offset, 0));
 
-    /* refinement with a budget of its own, from the best; restarts take random points */
+    /* refinement with a budget of its own, from the best; restarts take the next ones, then random points */
     if (run.status == MS_OK && !options->initial_only && !run.stopped) {
         memset(&run.result, 0, sizeof run.result);
         run.result.projected_gradient = -1;
         run.max_cost = refine.max_cost;
         ms_pme__copy(candidate, run.best, n);
-        ms_pme__method(&run, candidate, memory);
+        ms_pme__method(&run, candidate, pool + n, kept - 1, memory);
         answer.cost += run.result.cost;
     }
 

@@ -1,0 +1,357 @@
+/* The match of pictures by neural renderers, as examples/match.c does it: networks made up here, of other sizes and with and
+   without a linear last layer, inversion networks that fit or don't, the edits, and the shipped networks where they are. */
+#define MS_NN_IMPLEMENTATION
+#include "ms_nn.h"
+#define MS_PME_IMPLEMENTATION
+#include "ms_pme.h"
+#include "test.h"
+#include <sys/stat.h>
+#include "matcher.h"
+#include "materials.h"
+#include "edits.h"
+
+/* --- networks --- */
+
+typedef struct network {
+    ms_nn_tensor tensor[12];
+    char name[12][32];
+    size_t shape[12][4];
+    float *data[12];
+    int count;
+    char layers[1000];
+} network;
+
+static double uniform(uint64_t *state)
+{
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*state >> 11) / 9007199254740992.0;
+}
+
+/* One dense layer more, uniform weights of variance gain^2 / inputs. Its weights and biases, to be changed if wanted. */
+static float *dense(network *n, uint64_t seed, size_t inputs, size_t outputs, double gain, const char *activation)
+{
+    size_t i, used = strlen(n->layers);
+    int k;
+    snprintf(n->layers + used, sizeof n->layers - used, "%s{\"type\":\"dense\",\"name\":\"f%d\",\"activation\":\"%s\"}", used ? "," : "",
+             n->count / 2, activation);
+    for (k = 0; k < 2; ++k) {
+        ms_nn_tensor *t = &n->tensor[n->count];
+        size_t size = k ? outputs : outputs * inputs;
+        float *data = n->data[n->count] = (float *)malloc(size * sizeof(float));
+        for (i = 0; i < size; ++i) data[i] = (float)((k ? 0.3 : gain * sqrt(3.0 / (double)inputs)) * (2 * uniform(&seed) - 1));
+        snprintf(n->name[n->count], sizeof n->name[0], "f%d.%s", n->count / 2, k ? "bias" : "weight");
+        n->shape[n->count][0] = outputs;
+        n->shape[n->count][1] = inputs;
+        t->name = n->name[n->count];
+        t->dtype = MS_NN_F32;
+        t->rank = k ? 1 : 2;
+        t->shape = n->shape[n->count];
+        t->data = data;
+        t->bytes = size * sizeof(float);
+        n->count++;
+    }
+    return n->data[n->count - 2];
+}
+
+static void save(network *n, const char *path, const char *input)
+{
+    char list[1100];
+    ms_nn_entry metadata[3];
+    int i;
+    snprintf(list, sizeof list, "[%s]", n->layers);
+    metadata[0].key = "ms_nn_version", metadata[0].value = "1";
+    metadata[1].key = "ms_nn_input", metadata[1].value = input;
+    metadata[2].key = "ms_nn_layers", metadata[2].value = list;
+    mkdir("build", 0777);
+    mkdir("build/test_pme_match", 0777);
+    CHECK_INT(ms_nn_file_save(path, n->tensor, (size_t)n->count, metadata, 3, NULL, NULL), MS_OK);
+    for (i = 0; i < n->count; ++i) free(n->data[i]);
+    memset(n, 0, sizeof *n);
+}
+
+#define FOLDER "build/test_pme_match/"
+
+/* m parameters -> 3 x size x size through two hidden layers; last: its activation. */
+static const char *renderer(int parameters, int size, size_t features, const char *last)
+{
+    static const char *const path = FOLDER "renderer.safetensors";
+    network n;
+    char input[32];
+    memset(&n, 0, sizeof n);
+    dense(&n, 1, (size_t)parameters, 24, 2, "tanh");
+    dense(&n, 2, 24, features, 1.5, "elu");
+    dense(&n, 3, features, 3 * (size_t)size * (size_t)size, 1, last);
+    snprintf(input, sizeof input, "[%d]", parameters);
+    save(&n, path, input);
+    return path;
+}
+
+/* Seven parameters, two a channel and one shared. */
+static const char *shared_renderer(int size)
+{
+    static const char *const path = FOLDER "shared.safetensors";
+    network n;
+    memset(&n, 0, sizeof n);
+    snprintf(n.layers, sizeof n.layers, "{\"type\":\"shared_channels\",\"inputs\":[[0,3,6],[1,4,6],[2,5,6]]}");
+    dense(&n, 4, 3, 16, 2, "elu");
+    dense(&n, 5, 16, 12, 1.5, "tanh");
+    dense(&n, 6, 12, (size_t)size * (size_t)size, 1, "linear");
+    save(&n, path, "[7]");
+    return path;
+}
+
+/* --- the match --- */
+
+/* A picture that no parameters make: that of x = 0.2, 0.3, ... plus a wave of this height. */
+static void make_target(const matcher *m, float wave, float *target)
+{
+    double x[32];
+    size_t i;
+    int j;
+    for (j = 0; j < m->renderer.parameter_count; ++j) x[j] = 0.2 + 0.6 * j / m->renderer.parameter_count;
+    CHECK_INT(m->renderer.render(m->renderer.user, x, target), MS_OK);
+    for (i = 0; i < m->renderer.image_size; ++i) target[i] += wave * sinf(0.7f * (float)i);
+}
+
+/* The collapsed objective and the pictures themselves have the same minimum, with weights and without, whatever the network. */
+static void same_minimum(const char *path, int collapses)
+{
+    static matcher m;
+    static float target[3 * 16 * 16], weight[3 * 16 * 16];
+    double x[2][32], largest = 0;
+    ms_error error;
+    int weighted, direct, j;
+    size_t i;
+    error.message[0] = 0;
+    CHECK_INT(matcher_open(&m, path, &error), MS_OK);
+    if (m.renderer.image_size == 0) return;
+    make_target(&m, 0.05f, target);
+    for (i = 0; i < m.renderer.image_size; ++i) weight[i] = i % 5 == 0 ? 0 : 0.5f + (float)(i % 3);
+    for (weighted = 0; weighted < 2; ++weighted) {
+        ms_pme_match_result result[2];
+        ms_pme_match_options options = ms_pme_match_defaults();
+        options.refine.max_cost = 2000;
+        CHECK_INT(matcher_aim(&m, target, weighted ? weight : NULL, &error), MS_OK);
+        CHECK_INT(m.renderer.reduced != NULL, collapses);
+        for (direct = 0; direct < 2; ++direct) {
+            ms_pme_renderer r = m.renderer;
+            if (direct) r.reduced = NULL;
+            if (direct) CHECK_INT(matcher__room(&m.workspace, ms_nn_workspace_size(m.network.nn, MS_NN_JACOBIAN, 1)), MS_OK);
+            CHECK_INT(ms_pme_match(&r, target, weighted ? weight : NULL, &options, x[direct], NULL, &result[direct], &error), MS_OK);
+        }
+        /* the same rmse to 1e-6, which the issue asks for; x is as free as rounding of 1e-7 in a picture leaves it */
+        CHECK_NEAR(result[0].rmse, result[1].rmse, 1e-6 * result[1].rmse);
+        for (j = 0; j < m.renderer.parameter_count; ++j) largest = fmax(largest, fabs(x[0][j] - x[1][j]));
+        /* what the refinement minimised is the rmse that one real render has */
+        CHECK_NEAR(sqrt(result[0].refine.value), result[0].rmse, 1e-6 * result[0].rmse);
+    }
+    TEST_NOTE("largest difference of a parameter %.1e", largest);
+    matcher_close(&m);
+}
+
+static void test_same_minimum(void) { same_minimum(renderer(9, 16, 20, "linear"), 1); }
+static void test_shared(void) { same_minimum(shared_renderer(16), 1); }
+static void test_not_linear(void) { same_minimum(renderer(4, 7, 20, "sigmoid"), 0); }
+static void test_more_features(void) { same_minimum(renderer(3, 3, 40, "linear"), 0); }
+
+/* What a network draws is found again. */
+static void test_recovery(void)
+{
+    static const struct {
+        int parameters, size;
+        const char *last;
+    } cases[] = {{1, 1, "linear"}, {2, 5, "linear"}, {6, 16, "linear"}, {6, 8, "sigmoid"}, {19, 16, "linear"}};
+    static matcher m;
+    static float target[3 * 16 * 16], picture[3 * 16 * 16];
+    double worst = 0;
+    size_t i;
+    int c;
+    for (c = 0; c < 5; ++c) {
+        ms_pme_match_options options = ms_pme_match_defaults();
+        ms_pme_match_result result;
+        ms_error error;
+        double x[32], sum = 0;
+        CHECK_INT(matcher_open(&m, renderer(cases[c].parameters, cases[c].size, 20, cases[c].last), &error), MS_OK);
+        make_target(&m, 0, target);
+        options.refine.max_cost = 2000;
+        options.refine.restarts = 20;
+        options.target_rmse = 1e-5; /* a few roundings of floats near 1 */
+        CHECK_INT(matcher_aim(&m, target, NULL, &error), MS_OK);
+        CHECK_INT(ms_pme_match(&m.renderer, target, NULL, &options, x, picture, &result, &error), MS_OK);
+        for (i = 0; i < m.renderer.image_size; ++i) sum += ((double)picture[i] - (double)target[i]) * ((double)picture[i] - (double)target[i]);
+        CHECK_NEAR(sqrt(sum / (double)m.renderer.image_size), result.rmse, 1e-12);
+        CHECK(result.rmse < 2e-5);
+        worst = fmax(worst, result.rmse);
+        matcher_close(&m);
+    }
+    TEST_NOTE("largest rmse %.1e", worst);
+}
+
+/* --- inversion networks --- */
+
+/* A renderer whose channels are flat, x_0, x_1, x_2; inversion networks that answer a channel's mean. */
+static const char *flat_renderer(int size)
+{
+    static const char *const path = FOLDER "flat.safetensors";
+    network n;
+    float *w;
+    size_t i, pixels = (size_t)size * (size_t)size;
+    memset(&n, 0, sizeof n);
+    w = dense(&n, 7, 3, 3 * pixels, 1, "linear");
+    for (i = 0; i < 9 * pixels; ++i) w[i] = i / 3 / pixels == i % 3 ? 1.0f : 0.0f;
+    memset(n.data[1], 0, 3 * pixels * sizeof(float));
+    save(&n, path, "[3]");
+    return path;
+}
+
+static const char *mean_inversion(int size, int outputs, int channels)
+{
+    static char path[100];
+    network n;
+    char input[40];
+    float *w;
+    size_t i, pixels = (size_t)size * (size_t)size, inputs = (size_t)channels * pixels;
+    memset(&n, 0, sizeof n);
+    snprintf(n.layers, sizeof n.layers, "{\"type\":\"flatten\"}");
+    w = dense(&n, 8, inputs, (size_t)outputs, 1, "linear");
+    for (i = 0; i < (size_t)outputs * inputs; ++i) w[i] = i % inputs / pixels == i / inputs ? 1.0f / (float)pixels : 0.0f;
+    memset(n.data[1], 0, (size_t)outputs * sizeof(float));
+    snprintf(input, sizeof input, "[%d,%d,%d]", channels, size, size);
+    snprintf(path, sizeof path, FOLDER "inversion_%d_%d_%d.safetensors", size, outputs, channels);
+    save(&n, path, input);
+    return path;
+}
+
+static void test_inversion(void)
+{
+    static matcher m;
+    static const int fits[] = {6, 3, 2, 1, 12};
+    float target[3 * 36];
+    ms_error error;
+    size_t i;
+    int k;
+    CHECK_INT(matcher_open(&m, flat_renderer(6), &error), MS_OK);
+    /* each channel varies, and only a mean over all of it is its parameter */
+    for (i = 0; i < 108; ++i) target[i] = 0.3f + 0.1f * (float)(i / 36) + 0.05f * (float)((int)(i % 2) - (int)(i / 6 % 2));
+    for (k = 0; k < 5; ++k) {
+        CHECK_INT(matcher_add_inversion(&m, mean_inversion(fits[k], 3, 3), &error), MS_OK);
+        if (m.renderer.prediction_count == k + 1) {
+            double x[3];
+            CHECK_INT(m.renderer.predict(&m, k, target, x), MS_OK);
+            for (i = 0; i < 3; ++i) CHECK_NEAR(x[i], 0.3 + 0.1 * (double)i, 1e-6); /* sums of 108 floats */
+        }
+    }
+    CHECK(strcmp(m.name[1], "inversion_3_3_3") == 0);
+    CHECK_INT(matcher_add_inversion(&m, mean_inversion(4, 3, 3), &error), MS_BAD_DATA);
+    CHECK(strstr(error.message, "4 x 4") != NULL && strstr(error.message, "6 x 6") != NULL);
+    CHECK_INT(matcher_add_inversion(&m, mean_inversion(6, 2, 3), &error), MS_BAD_DATA);
+    CHECK(strstr(error.message, "2 parameters") != NULL);
+    CHECK_INT(matcher_add_inversion(&m, mean_inversion(6, 3, 1), &error), MS_BAD_DATA);
+    CHECK_INT(matcher_add_inversion(&m, FOLDER "missing.safetensors", &error), MS_IO);
+    CHECK_INT(m.renderer.prediction_count, 5);
+
+    { /* in the match: best of n is exact, and nothing is left to refine */
+        ms_pme_match_result result;
+        double x[3];
+        for (i = 0; i < 108; ++i) target[i] = 0.3f + 0.1f * (float)(i / 36);
+        CHECK_INT(matcher_aim(&m, target, NULL, &error), MS_OK);
+        CHECK_INT(ms_pme_match(&m.renderer, target, NULL, NULL, x, NULL, &result, &error), MS_OK);
+        CHECK(result.rmse_initial < 1e-6 && result.best_candidate >= 0 && result.best_candidate < 5);
+    }
+    matcher_close(&m);
+    CHECK_INT(matcher_open(&m, flat_renderer(6), &error), MS_OK); /* the folder has both kinds: those that don't fit are named */
+    CHECK_INT(matcher_add_inversions(&m, FOLDER, &error), MS_BAD_DATA);
+    CHECK_INT(matcher_add_inversions(&m, FOLDER "missing", &error), MS_IO);
+    matcher_close(&m);
+    CHECK_INT(matcher_open(&m, FOLDER "inversion_6_2_3.safetensors", &error), MS_BAD_DATA); /* two values are no picture */
+    CHECK_INT(matcher_open(&m, FOLDER "missing.safetensors", &error), MS_IO);
+}
+
+/* --- the edits --- */
+
+static void test_edits(void)
+{
+    enum { S = 32 };
+    image source = image_new(S, S, 3), other = image_new(S, S, 3), target;
+    uint64_t state = 3;
+    size_t i;
+    int e, x, y, c, changed[EDIT_COUNT] = {0};
+    for (i = 0; i < image_count(&source); ++i) {
+        source.pixels[i] = (float)(0.1 + 0.8 * uniform(&state));
+        other.pixels[i] = (float)(0.1 + 0.8 * uniform(&state));
+    }
+    for (e = 0; e < EDIT_COUNT; ++e) {
+        CHECK(edit_apply(&edits[e], &source, &other, &target));
+        for (y = 0; y < S; ++y)
+            for (x = 0; x < S; ++x)
+                for (c = 0; c < 3; ++c) {
+                    const char *name = edits[e].name;
+                    size_t at = (size_t)(3 * (y * S + x));
+                    float v = target.pixels[at + (size_t)c], was = source.pixels[at + (size_t)c], there = other.pixels[at + (size_t)c];
+                    float ball = edit_ball(&source, x, y, 0, 0);
+                    int same = v >= was && v <= was;
+                    changed[e] += !same;
+                    CHECK(v >= 0 && v <= 1);
+                    if (strcmp(name, "grayscale") == 0 && ball >= 1) CHECK_NEAR((double)v, (double)target.pixels[at], 1e-6);
+                    if (strcmp(name, "mix of two") == 0) CHECK_NEAR((double)v, 0.5 * ((double)was + (double)there), 1e-6);
+                    if (strcmp(name, "stitching") == 0) CHECK(x < S / 2 ? same : v >= there && v <= there);
+                    if (strcmp(name, "black level") == 0) CHECK_NEAR((double)v, 0.12 + 0.88 * (double)was, 1e-6);
+                    if (ball <= 0 && strcmp(name, "mix of two") && strcmp(name, "stitching") && strcmp(name, "black level") &&
+                        strcmp(name, "poor mask"))
+                        CHECK(same);
+                }
+        image_free(&target);
+    }
+    CHECK_INT(changed[0], 0);
+    for (e = 1; e < EDIT_COUNT; ++e) CHECK(changed[e] > 0);
+    image_free(&source);
+    image_free(&other);
+}
+
+/* --- the shipped networks: after 50 renders no worse than the thesis's hybrid after 1500 --- */
+
+static void test_shipped(void)
+{
+    static matcher m;
+    static float target[3 * 64 * 64];
+    image sheet, source, other, edited;
+    ms_error error;
+    int t, count = test_full ? 30 : 10;
+    double worst = 0;
+    if (image_read("examples/data/materials.ppm", &sheet)) SKIP("examples/data/materials.ppm is not there");
+    if (matcher_open(&m, "examples/data/renderer_64.safetensors", &error) != MS_OK) SKIP("%.190s", error.message);
+    if (matcher_add_inversions(&m, "examples/data", &error) != MS_OK) SKIP("%.190s", error.message);
+    for (t = 0; t < count; ++t) {
+        ms_pme_match_options options = ms_pme_match_defaults();
+        ms_pme_match_result ours, theirs;
+        double x[32];
+        CHECK(edit_tile(&sheet, t, 64, &source) == NULL && edit_tile(&sheet, t + 30, 64, &other) == NULL);
+        CHECK(edit_apply(&edits[t % EDIT_COUNT], &source, &other, &edited));
+        neural_planes(&edited, target);
+        CHECK_INT(matcher_aim(&m, target, NULL, &error), MS_OK);
+        CHECK_INT(ms_pme_match(&m.renderer, target, NULL, &options, x, NULL, &ours, &error), MS_OK);
+        options.refine.method = MS_PME_NELDER_MEAD_BARRIER;
+        options.refine.max_cost = 1500;
+        CHECK_INT(ms_pme_match(&m.renderer, target, NULL, &options, x, NULL, &theirs, &error), MS_OK);
+        CHECK(ours.refine.cost <= 50);
+        CHECK(ours.rmse <= theirs.rmse + 1e-6);
+        worst = fmax(worst, ours.rmse / theirs.rmse);
+        if (t % EDIT_COUNT == 0) CHECK(ours.rmse < 0.02); /* a picture of the shader: only noise and the network's error are left */
+        image_free(&source);
+        image_free(&other);
+        image_free(&edited);
+    }
+    TEST_NOTE("%d targets, largest ratio of the two rmse %.3f", count, worst);
+    matcher_close(&m);
+    image_free(&sheet);
+}
+
+static const test_case cases[] = {{"collapsed or not: the same minimum", test_same_minimum},
+                                  {"shared channels", test_shared},
+                                  {"a last layer that is not linear", test_not_linear},
+                                  {"more features than pixels", test_more_features},
+                                  {"recovery", test_recovery},
+                                  {"inversion networks", test_inversion},
+                                  {"edits", test_edits},
+                                  {"shipped networks", test_shipped}};
+TEST_MAIN(cases)
