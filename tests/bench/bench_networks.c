@@ -7,7 +7,7 @@
 #include "networks.h"
 #include "plot.h"
 
-enum { COUNT = 500, WORST = 8 };
+enum { COUNT = 500, WORST = 5 };
 static const char *const paths[2] = {"examples/data/renderer_128.safetensors", "examples/data/renderer_64.safetensors"};
 static const char *const names[2] = {"128 x 128", "64 x 64"};
 

@@ -22,7 +22,7 @@ held="--held-out ${data}_heldout_0 ${data}_heldout_1"
 mkdir -p "$out"
 train() { "$python" tests/train/"$@" --data "$data" 2>&1 | tee -a "$out/train.log"; }
 train renderer.py --size 64 --rank 96 --pixels F16 $held --out "$out/renderer_64.safetensors"
-train renderer.py --size 128 --rank 128 --pixels F16 $held --out "$out/renderer_128.safetensors"
+train renderer.py --size 128 --rank 96 --pixels F16 $held --out "$out/renderer_128.safetensors"
 train inversion.py --renderer "$out/renderer_64.safetensors" --out "$out" --kind dense --from-number 1 --count 5 --first 64 --minutes 9
 train inversion.py --renderer "$out/renderer_64.safetensors" --out "$out" --kind convolution --from-number 6 --count 4 --first 12 --minutes 10
 "$python" tests/train/validation.py "$out" "${data}_heldout_0" "${data}_heldout_1" "${data}_heldout_2"
