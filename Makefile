@@ -20,7 +20,7 @@ LDLIBS = -lm
 
 TOOLS = build/mcml build/mcml_split build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
 	build/recommend build/latent build/nn_info build/nn_run build/preview build/match build/workflow
-DEMOS = build/demo_sss
+DEMOS = build/demo_sss build/demo_match
 IMAGE = examples/image.h
 PLOT = examples/plot.h
 BUILD = mkdir -p build && $(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -I. $(LDFLAGS) -o $@
@@ -55,6 +55,8 @@ build/preview: examples/preview.c examples/neural.h examples/materials.h ms_nn.h
 	$(BUILD) examples/preview.c $(LDLIBS)
 build/match: examples/match.c examples/matcher.h examples/neural.h examples/materials.h ms_nn.h ms_pme.h $(IMAGE)
 	$(BUILD) examples/match.c $(LDLIBS)
+build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h ms_nn.h ms_pme.h $(IMAGE)
+	$(BUILD) examples/demo_match.c $(LDLIBS)
 build/workflow: examples/workflow.c examples/neural.h examples/scores.h examples/studio.h examples/matcher.h examples/materialx.h \
 	examples/maps.h ms_gpr.h ms_nn.h ms_pme.h $(IMAGE)
 	$(BUILD) examples/workflow.c $(LDLIBS)

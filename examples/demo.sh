@@ -16,6 +16,8 @@ if [ -f examples/data/renderer_128.safetensors ]; then
     build/preview examples/data/renderer_128.safetensors examples/data/materials.csv $out/preview.png examples/data/materials.ppm
 fi
 if [ -f examples/data/inversion_1.safetensors ]; then
+    echo "eight edits: source | edited target | match | 4 x difference -> $out/match.png"
+    build/demo_match $out/match.png
     echo "gallery, taste, recommendations, variants, an edited picture -> $out/workflow.png, materials -> $out/workflow.mtlx"
     build/workflow $out
 fi

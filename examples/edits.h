@@ -13,8 +13,8 @@
    origin seen by the scene's camera; grow and drop make a careless one. */
 static inline float edit_ball(const image *im, int x, int y, float grow, float drop)
 {
-    float u = ((float)x + 0.5f) / (float)im->width - 0.5f, v = ((float)y + 0.5f) / (float)im->height - 0.465f - drop;
-    float t = (0.368f + grow - sqrtf(u * u + v * v)) * 50 + 0.5f;
+    float u = ((float)x + 0.5f) / (float)im->width - 0.5f, v = ((float)y + 0.5f) / (float)im->height - 0.457f - drop;
+    float t = (0.377f + grow - sqrtf(u * u + v * v)) * 50 + 0.5f;
     return t < 0 ? 0 : t > 1 ? 1 : t;
 }
 
