@@ -2,6 +2,7 @@
 
      build/sss_kernel skin1                                   7 taps, least error where the radius covers 24 pixels
      build/sss_kernel skin1 --radius 96 --tolerance 0.05      the cheapest kernel within 5% on natural textures
+     build/sss_kernel skin1 --model pre --taps 33 --tolerance 0.06     the fewest taps of one model, at most 33
      build/sss_kernel profile.csv --model svd --terms 3 --taps dense
      build/sss_kernel deon --model guided --k 1 --taps 17 --placement quantile
 
@@ -16,14 +17,16 @@
 static const char *const model_names[] = {"image", "preintegrated", "residual", "svd", "svdn", "gaussians", "guided", "artist", "slice", "rotated"};
 static const char *const placement_names[] = {"optimised", "quantile", "quadratic"};
 
+static const char usage_text[] =
+    "usage: sss_kernel MATERIAL|CSV [--radius PIXELS] [--taps N|dense] [--terms N] [--placement NAME]\n"
+    "                  [--model NAME] [--tolerance E [--budget N]] [--dial D] [--k K] [--frames N] [--no-delta]\n"
+    "       --tolerance: the cheapest kernel, at most N taps in all its terms (66); of --model or --taps: its fewest taps\n"
+    "       models: image preintegrated residual svd svdn gaussians guided artist slice rotated\n"
+    "       placements: optimised quantile quadratic; materials: deon and those of build/profile --list\n";
+
 static int usage(const char *problem, const char *value)
 {
-    fprintf(stderr, "sss_kernel: %s%s%s\n", problem, value ? ": " : "", value ? value : "");
-    fprintf(stderr,
-            "usage: sss_kernel MATERIAL|CSV [--radius PIXELS] [--taps N|dense] [--terms N] [--placement NAME]\n"
-            "                  [--model NAME] [--tolerance E [--budget N]] [--dial D] [--k K] [--frames N] [--no-delta]\n"
-            "       models: image preintegrated residual svd svdn gaussians guided artist slice rotated\n"
-            "       placements: optimised quantile quadratic; materials: deon and those of build/profile --list\n");
+    fprintf(stderr, "sss_kernel: %s%s%s\n%s", problem, value ? ": " : "", value ? value : "", usage_text);
     return 2;
 }
 
@@ -91,6 +94,23 @@ static int find(const char *name, const char *const *names, int count)
     return found < 0 ? -1 : found;
 }
 
+/* The model of options with as few taps as keep its texture error within the tolerance, options->tap_count at most. */
+static ms_status fewest_taps(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *designer,
+                             ms_sss_kernel_options options, double tolerance, ms_error *error)
+{
+    const int most = options.tap_count == 0 ? 33 : options.tap_count;
+    ms_status status = MS_OK;
+    for (options.tap_count = most == MS_SSS_DENSE ? most : 3; status == MS_OK; options.tap_count += 2) {
+        status = ms_sss_kernel_build(kernel, designer, &options, error);
+        if (status == MS_OK) ms_sss_kernel_measure(errors, kernel, designer);
+        if (status != MS_OK || errors->texture <= tolerance) return status;
+        if (options.tap_count == MS_SSS_DENSE || options.tap_count + 2 > most) break;
+    }
+    snprintf(error->message, sizeof error->message, "%d taps of this model reach an error of %g; %g was asked for", kernel->tap_count,
+             errors->texture, tolerance);
+    return MS_NOT_CONVERGED;
+}
+
 static void print_kernel(const ms_sss_kernel *k, const ms_sss_errors *e)
 {
     int i, t;
@@ -120,7 +140,8 @@ int main(int argc, char **argv)
     ms_error error = {MS_OK, 0, ""};
     ms_status status;
     double radius = 0, tolerance = 0, number;
-    int budget = 66, i, index;
+    int budget = 66, i, index, one_model = 0;
+    if (argc == 2 && strcmp(argv[1], "--help") == 0) return fputs(usage_text, stdout) < 0;
     if (argc < 2 || argv[1][0] == '-') return usage("a material or a CSV file is missing", NULL);
     for (i = 2; i < argc; ++i) {
         const char *name = argv[i], *value = i + 1 < argc ? argv[i + 1] : "";
@@ -131,6 +152,7 @@ int main(int argc, char **argv)
         }
         if (*value == 0) return usage("an unknown option or a missing value", name);
         ++i;
+        if (strcmp(name, "--model") == 0 || strcmp(name, "--taps") == 0) one_model = 1;
         if (strcmp(name, "--model") == 0) {
             if ((index = find(value, model_names, 10)) < 0) return usage("no such model", value);
             options.model = (ms_sss_model)index;
@@ -161,7 +183,9 @@ int main(int argc, char **argv)
     else if (ms_mcml_find_material(argv[1]) != NULL) status = material_profile(ms_mcml_find_material(argv[1]), &profile, &error);
     else status = csv_profile(argv[1], &profile, &error);
     if (status == MS_OK) status = ms_sss_designer_create(&designer, profile, radius, NULL, &error);
-    if (status == MS_OK && tolerance > 0) {
+    if (status == MS_OK && tolerance > 0 && one_model) {
+        status = fewest_taps(&kernel, &errors, designer, options, tolerance, &error);
+    } else if (status == MS_OK && tolerance > 0) {
         status = ms_sss_kernel_choose(&kernel, &errors, designer, tolerance, budget, &error);
     } else if (status == MS_OK) {
         status = ms_sss_kernel_build(&kernel, designer, &options, &error);
