@@ -58,7 +58,7 @@ class Dense(nn.Module):
         self.renderer = renderer
         rank = renderer.q.shape[1]
         sizes = [3 * rank, first, width, width, 19]
-        self.scale = 1 / renderer.u(materials(512)).std()
+        self.register_buffer("scale", 1 / renderer.u(materials(512)).std())
         self.layers = nn.ModuleList(nn.Linear(a, b) for a, b in zip(sizes, sizes[1:]))
 
     def forward(self, u):
