@@ -9,6 +9,7 @@
 #   make test-cross other machines, each where its compiler and emulator are installed
 #   make sizes      what each header adds to a program, in kilobytes
 #   make dataset    path-traced pictures of random materials for training (FIRST, COUNT, SIZE, SAMPLES, TAKE, JOBS)
+#   make hero       README's top picture: recommended materials on 209 objects, path-traced (WIDTH, HEIGHT, PASSES, JOBS)
 #   make train      the networks of examples/data from nothing: hours (PyTorch)
 #   make common     copies the block that all headers share from ms_mcml.h into the rest
 .POSIX:
@@ -97,6 +98,8 @@ bench: all
 
 dataset:
 	@CC="$(CC)" sh tests/render/dataset.sh
+hero: build/recommend
+	@CC="$(CC)" sh tests/render/hero.sh
 train:
 	@CC="$(CC)" sh tests/train/train.sh
 
@@ -106,4 +109,4 @@ common:
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross sizes bench dataset train common clean
+.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross sizes bench dataset hero train common clean
