@@ -58,7 +58,7 @@ build/match: examples/match.c examples/matcher.h examples/neural.h examples/mate
 	$(BUILD) examples/match.c $(LDLIBS)
 build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h ms_nn.h ms_pme.h $(IMAGE)
 	$(BUILD) examples/demo_match.c $(LDLIBS)
-build/workflow: examples/workflow.c examples/neural.h examples/scores.h examples/studio.h examples/matcher.h examples/materialx.h \
+build/workflow: examples/workflow.c examples/workflow.h examples/neural.h examples/scores.h examples/studio.h examples/matcher.h examples/materialx.h \
 	examples/maps.h ms_gpr.h ms_nn.h ms_pme.h $(IMAGE)
 	$(BUILD) examples/workflow.c $(LDLIBS)
 

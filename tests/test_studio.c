@@ -49,7 +49,7 @@ static void test_states(void)
         random_material(&state, x);
         CHECK_INT(studio_score(&s, x, taste(x), &error), MS_OK);
     }
-    x[3] = NAN;
+    x[3] = (double)NAN;
     CHECK_INT(studio_score(&s, x, 1, &error), MS_BAD_DATA);
     CHECK_INT(s.state, STUDIO_SCORED);
     CHECK_INT(studio_recommend(&s, 2, more, planes, &error), MS_INVALID_ARGUMENT);
@@ -59,7 +59,7 @@ static void test_states(void)
     CHECK_INT(studio_recommend(&s, 2, more, planes, &error), MS_OK);
     CHECK_INT(studio_choose(&s, more, &error), MS_OK);
     CHECK_INT(s.state, STUDIO_EXPLORING);
-    CHECK_INT(studio_move(&s, NAN, 0, &view, &error), MS_BAD_DATA);
+    CHECK_INT(studio_move(&s, (double)NAN, 0, &view, &error), MS_BAD_DATA);
     CHECK_INT(studio_move(&s, 0.1, 0, &view, &error), MS_OK);
     random_material(&state, x);
     s.settled = 1;
@@ -97,7 +97,7 @@ static void test_session(void)
     CHECK(s.settled);
     CHECK_INT(studio_recommend(&s, COUNT, recommended, planes, &error), MS_OK);
     for (i = 0; i < COUNT; ++i) {
-        liked += taste(recommended + i * M) / COUNT;
+        liked += taste(recommended + i * M) / (int)COUNT;
         for (k = 0; k < M; ++k) {
             CHECK(recommended[i * M + k] >= 0 && recommended[i * M + k] <= 1);
             row[k] = (float)recommended[i * M + k];
