@@ -11,7 +11,7 @@ if [ $# -eq 0 ]; then
 fi
 out=$2
 mkdir -p "$out"
-flags="-std=c99 -O1 -D_POSIX_C_SOURCE=200809L"
+flags="-std=c99 -O1 -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64"
 libraries="-lm -lpthread"
 emulator=""
 suffix=""
@@ -26,7 +26,7 @@ windows)
     compiler="x86_64-w64-mingw32-gcc -static -D__USE_MINGW_ANSI_STDIO=1" emulator=wine suffix=.exe
     WINEPREFIX=$(pwd)/$out/wine WINEDEBUG=-all DISPLAY=
     export WINEPREFIX WINEDEBUG DISPLAY ;;
-wasm) compiler="emcc -sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1 -sEXIT_RUNTIME=1" emulator=node suffix=.js libraries=-lm ;;
+wasm) compiler="emcc -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 -sEXIT_RUNTIME=1" emulator=node suffix=.js libraries=-lm ;;
 musl) compiler="musl-gcc -static" everything=yes ;;
 tcc) compiler="tcc -DMS_NO_SIMD" ;;
 *) echo "unknown machine '$1'" >&2; exit 2 ;;

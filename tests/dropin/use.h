@@ -7,7 +7,7 @@
 
 static union {
     double align[2];
-    unsigned char byte[1 << 24];
+    unsigned char byte[1 << 22];
 } use_arena;
 static size_t use_top, use_live;
 
