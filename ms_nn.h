@@ -71,7 +71,9 @@
 
    WHAT IT COSTS. A dense layer costs what reading its weights costs: a picture of the full-size renderer (2.1 GB of F32) runs within
    some percent of the speed of memory, BF16 and F16 in about half the time, I8 in a third to two fifths, at about 68, 86 and 65 dB
-   against F32. README.md has the tables, with PyTorch, OpenBLAS and oneDNN beside; `make bench FILTER=nn` makes them.
+   against F32. Large pages under the weights (on Linux madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is given) save a sixth
+   to a third of it. README.md and tests/bench/RESULTS.md have the tables, with PyTorch, OpenBLAS and oneDNN beside;
+   `make bench FILTER=nn` makes them.
 
    MEMORY. A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights, float
    copies of F64 and of folded dense weights, nothing else of the weights. The products allocate nothing when they are given a
@@ -95,7 +97,7 @@
 
    LIMITS. Refused with MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes unless
    options.allow_trailing, NUL in names, null metadata, header over 100,000,000 bytes, rank over 32) and layers that do not fit
-   their tensors; 4096 layers at most. MS_UNSUPPORTED: other element types than the five as weights. Tensors of 2^31 bytes and
+   their tensors; 4096 layers at most. MS_UNSUPPORTED: other element types than the five as weights. Files of 2^31 bytes and
    more need a 64-bit machine. A mapped file must not shrink while it is used. Networks are chains with additive skips:
    no concatenation, recurrence, grouped or dilated convolution.
 
@@ -285,7 +287,7 @@ typedef struct ms_nn_file ms_nn_file;
    *file     out; ms_nn_file_close releases it; untouched on failure
    error     NULL or filled on failure: position is the byte in the file, message the reason
    One allocation, of at most 5 times the header that is really there. No recursion.
-   MS_BAD_DATA: not a strict safetensors file. MS_UNSUPPORTED: sizes beyond size_t. MS_OUT_OF_MEMORY. */
+   MS_BAD_DATA: not a strict safetensors file. MS_UNSUPPORTED: 2^31 bytes or more on a 32-bit machine. MS_OUT_OF_MEMORY. */
 MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
                                     ms_error *error);
 MS_NN_API void ms_nn_file_close(ms_nn_file *file); /* NULL is allowed */
@@ -1311,6 +1313,7 @@ MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_
     if (file == NULL || (bytes == NULL && size > 0))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "bytes and file must not be NULL");
     if (size < 8) return ms__fail(error, MS_BAD_DATA, size, "the file has %z bytes, a header needs at least 8", size);
+    if (size > SIZE_MAX / 2) return ms__fail(error, MS_UNSUPPORTED, 0, "a file of %z bytes needs a 64-bit machine", size);
     length = ms_nn__u64(b);
     if (length > most)
         return ms__fail(error, MS_BAD_DATA, 0, "the header length is over the limit of %z bytes", (size_t)most);

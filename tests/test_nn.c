@@ -1044,6 +1044,83 @@ static void test_numbers(void)
     }
 }
 
+/* What goes through to a file but the data of one tensor, whose place stays as it was. */
+typedef struct large_file {
+    unsigned char *bytes;
+    size_t size;
+    const void *hole;
+} large_file;
+
+static int large_sink(void *user, const void *bytes, size_t size)
+{
+    large_file *f = (large_file *)user;
+    if (bytes != f->hole) memcpy(f->bytes + f->size, bytes, size);
+    f->size += size;
+    return 0;
+}
+
+/* A matrix of more than 2^31 bytes, of which only the last row is touched; in the long version all of it runs. */
+static void test_large(void)
+{
+    ms_nn *nn = NULL;
+    ms_error error;
+    if (sizeof(size_t) < 8) {
+        unsigned char *few = (unsigned char *)calloc(64, 1);
+        ms_nn_file *file = NULL;
+        CHECK_INT(ms_nn_file_open(few, SIZE_MAX / 2 + 1, NULL, &file, &error), MS_UNSUPPORTED); /* before a byte is read */
+        free(few);
+    } else {
+        static const char layers[] = "[{\"type\":\"dense\",\"name\":\"f\",\"bias\":false}]";
+        const size_t shape[2] = {2100000, 1100}, count = shape[0] * shape[1], last = count - shape[1];
+        float *scale = (float *)malloc(shape[0] * sizeof(float));
+        large_file f;
+        ms_nn_tensor t[2];
+        ms_nn_entry e[3];
+        ms_nn_sink sink;
+        size_t i;
+        double row[1100];
+        memset(t, 0, sizeof t);
+        f.bytes = (unsigned char *)calloc(count + 4 * shape[0] + 4096, 1); /* zero pages are not there before they are touched */
+        f.size = 0;
+        f.hole = &f;
+        if (f.bytes == NULL || scale == NULL) {
+            free(scale);
+            SKIP("no 2.3 GB of address space");
+        }
+        for (i = 0; i < shape[0]; ++i) store(MS_NN_F32, 0.5, (unsigned char *)(scale + i), 1);
+        t[0].name = "f.weight"; t[0].dtype = MS_NN_I8; t[0].rank = 2; t[0].shape = shape; t[0].data = f.hole; t[0].bytes = count;
+        t[1].name = "f.weight_scale"; t[1].dtype = MS_NN_F32; t[1].rank = 1; t[1].shape = shape; t[1].data = scale; t[1].bytes = 4 * shape[0];
+        e[0].key = "ms_nn_version"; e[0].value = "1";
+        e[1].key = "ms_nn_input"; e[1].value = "[1100]";
+        e[2].key = "ms_nn_layers"; e[2].value = layers;
+        sink.user = &f;
+        sink.write = large_sink;
+        CHECK_INT(ms_nn_file_write(t, 2, e, 3, NULL, sink, &error), MS_OK);
+        for (i = 0; i < shape[1]; ++i) (f.bytes + f.size - t[1].bytes - count)[last + i] = (unsigned char)(i % 100);
+        if (ms_nn_load(f.bytes, f.size, NULL, &nn, &error) != MS_OK) TEST_FAIL("%s", error.message);
+        CHECK(ms_nn_layer_at(nn, 0).parameters == count);
+        CHECK(ms_nn_layer_at(nn, 0).multiply_adds == count);
+        nn->kernels->row(&nn->op[0].matrix, shape[0] - 1, 1.0, row);
+        for (i = 0; i < shape[1]; ++i) CHECK_NEAR(row[i], 0.5 * (double)(i % 100), 0);
+        if (test_full) {
+            float *x = (float *)malloc(shape[1] * sizeof(float)), *y = (float *)malloc(shape[0] * sizeof(float));
+            double sum = 0;
+            for (i = 0; i < shape[1]; ++i) {
+                x[i] = (float)(i % 7);
+                sum += 0.5 * (double)(i % 100) * (double)x[i];
+            }
+            CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
+            CHECK_NEAR(y[shape[0] - 1], sum, 1e-6 * sum); /* 21-bit digits of x */
+            CHECK_NEAR(y[shape[0] - 2], 0, 0);
+            free(x);
+            free(y);
+        }
+        ms_nn_destroy(nn);
+        free(f.bytes);
+        free(scale);
+    }
+}
+
 static void test_arguments(void)
 {
     uint64_t state = 1;
@@ -1483,6 +1560,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"not finite", test_not_finite},
                                   {"refused", test_refused},
                                   {"numbers", test_numbers},
+                                  {"large", test_large},
                                   {"arguments", test_arguments},
                                   {"collapse", test_collapse},
                                   {"collapse of one layer", test_collapse_alone},
