@@ -294,7 +294,7 @@ MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *va
 
 typedef enum ms_gpr_method {
     MS_GPR_METHOD_MAP = 0,   /* L-BFGS to the largest posterior: log-normal priors, three starts, probing of every dimension */
-    MS_GPR_METHOD_ML = 1,    /* L-BFGS to the largest likelihood, one start */
+    MS_GPR_METHOD_ML = 1,    /* L-BFGS to the largest likelihood, three starts */
     MS_GPR_METHOD_RPROP = 2, /* resilient backpropagation, one start, 100 evaluations: the thesis */
     MS_GPR_METHOD_SCG = 3    /* scaled conjugate gradient (Moller 1993), one start */
 } ms_gpr_method;
@@ -302,16 +302,15 @@ typedef enum ms_gpr_method {
 /* All zero: the defaults. "Width" is sqrt(12) standard deviations: 1 for a column that is uniform on [0, 1]. */
 typedef struct ms_gpr_fit_options {
     double floor_offset;    /* If every score is >= 0 and some are 0, zeros are taken as -floor_offset standard deviations, so that
-                               dislike has room below "barely liked". 0: 0.5 for MAP, none otherwise. Negative: none */
+                               dislike has room below "barely liked". 0: 0.75 for MAP, none otherwise. Negative: none */
     ms_gpr_method method;
-    const double *start;    /* [m + 2] theta where the search starts; NULL: l_k = 0.25, 0.5 and 3 sqrt(m) widths for MAP,
-                               length_start widths otherwise, sf = 1 and sn = 0.1 standard deviations */
-    double length_start;    /* of the methods with one start, in widths; 0: 1 */
+    const double *start;    /* [m + 2] theta where the search starts, alone; NULL: sf = 1 and sn = 0.1 standard deviations, and */
+    double length_start;    /* l_k = so many widths, alone; 0: MAP and ML start at 0.25, 0.5 and 3 sqrt(m), the others at 1 */
     double length_min;      /* bounds of l_k in widths; 0: 0.01 */
     double length_max;      /* 0: 1000 */
     double noise_min;       /* least sn in standard deviations of the scores; 0: 0.001 */
     int evaluations;        /* of the likelihood at most, a start; 0: 200, RProp 100 */
-    int random_starts;      /* of MAP besides the three */
+    int random_starts;      /* of MAP and ML besides the three */
     uint64_t seed;          /* of those */
     ms_simd simd;
     ms_allocator allocator;
@@ -2106,12 +2105,15 @@ MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean
 
 /* ------------------------------------------------------------------------------------------------------ FIT */
 
-/* Log-normal priors of MAP: means of log l_k (widths), of log sf and log sn (standard deviations of the scores), and the standard
-   deviation of all three. The divergence on synthetic users is flat around these values (tests/bench/bench_gpr.c). */
-#define MS_GPR__PRIOR_LENGTH 1.75 /* plus log(m) / 2 */
+/* Log-normal priors of MAP: means and standard deviations of log l_k (widths), of log sf and of log sn (standard deviations of the
+   scores). A tight one of the noise keeps a fit of few scores from calling all of them noise; around the others the divergence on
+   synthetic users is flat (tests/bench/bench_gpr.c). */
+#define MS_GPR__PRIOR_LENGTH 0.75 /* plus log(m) / 2 */
+#define MS_GPR__PRIOR_LENGTH_SD 1.5
 #define MS_GPR__PRIOR_SF 0.0
-#define MS_GPR__PRIOR_SN -2.0
-#define MS_GPR__PRIOR_SD 1.0
+#define MS_GPR__PRIOR_SF_SD 1.0
+#define MS_GPR__PRIOR_SN -1.6
+#define MS_GPR__PRIOR_SN_SD 0.35
 
 /* The search over q = log l_k / width_k, log sf / s, log sn / s for scores of mean 0 and standard deviation s = 1. */
 typedef struct ms_gpr__fit {
@@ -2144,9 +2146,10 @@ static int ms_gpr__fit_objective(void *context, const double *q, double *value, 
     for (k = 0; k < p->m + 2; ++k) {
         if (gradient) gradient[k] = -gradient[k];
         if (fit->prior) {
-            double z = (q[k] - fit->prior[k]) / MS_GPR__PRIOR_SD;
+            double sd = k < p->m ? MS_GPR__PRIOR_LENGTH_SD : k == p->m ? MS_GPR__PRIOR_SF_SD : MS_GPR__PRIOR_SN_SD;
+            double z = (q[k] - fit->prior[k]) / sd;
             *value += 0.5 * z * z;
-            if (gradient) gradient[k] += z / MS_GPR__PRIOR_SD;
+            if (gradient) gradient[k] += z / sd;
         }
     }
     return 1;
@@ -2315,20 +2318,22 @@ static void ms_gpr__fit_start(const ms_gpr__fit *fit, const ms_gpr_fit_options *
 {
     static const double length[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
     int m = fit->problem.m, k;
+    double longest = MS_GPR__PRIOR_LENGTH + 0.5 * log((double)m);
     ms__rng rng = ms__rng_make(o->seed, (uint64_t)start);
     q[m] = 0;
     q[m + 1] = -2.302585092994046; /* log 0.1 */
     for (k = 0; k < m; ++k) {
-        if (fit->prior == NULL) q[k] = log(o->length_start);
+        if (o->length_start > 0) q[k] = log(o->length_start);
         else if (start < 3) q[k] = log(length[start] * sqrt((double)m));
-        else q[k] = -1 + ms__rng_uniform(&rng) * (fit->prior[k] + 1); /* from 0.37 widths to the prior's */
+        else q[k] = -1 + ms__rng_uniform(&rng) * (longest + 1); /* from 0.37 widths to the mean of MAP's prior */
     }
     if (o->start)
         for (k = 0; k < m + 2; ++k) q[k] = o->start[k] - log(k < m ? fit->width[k] : unit);
 }
 
-/* The optimum of one method, or of MAP: all starts run a little, the better half of them goes on, until one is left; that is
-   run to its end, probed, and run again if a probe found something. q [starts][m + 2]: the winner is in its first row. */
+/* The optimum of one method. ML runs all its starts to the end. Those of MAP run a little, the better half of them goes on, until
+   one is left; that is run to its end, probed, and run again if a probe found something. q [starts][m + 2]: the winner is in its
+   first row. */
 static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit, ms_gpr__search *s, const ms_gpr_fit_options *o, int starts, double *q,
                                           double *value, int *order, double *work, ms_gpr_fit_report *r)
 {
@@ -2337,7 +2342,7 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit, ms_gpr__search *s, c
     int alive = starts, budget = s->evaluations, i, j, polish;
     for (i = 0; i < starts; ++i) order[i] = i;
     while (alive > 1) {
-        s->evaluations = budget < 24 ? budget : 24;
+        s->evaluations = fit->prior && budget > 24 ? 24 : budget;
         for (i = 0; i < alive; ++i) {
             int start = order[i];
             found = ms_gpr__minimize(s, q + (size_t)start * row, work);
@@ -2346,7 +2351,7 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit, ms_gpr__search *s, c
             for (j = i; j > 0 && value[order[j - 1]] > value[start]; --j) order[j] = order[j - 1];
             order[j] = start;
         }
-        alive = (alive + 1) / 2;
+        alive = fit->prior ? (alive + 1) / 2 : 1;
     }
     r->start = order[0];
     memmove(q, q + (size_t)r->start * row, row * sizeof *q);
@@ -2374,8 +2379,8 @@ static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, m
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "an option of the fit is negative or not finite, noise_min is 10 or more, "
                                                        "or random_starts is above 1000");
     if (o->floor_offset < 0) o->floor_offset = 0;
-    else if (!(o->floor_offset > 0)) o->floor_offset = o->method == MS_GPR_METHOD_MAP ? 0.5 : 0;
-    if (!(o->length_start > 0)) o->length_start = 1;
+    else if (!(o->floor_offset > 0)) o->floor_offset = o->method == MS_GPR_METHOD_MAP ? 0.75 : 0;
+    if (!(o->length_start > 0) && (int)o->method >= (int)MS_GPR_METHOD_RPROP) o->length_start = 1;
     if (!(o->length_min > 0)) o->length_min = 0.01;
     if (!(o->length_max > 0)) o->length_max = 1000;
     if (!(o->noise_min > 0)) o->noise_min = 1e-3;
@@ -2404,7 +2409,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     status = ms_gpr__check_data(x, y, n, m, error);
     if (status == MS_OK) status = ms_gpr__fit_options(options, m, &o, error);
     if (status != MS_OK) return status;
-    starts = o.method == MS_GPR_METHOD_MAP && o.start == NULL ? 3 + o.random_starts : 1;
+    starts = o.start || o.length_start > 0 ? 1 : 3 + o.random_starts;
     row = (size_t)m + 2;
     data = ms_gpr__problem_doubles(n, m);
     doubles = ms__size_add(ms__size_add(data, ms_gpr__minimize_doubles(m + 2)), ms__size_mul(ms__size_add(row, 2), (size_t)starts + 5));
@@ -4454,7 +4459,9 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 #undef MS_GPR__PRIOR_LENGTH
 #undef MS_GPR__PRIOR_SF
 #undef MS_GPR__PRIOR_SN
-#undef MS_GPR__PRIOR_SD
+#undef MS_GPR__PRIOR_LENGTH_SD
+#undef MS_GPR__PRIOR_SF_SD
+#undef MS_GPR__PRIOR_SN_SD
 #undef MS_GPR__HEADER
 #undef MS_GPR__BATCH
 #undef MS_GPR__BATCHES

@@ -138,18 +138,74 @@ static void bench_predictions(void)
 
 /* --- fits and what they are worth --- */
 
+enum { REFERENCE = 1500 };
+
+/* The synthetic users of the tests, m = 19 or 38: materials, scores, true preference. */
+static void reference_user(int m, double *x, double *y, double *truth)
+{
+    char *materials = test_read_file(m == 19 ? "tests/data/X19.csv" : "tests/data/X38.csv", NULL), *p = materials;
+    char *scores = test_read_file(m == 19 ? "tests/data/user_glassy19.csv" : "tests/data/user_glassy38.csv", NULL), *q = scores;
+    int i;
+    if (materials == NULL || scores == NULL) {
+        fprintf(stderr, "run from the repository's root\n");
+        exit(1);
+    }
+    for (i = 0; i < REFERENCE * m; ++i, ++p) x[i] = strtod(p, &p);
+    q = strchr(q, '\n');
+    for (i = 0; i < REFERENCE; ++i) {
+        y[i] = strtod(q + 1, &q);
+        truth[i] = strtod(q + 1, &q);
+    }
+    free(materials), free(scores);
+}
+
+/* Table 3.2 of the thesis, which does not state the start: with all lengths 0.33 it looks like this. */
+static void bench_table_3_2(void)
+{
+    static const int size[] = {150, 250, 500};
+    static const ms_gpr_method method[] = {MS_GPR_METHOD_RPROP, MS_GPR_METHOD_ML, MS_GPR_METHOD_SCG, MS_GPR_METHOD_MAP};
+    static double x[REFERENCE * 38], y[REFERENCE], truth[REFERENCE], mean[REFERENCE / 2];
+    int m, s, c;
+    fprintf(md, "\n| Table 3.2: JSD, every length starts at 0.33 | RProp | L-BFGS | SCG | **default of this header, starts of its own** |\n"
+                "|---|---:|---:|---:|---:|\n");
+    for (m = 19; m <= 38; m += 19) {
+        reference_user(m, x, y, truth);
+        for (s = 0; s < 3; ++s) {
+            fprintf(md, "| m = %d, n = %d |", m, size[s]);
+            for (c = 0; c < 4; ++c) {
+                ms_gpr_fit_options o;
+                ms_gpr *gp;
+                double jsd;
+                memset(&o, 0, sizeof o);
+                o.method = method[c];
+                if (c < 3) o.length_start = 0.33;
+                if (ms_gpr_fit(x, y, size[s], m, &o, &gp, NULL, NULL) != MS_OK) exit(1);
+                ms_gpr_predict(gp, x + REFERENCE / 2 * m, REFERENCE / 2, mean, NULL, NULL); /* held out */
+                jsd = user_jsd(mean, truth + REFERENCE / 2, REFERENCE / 2);
+                fprintf(md, " %.3f |", jsd);
+                fprintf(csv, "table_3_2,%d,%d,%d,%.6g,\n", size[s], m, (int)method[c], jsd);
+                ms_gpr_destroy(gp);
+            }
+            fprintf(md, "\n");
+        }
+    }
+}
+
 typedef struct contender {
     const char *name;
     ms_gpr_method method;
     double floor_offset;
+    int classes; /* how many classes of material its users like; the thesis's like one */
 } contender;
 
-static const contender contenders[] = {{"default (MAP)", MS_GPR_METHOD_MAP, 0},
-                                       {"MAP, no floor offset", MS_GPR_METHOD_MAP, -1},
-                                       {"L-BFGS, ML", MS_GPR_METHOD_ML, 0},
-                                       {"RProp (thesis)", MS_GPR_METHOD_RPROP, 0},
-                                       {"SCG", MS_GPR_METHOD_SCG, 0}};
-#define CONTENDERS 5
+static const contender contenders[] = {{"default (MAP)", MS_GPR_METHOD_MAP, 0, 1},
+                                       {"MAP, no floor", MS_GPR_METHOD_MAP, -1, 1},
+                                       {"L-BFGS, ML", MS_GPR_METHOD_ML, 0, 1},
+                                       {"RProp (thesis)", MS_GPR_METHOD_RPROP, 0, 1},
+                                       {"SCG", MS_GPR_METHOD_SCG, 0, 1},
+                                       {"two classes liked: default", MS_GPR_METHOD_MAP, 0, 2},
+                                       {"two classes liked: RProp", MS_GPR_METHOD_RPROP, 0, 2}};
+#define CONTENDERS 7
 #define SIZES 6
 
 static void bench_taste(void)
@@ -158,12 +214,12 @@ static void bench_taste(void)
     static const double size[SIZES] = {50, 100, 150, 250, 350, 500};
     static double jsd[CONTENDERS][SIZES], seconds[CONTENDERS][SIZES], x[500 * M], y[500], held[HELD * M], truth[HELD], mean[HELD];
     static plot p;
-    int c, s, i, users = 0, k;
-    for (i = 0; users < USERS; ++i) {
+    int c, s, i, users[USER_CLASSES + 1] = {0, 0, 0}, k;
+    for (i = 0; users[1] < USERS || users[2] < USERS; ++i) {
         uint64_t state = 900 + (uint64_t)i;
         user u = user_make(300 + (uint64_t)i, M, i % 2 ? 0.19 : 0.10);
-        if (u.classes != 1) continue; /* users who like one class, as in the thesis */
-        ++users;
+        if (users[u.classes] == USERS) continue;
+        ++users[u.classes];
         user_gallery(&u, 500, x, y, &state);
         for (k = 0; k < HELD * M; ++k) held[k] = test_uniform(&state);
         for (k = 0; k < HELD; ++k) truth[k] = user_true(&u, held + k * M);
@@ -172,6 +228,7 @@ static void bench_taste(void)
                 ms_gpr_fit_options o;
                 double start = bench_cpu();
                 ms_gpr *gp;
+                if (contenders[c].classes != u.classes) continue;
                 memset(&o, 0, sizeof o);
                 o.method = contenders[c].method;
                 o.floor_offset = contenders[c].floor_offset;
@@ -219,28 +276,6 @@ static const char sklearn_script[] =
     "g.fit(x, y)\n"
     "print('%s %.6g %.9g' % (sklearn.__version__, time.process_time() - t, g.log_marginal_likelihood_value_))\n";
 
-/* The first n materials of the synthetic user of the tests, scores of mean 0 and variance 1. */
-static void reference_scores(double *x, double *y, int n, int m)
-{
-    char *materials = test_read_file("tests/data/X19.csv", NULL), *scores = test_read_file("tests/data/user_glassy19.csv", NULL);
-    char *p = materials, *q = scores;
-    double sum = 0, sum2 = 0;
-    int i;
-    if (materials == NULL || scores == NULL) {
-        fprintf(stderr, "run from the repository's root\n");
-        exit(1);
-    }
-    for (i = 0; i < n * m; ++i, ++p) x[i] = strtod(p, &p);
-    for (i = 0; i < n; ++i) {
-        q = strchr(q, '\n') + 1;
-        y[i] = strtod(q, NULL);
-        sum += y[i] / n;
-    }
-    for (i = 0; i < n; ++i) sum2 += (y[i] - sum) * (y[i] - sum) / n;
-    for (i = 0; i < n; ++i) y[i] = (y[i] - sum) / sqrt(sum2);
-    free(materials), free(scores);
-}
-
 /* Least evaluations with which ML reaches `target`, and the time of that fit (median of 5). */
 static double time_to_reach(const double *x, const double *y, int n, int m, double target, double *reached)
 {
@@ -252,6 +287,7 @@ static double time_to_reach(const double *x, const double *y, int n, int m, doub
         int i;
         memset(&o, 0, sizeof o);
         o.method = MS_GPR_METHOD_ML;
+        o.length_start = 1; /* where the peers start */
         o.evaluations = budget;
         for (i = 0; i < 5; ++i) {
             ms_gpr *gp;
@@ -278,14 +314,17 @@ static int ask(const char *command, char *line, size_t size)
 static void bench_peers(void)
 {
     enum { N = 250, M = 19 };
-    static double x[N * M], y[N];
+    static double x[REFERENCE * M], y[REFERENCE], truth[REFERENCE];
     const char *driver = getenv("LIBGP_DRIVER");
     char line[256], command[600], version[32];
-    double seconds, likelihood, evaluation, rate, reached, ours, full;
+    double seconds, likelihood, evaluation, rate, reached, ours, full, sum = 0, sum2 = 0;
     FILE *f = bench_open("gpr_peer.csv");
     ms_gpr *gp;
     int i, k;
-    reference_scores(x, y, N, M);
+    reference_user(M, x, y, truth);
+    for (i = 0; i < N; ++i) sum += y[i] / (int)N;
+    for (i = 0; i < N; ++i) sum2 += (y[i] - sum) * (y[i] - sum) / (int)N;
+    for (i = 0; i < N; ++i) y[i] = (y[i] - sum) / sqrt(sum2);
     for (i = 0; i < N; ++i) {
         for (k = 0; k < M; ++k) fprintf(f, "%.17g,", x[i * M + k]);
         fprintf(f, "%.17g\n", y[i]);
@@ -341,6 +380,7 @@ int main(void)
     bench_predictions();
     bench_peers();
     bench_taste();
+    bench_table_3_2();
     fclose(csv);
     fclose(md);
     return 0;
