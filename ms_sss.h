@@ -3045,7 +3045,7 @@ MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, doubl
 enum {
     MS_SSS__LEFT = 16,  /* floats before a row's first pixel: one vector of any level */
     MS_SSS__RIGHT = 32, /* floats behind a row's last block */
-    MS_SSS__BLOCK = 64, /* columns that are left out together where none takes part */
+    MS_SSS__BLOCK = 32, /* columns that are left out together where none takes part */
     MS_SSS__TILE = 512, /* columns of a tile: of one, the rows that taps along y read stay in the L2 cache */
     MS_SSS__SLAB = 128, /* rows that all steps finish before the next: what is between the steps stays in the cache */
     MS_SSS__TASKS = 64, /* bands of rows at most */
@@ -3096,8 +3096,8 @@ typedef struct ms_sss__growth {
 
 typedef struct ms_sss__kernels {
     int (*gate)(const float *value, float scale, int count, const float *before, float *depth, int span[2]);
-    int (*admit)(const float *const in[3], const float *const albedo[3], int n, int count, const float *before,
-                 float *depth, float *const colour[3]);
+    int (*admit)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
+                 const float *before, float *depth, float *const colour[3]);
     void (*convolve)(const float *in, const ptrdiff_t *at, const float *weight, int taps, int count, float *out);
     void (*convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
                            const float *const *depth, const int *tap, int taps, int count, const float *own_depth,
@@ -3146,6 +3146,23 @@ static MS_SSS__INLINE int ms_sss__lowest(unsigned bits)
     while (!(bits >> i & 1u)) ++i;
     return i;
 #endif
+}
+
+static MS_SSS__INLINE int ms_sss__highest(unsigned bits)
+{
+#if defined(__GNUC__)
+    return 31 - __builtin_clz(bits);
+#else
+    int i = 0;
+    while (bits >>= 1) ++i;
+    return i;
+#endif
+}
+
+/* The lowest n of a level's lanes. */
+static MS_SSS__INLINE unsigned ms_sss__lanes(int n, int lanes)
+{
+    return n <= 0 ? 0u : (1u << (n < lanes ? n : lanes)) - 1u;
 }
 
 static MS_SSS__INLINE float ms_sss__floor(float x)
@@ -3489,6 +3506,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
     float *in_buffer[3], *albedo_buffer[3], *to[3];
     const float *in[3], *albedo[3], *map, *const *factor, *before = job->fresh;
     int c, x, span[2], first = 0, last = job->padded, low, high;
+    int begin = 0, end = width; /* none outside takes part; first and last are whole blocks */
     for (c = 0; c < 3; ++c) {
         in_buffer[c] = ms_sss__buffer(job, task, 4 + c);
         albedo_buffer[c] = ms_sss__buffer(job, task, 7 + c);
@@ -3510,17 +3528,19 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
         ms_sss__load(&f->strength, 1, width, y, 0, last, in_buffer, &map);
         job->whole[y] = job->simd->gate(map, 0.0f, last, before, depth, span);
         before = depth;
-        first = span[0] - span[0] % job->block;
-        last = ms_sss__round_up(span[1], job->block);
+        begin = span[0];
+        end = span[1];
+        first = begin - begin % job->block;
+        last = ms_sss__round_up(end, job->block);
     }
     if (f->depth.channel[0] && first < last) {
         ms_sss__load(&f->depth, 1, width, y, first, last - first, in_buffer, &map);
         job->simd->gate(map, job->depth_scale, last - first, before + first, depth + first, span);
         before = depth;
-        last = first + span[1];
-        first += span[0];
-        first -= first % job->block;
-        last = ms_sss__round_up(last, job->block);
+        begin = first + span[0];
+        end = first + span[1];
+        first = begin - begin % job->block;
+        last = ms_sss__round_up(end, job->block);
     }
     job->first[y] = first;
     job->last[y] = last;
@@ -3541,9 +3561,9 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
     if (first < last) {
         ms_sss__load(&f->input, 3, width, y, first, last - first, in_buffer, in);
         factor = ms_sss__albedo(job, 0, y, first, last - first, albedo_buffer, albedo);
-        if (job->simd->admit(in, factor, width - first, last - first, before + first, depth + first, to)) {
-            job->solid_first[y] = first;
-            job->solid_last[y] = last;
+        if (job->simd->admit(in, factor, begin - first, end - first, last - first, before + first, depth + first, to)) {
+            job->solid_first[y] = begin;
+            job->solid_last[y] = end < width ? end : job->padded;
         } else {
             ms_sss__find_solid(job, y, depth);
         }
@@ -4959,7 +4979,6 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int term, 
 #define MS_SSS__JOIN_(name, level) ms_sss__##name##_##level
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
 #define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
-#define MS_SSS__ALL ((1u << MS_SSS__LANES) - 1u)
 
 #if MS_SSS__LANES == 16
 #define V __m512
@@ -5101,7 +5120,7 @@ static MS_SSS__INLINE V MS_SSS__NAME(exp2_minus)(V q)
 }
 
 /* Where before[i] is finite and value[i] > 0 depth[i] becomes scale * value[i], else INFINITY; before may be depth. span:
-   from the first to behind the last vector that holds a finite one. Returns whether all of those values are at least 1. */
+   from the first finite one to behind the last. Returns whether all of those values are at least 1. */
 static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const float *before, float *depth, int span[2])
 {
     const V zero = V_SET(0.0f), one = V_SET(1.0f), infinity = V_SET(INFINITY);
@@ -5114,15 +5133,15 @@ static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const 
         V_STORE(depth + x, V_SELECT(part, V_MUL(v, V_SET(scale)), infinity));
         if (!V_BITS(part)) continue;
         partial |= V_BITS(V_BOTH(part, V_LESS(v, one)));
-        if (span[1] == 0) span[0] = x;
-        span[1] = x + MS_SSS__LANES;
+        if (span[1] == 0) span[0] = x + ms_sss__lowest(V_BITS(part));
+        span[1] = x + ms_sss__highest(V_BITS(part)) + 1;
     }
     return !partial;
 }
 
 /* colour = in (times albedo) and depth = before where the pixel takes part and the colour is finite; else 0 and INFINITY.
-   before may be depth. Returns whether the first n pixels all take part. */
-static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albedo[3], int n, int count,
+   before may be depth. Returns whether pixels [begin, end) all take part. */
+static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
                                const float *before, float *depth, float *const colour[3])
 {
     const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
@@ -5130,7 +5149,7 @@ static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albe
     for (x = 0; x < count; x += MS_SSS__LANES) {
         V r = V_LOAD(in[0] + x), g = V_LOAD(in[1] + x), b = V_LOAD(in[2] + x), z = V_LOAD(before + x);
         V_MASK part = V_LESS(z, infinity);
-        unsigned inside = n - x >= MS_SSS__LANES ? MS_SSS__ALL : n > x ? (1u << (n - x)) - 1u : 0u;
+        const unsigned inside = ms_sss__lanes(end - x, MS_SSS__LANES) & ~ms_sss__lanes(begin - x, MS_SSS__LANES);
         if (albedo) {
             r = V_MUL(r, V_LOAD(albedo[0] + x));
             g = V_MUL(g, V_LOAD(albedo[1] + x));
@@ -5610,7 +5629,6 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN
 #undef MS_SSS__NAME
-#undef MS_SSS__ALL
 #undef V
 #undef V_MASK
 #undef V_LOAD
