@@ -108,7 +108,7 @@ static void test_threads(void)
     truth t;
     int i;
     float mu_s[3] = {0.2f, 0.2f, 0.3f}, mu_a[3] = {0.01f, 0.05f, 0.1f};
-    if (!truth_make(&t, SCENE_KNOT, 48, 27, 1, &problem)) {
+    if (!truth_make(&t, SCENE_KNOT, TRUTH_MARBLE, 48, 27, 1, &problem)) {
         TEST_FAIL("%s", problem);
         truth_free(&t);
         return;
@@ -141,7 +141,7 @@ static void check_order(scene_object object, const char *name, int samples)
     ms_sss_designer *designer = NULL;
     image picture;
     int i;
-    if (!truth_make(&t, object, 160, 90, samples, &problem)) {
+    if (!truth_make(&t, object, object == SCENE_BUST ? TRUTH_SKIN : TRUTH_MARBLE, 160, 90, samples, &problem)) {
         TEST_FAIL("%s", problem);
         truth_free(&t);
         return;

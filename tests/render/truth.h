@@ -37,21 +37,25 @@ static inline void truth_free(truth *t)
 }
 
 /* Coefficients of thesis 5.9.2 (marble) and 5.9.7 (skin1), 1/mm. The objects shrink to figurines so that the profile
-   spans pixels: 40 mm of skin, 50 mm of marble. */
-static inline void truth_material(scene_object object, float mu_s[3], float mu_a[3], float *mm_per_unit)
+   spans pixels: busts of 70 mm (skin) and 220 mm, knots of 20 mm (skin) and 50 mm. */
+typedef enum truth_substance { TRUTH_SKIN, TRUTH_MARBLE } truth_substance;
+
+static inline void truth_material(scene_object object, truth_substance substance, float mu_s[3], float mu_a[3],
+                                  float *mm_per_unit)
 {
     static const float skin_s[3] = {0.74f, 0.88f, 1.01f}, skin_a[3] = {0.032f, 0.17f, 0.48f};
     static const float marble_s[3] = {2.19f, 2.62f, 3.00f}, marble_a[3] = {0.0021f, 0.0041f, 0.0071f};
-    int skin = object == SCENE_BUST, c;
+    int skin = substance == TRUTH_SKIN, c;
     for (c = 0; c < 3; ++c) {
         mu_s[c] = skin ? skin_s[c] : marble_s[c];
         mu_a[c] = skin ? skin_a[c] : marble_a[c];
     }
-    *mm_per_unit = skin ? 0.25f : 0.6f;
+    *mm_per_unit = skin ? 0.25f : object == SCENE_BUST ? 0.8f : 0.6f;
 }
 
 /* One lamp, the key; samples: walks a pixel and estimate. 0: something failed (message in *problem). */
-static inline int truth_make(truth *t, scene_object object, int width, int height, int samples, const char **problem)
+static inline int truth_make(truth *t, scene_object object, truth_substance substance, int width, int height, int samples,
+                             const char **problem)
 {
     float mu_s[3], mu_a[3], scene_mu_s[3], scene_mu_a[3];
     double edge[TRUTH_RINGS + 1], energy[TRUTH_RINGS], *value[3];
@@ -63,7 +67,7 @@ static inline int truth_make(truth *t, scene_object object, int width, int heigh
     t->width = width;
     t->height = height;
     t->camera = scene_camera_of(object);
-    truth_material(object, mu_s, mu_a, &t->mm_per_unit);
+    truth_material(object, substance, mu_s, mu_a, &t->mm_per_unit);
     scene_lights(object, light);
     *problem = "the mesh could not be made";
     if (!mesh_make(&t->m, object, object == SCENE_BUST ? 2.5f : 1.0f)) return 0;
@@ -244,7 +248,7 @@ static const truth_model truth_models[] = {
     {"pre-integrated", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
     {"pre-integrated, depth sigma 1/3 radius", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0, 0.333},
     {"image-optimal", MS_SSS_IMAGE_OPTIMAL, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
-    {"**image-optimal, 7 taps (default)**", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, TRUTH_SIGMA},
+    {"image-optimal, 7 taps (default)", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, TRUTH_SIGMA},
     {"image-optimal, 7 taps, depth sigma 1/3 radius", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, 0.333},
     {"image-optimal, 17 taps", MS_SSS_IMAGE_OPTIMAL, 1, 17, 0, TRUTH_SIGMA},
     {"SVD rank 3, normalised", MS_SSS_SVD_NORMALISED, 3, MS_SSS_DENSE, 0, TRUTH_SIGMA},
