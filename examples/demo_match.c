@@ -39,7 +39,7 @@ static ms_status row(matcher *m, const image *edited, float *planes, image *shee
     if (status != MS_OK) return status;
     neural_paste(target, SIZE, sheet, left + PITCH, top);
     neural_paste(match, SIZE, sheet, left + 2 * PITCH, top);
-    for (i = 0; i < m->renderer.image_size; ++i) match[i] = DIFFERENCE * fabsf(match[i] - target[i]);
+    for (i = 0; i < m->renderer.image_size; ++i) match[i] = (float)DIFFERENCE * fabsf(match[i] - target[i]);
     neural_paste(match, SIZE, sheet, left + 3 * PITCH, top);
     return MS_OK;
 }
