@@ -103,7 +103,8 @@
    Guided kernels send more light far away than the profile does; where it then crosses to other parts of an object (depth
    sigma a third of the radius, a knot of marble) their picture is worse than an unfiltered one.
    Depth sigma, against random walks through a bust and a knot of skin and marble (`make bench FILTER=sss_truth`): 0.12
-   radii are near the least error in all four; a third leaks between parts, under 0.1 kernels get too narrow on slopes.
+   radii are within a tenth of the least error in all four; a third of the radius, which leaks between parts, is up to a
+   third above it; under 0.1 kernels get too narrow on slopes.
    Designs go up to a radius of 128 pixels; larger ones scale from there. Light that a profile sends beyond the 99% radius
    of its widest channel is moved inside, so that energy is kept. Errors are of linear interpolation between two pixels.
 
@@ -3570,10 +3571,10 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
     }
     if (job->term == 0) {
         const int solid = job->solid_first[y] < job->solid_last[y];
-        const int end = last < width ? last : width;
+        const int inside = last < width ? last : width;
         ms_sss__copy(job, y, 0, first, NULL);
-        ms_sss__copy(job, y, first, solid ? job->solid_first[y] : end, depth);
-        if (solid) ms_sss__copy(job, y, job->solid_last[y], end, depth);
+        ms_sss__copy(job, y, first, solid ? job->solid_first[y] : inside, depth);
+        if (solid) ms_sss__copy(job, y, job->solid_last[y], inside, depth);
         ms_sss__copy(job, y, last, width, NULL);
     }
 }
