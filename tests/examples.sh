@@ -83,6 +83,8 @@ fi
 if [ -x build/sss_kernel ]; then
     ok "kernel of a material" build/sss_kernel skin1 --model preintegrated --taps 7
     ok "kernel of a CSV" build/sss_kernel "$out/skin1.csv" --taps 9
+    ok "fewest taps of a model" build/sss_kernel skin1 --model preintegrated --taps 33 --tolerance 0.06
+    refuses "a tolerance out of reach" "asked for" build/sss_kernel skin1 --taps 3 --tolerance 0.001
     refuses "kernel of nothing" "unobtainium" build/sss_kernel unobtainium
 fi
 

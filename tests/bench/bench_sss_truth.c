@@ -119,7 +119,8 @@ int main(void)
     fprintf(csv, "kernel,bust_error,bust_psnr,knot_error,knot_psnr\n");
     for (i = 0; i < ROWS; ++i) {
         const truth_error *a = &result[0][i], *b = &result[1][i];
-        fprintf(md, "| %s | %.1f%% | %.1f dB | %.1f%% | %.1f dB |\n", name[i], 100 * a->relative, a->psnr,
+        const char *bold = strstr(name[i], "(default)") ? "**" : "";
+        fprintf(md, "| %s%s%s | %.1f%% | %.1f dB | %.1f%% | %.1f dB |\n", bold, name[i], bold, 100 * a->relative, a->psnr,
                 100 * b->relative, b->psnr);
         fprintf(csv, "\"%s\",%.5f,%.3f,%.5f,%.3f\n", name[i], a->relative, a->psnr, b->relative, b->psnr);
         printf("%-36s bust %5.1f%% %5.1f dB   knot %5.1f%% %5.1f dB\n", name[i], 100 * a->relative, a->psnr,
