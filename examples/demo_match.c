@@ -30,12 +30,15 @@ static int fail(const char *what)
 static ms_status row(matcher *m, const image *edited, float *planes, image *sheet, int left, int top, ms_pme_match_result *result, ms_error *error)
 {
     float *target = planes, *match = planes + m->renderer.image_size;
+    ms_pme_match_options options = ms_pme_match_defaults();
     double x[MS_PME_PARAMETERS_MAX];
     size_t i;
     ms_status status;
+    options.refine.max_cost = 300; /* a few hundredths of a second: looks beyond the best first guess */
+    options.refine.restarts = 8;
     neural_planes(edited, target);
     status = matcher_aim(m, target, NULL, error);
-    if (status == MS_OK) status = ms_pme_match(&m->renderer, target, NULL, NULL, x, match, result, error);
+    if (status == MS_OK) status = ms_pme_match(&m->renderer, target, NULL, &options, x, match, result, error);
     if (status != MS_OK) return status;
     neural_paste(target, SIZE, sheet, left + PITCH, top);
     neural_paste(match, SIZE, sheet, left + 2 * PITCH, top);

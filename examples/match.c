@@ -113,6 +113,7 @@ int main(int argc, char **argv)
 
     /* the match */
     options.refine.max_cost = cost;
+    options.refine.restarts = 8; /* from the other first guesses, where cost is left */
     options.candidates = source;
     options.candidate_count = start != NULL;
     status = matcher_aim(&m, target, weight, &error);

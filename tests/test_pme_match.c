@@ -334,7 +334,7 @@ static void test_shipped(void)
         options.refine.max_cost = 1500;
         CHECK_INT(ms_pme_match(&m.renderer, target, NULL, &options, x, NULL, &theirs, &error), MS_OK);
         CHECK(ours.refine.cost <= 50);
-        CHECK(ours.rmse <= theirs.rmse + 1e-6);
+        CHECK_LE(ours.rmse, 1.01 * theirs.rmse); /* a hundredth: where both end in one minimum, after 50 and after 1500 */
         worst = fmax(worst, ours.rmse / theirs.rmse);
         if (t % EDIT_COUNT == 0) CHECK(ours.rmse < 0.02); /* a picture of the shader: only noise and the network's error are left */
         image_free(&source);

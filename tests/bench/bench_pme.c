@@ -111,6 +111,19 @@ static void starts(const matcher *m, target *t, int index)
 
 enum { OPTIMISER_50, OPTIMISER_300, OPTIMISER_1500, HYBRID_50, HYBRID_300, HYBRID_1500, OURS_50, OURS_300, OURS_1500, HOPPING, COLUMNS };
 
+/* The library as a user calls it: all first guesses, restarts from the others where cost is left. */
+static double ours(const matcher *m, const target *t, double cost)
+{
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result result;
+    ms_error error;
+    double x[N];
+    options.refine.max_cost = cost;
+    options.refine.restarts = 1000;
+    check(ms_pme_match(&m->renderer, t->planes, NULL, &options, x, NULL, &result, &error), &error);
+    return 255 * result.rmse;
+}
+
 static double hop(const matcher *m, const target *t)
 {
     ms_pme_renderer renderer = m->renderer;
@@ -134,7 +147,7 @@ static void table_targets(matcher *m, target *targets)
     static double rmse[TARGETS][COLUMNS], x_axis[3], y_axis[3][3];
     static plot p;
     FILE *f = bench_open("pme_targets.md"), *csv = bench_open("pme.csv"), *summary = bench_open("pme.md");
-    int t, b, k, no_worse = 0, no_worse_than_hopping = 0;
+    int t, b, k, no_worse = 0, hopping[2] = {0, 0};
     for (t = 0; t < TARGETS; ++t) {
         target *to = &targets[t];
         double *row = rmse[t];
@@ -142,14 +155,15 @@ static void table_targets(matcher *m, target *targets)
         for (b = 0; b < 3; ++b) {
             row[OPTIMISER_50 + b] = 255 * refine(m, to->planes, to->random, MS_PME_NELDER_MEAD_BARRIER, budget[b], OURS, NULL).rmse;
             row[HYBRID_50 + b] = 255 * refine(m, to->planes, to->nn, MS_PME_NELDER_MEAD_BARRIER, budget[b], OURS, NULL).rmse;
-            row[OURS_50 + b] = 255 * refine(m, to->planes, to->nn, MS_PME_LEVENBERG_MARQUARDT, budget[b], OURS, NULL).rmse;
+            row[OURS_50 + b] = ours(m, to, budget[b]);
         }
         row[HOPPING] = hop(m, to);
         no_worse += row[OURS_50] <= row[HYBRID_1500];
-        no_worse_than_hopping += row[OURS_50] <= 1.01 * row[HOPPING];
+        hopping[0] += row[OURS_50] <= 1.01 * row[HOPPING];
+        hopping[1] += row[OURS_1500] <= 1.01 * row[HOPPING];
     }
     fprintf(f, "Table 4.1 on %d edited pictures of held-out materials, 64 x 64, RMSE in levels of 255 after 50 / 300 / 1500 units of cost (pictures by the\n"
-               "network; a Jacobian counts 3). Optimiser and hybrid: Nelder-Mead with a barrier, as in the thesis. `make bench FILTER=pme`\n\n"
+               "network; a Jacobian counts 5). Optimiser and hybrid: Nelder-Mead with a barrier, as in the thesis. `make bench FILTER=pme`\n\n"
                "| edit | random | best of 9 | optimiser | hybrid | ours | basin hopping, %s |\n|---|---:|---:|---:|---:|---:|---:|\n",
             TARGETS, full ? "60 s" : "0.3 s");
     fprintf(csv, "edit,random,best_of_9,optimiser_50,optimiser_300,optimiser_1500,hybrid_50,hybrid_300,hybrid_1500,ours_50,ours_300,ours_1500,hopping\n");
@@ -163,10 +177,10 @@ static void table_targets(matcher *m, target *targets)
     }
     fprintf(summary, "Edited 64 x 64 pictures of held-out materials, RMSE in levels of 255, means of three targets, one core of %s, `make bench FILTER=pme`.\n"
                      "After 50 pictures' worth of work ours is no worse than the thesis's hybrid after 1500 on %d of %d targets, and within 1%% of basin\n"
-                     "hopping (%s a target) on %d.\n\n"
+                     "hopping (%s a target) on %d, after 1500 on %d.\n\n"
                      "| edit | random start | best of 9 networks | thesis: optimiser, 1500 | thesis: hybrid, 1500 | **ours, 50** | ours, 1500 | basin hopping |\n"
                      "|---|---:|---:|---:|---:|---:|---:|---:|\n",
-            bench_processor(), no_worse, TARGETS, full ? "60 s" : "0.3 s", no_worse_than_hopping);
+            bench_processor(), no_worse, TARGETS, full ? "60 s" : "0.3 s", hopping[0], hopping[1]);
     for (k = 0; k < EDIT_COUNT; ++k) {
         double mean[COLUMNS] = {0}, random = 0, nn = 0;
         for (t = k; t < TARGETS; t += EDIT_COUNT) {
@@ -190,8 +204,8 @@ static void table_targets(matcher *m, target *targets)
     fclose(f);
     fclose(csv);
     fclose(summary);
-    printf("Table 4.1: ours after 50 no worse than the hybrid after 1500 on %d of %d, within 1%% of basin hopping on %d\n", no_worse, TARGETS,
-           no_worse_than_hopping);
+    printf("Table 4.1: ours after 50 no worse than the hybrid after 1500 on %d of %d, within 1%% of basin hopping on %d, after 1500 on %d\n", no_worse, TARGETS,
+           hopping[0], hopping[1]);
 }
 
 /* --- Table 4.3: what the optimisers make of float32 differences and a barrier, and what they are otherwise --- */
@@ -419,7 +433,7 @@ static void time_units(FILE *f, const matcher *m, const target *t)
             }
             time[k][run] = (bench_cpu() - from) / (int)REPEATS;
         }
-    fprintf(f, "\nAt %d x %d a picture takes %.3f ms, a collapsed value %.2f of that, one with its Jacobian %.2f (counted as 1 and 3).\n", m->network.size,
+    fprintf(f, "\nAt %d x %d a picture takes %.3f ms, a collapsed value %.2f of that, one with its Jacobian %.2f (counted as 1 and 5).\n", m->network.size,
             m->network.size, 1e3 * bench_median(time[0], RUNS), bench_median(time[1], RUNS) / bench_median(time[0], RUNS),
             bench_median(time[2], RUNS) / bench_median(time[0], RUNS));
     free(r);
