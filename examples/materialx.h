@@ -15,7 +15,8 @@
      specular           the reflection of glass alone: weight T, its colour, its index of refraction
      specular_roughness of metal and glass: mean weighted by their shares; transmission_extra_roughness restores the
                         glass's own behind the surface. Roughness is sqrt(alpha) here and there, but GGX, not Beckmann
-     metal              has a Fresnel edge, the shader's glossy lobe has none
+     metal              has a Fresnel edge, the shader's glossy lobe has none; without glass (specular 0, so a black edge
+                        colour) it stays flat up to grazing angles
      transmission_color what a path through the middle of a ball of radius 1 leaves: the glass colour twice (in and out)
                         and Beer's law, at transmission_depth 2; the colour thus moves from the surface into the volume.
                         Scale the depth with your object
