@@ -236,7 +236,7 @@ typedef struct ms_pme_options {
                                A float32 renderer wants about 1e-3: with 1.5e-8 its differences are rounding noise */
     int barrier;            /* non-zero: no projection, f is infinite outside the box (to reproduce Table 4.3) */
     int restarts;           /* Levenberg-Marquardt: further runs while cost is left, from random points; ms_pme_match
-                               takes its next best candidates first */
+                               takes its next best candidates first. Rough runs, finished where they lead further */
     uint64_t seed;          /* of restarts and hops */
     double (*clock)(void *user); /* seconds, from any origin; NULL: the C library's clock() */
     void *clock_user;
@@ -1081,7 +1081,7 @@ static double ms_pme__predicted_decrease(const ms_pme__run *run, const double *d
 
 /* The trust region's scaling: the largest column norms so far (More 1978). For pictures, whose parameters all have a range,
    the norms of now, none below 0.3 of the largest (both for a step across the box): what hardly changes the picture does
-   not run off to its bounds, and edited pictures take half the steps. */
+   not run off to its bounds. */
 static void ms_pme__rescale(const ms_pme__run *run, double *scale)
 {
     double largest = 0;
@@ -1593,9 +1593,16 @@ static void ms_pme__method(ms_pme__run *run, double *x, const double *starts, in
     default:
         ms_pme__local(run, x, memory);
         for (restart = 0; restart < run->options->restarts && !run->stopped; ++restart) {
+            double best = run->best_value, tolerance = run->tolerance;
             if (restart < count) ms_pme__copy(x, starts + (size_t)restart * (size_t)run->n, run->n);
             else ms_pme__random_point(run, run->best, x);
+            run->tolerance = ms_pme__max(tolerance, 1e-3); /* roughly at first, to the end where it leads further */
             ms_pme__local(run, x, memory);
+            run->tolerance = tolerance;
+            if (run->best_value < best) {
+                ms_pme__copy(x, run->best, run->n);
+                ms_pme__local(run, x, memory);
+            }
         }
     }
 }

@@ -776,6 +776,46 @@ static void test_match(void)
     CHECK_LE(result.rmse, 2e-3); /* forward differences of 1e-3 */
 }
 
+/* One pixel, a shallow dip at 0.2 and the deep one at 0.8. */
+static ms_status two_dips(void *user, const double *x, float *image)
+{
+    (void)user;
+    image[0] = (float)(0.1 - 0.09 * exp(-pow((x[0] - 0.2) / 0.08, 2)) - 0.1 * exp(-pow((x[0] - 0.8) / 0.05, 2)));
+    return MS_OK;
+}
+
+static void test_restarts(void)
+{
+    static const double candidates[2] = {0.25, 0.84}, none[1] = {HUGE_VAL};
+    const float target = 0;
+    ms_pme_renderer r = ms_pme_renderer_defaults();
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result result;
+    double x;
+    r.parameter_count = 1;
+    r.image_size = 1;
+    r.render = two_dips;
+    /* the better candidate leads to the worse dip; what is left of the budget goes to the other one */
+    options.candidates = candidates;
+    options.candidate_count = 2;
+    options.refine.max_cost = 300;
+    CHECK_INT(ms_pme_match(&r, &target, NULL, &options, &x, NULL, &result, NULL), MS_OK);
+    CHECK_NEAR(x, 0.2, 0.02);
+    options.refine.restarts = 1;
+    CHECK_INT(ms_pme_match(&r, &target, NULL, &options, &x, NULL, &result, NULL), MS_OK);
+    CHECK_INT(result.best_candidate, 0);
+    CHECK_NEAR(x, 0.8, 0.02);
+    CHECK_LE(result.refine.cost, 300);
+    /* candidates that are not finite: the middle of the box takes their place */
+    options.candidates = none;
+    options.candidate_count = 1;
+    options.initial_only = 1;
+    CHECK_INT(ms_pme_match(&r, &target, NULL, &options, &x, NULL, &result, NULL), MS_OK);
+    CHECK_INT(result.best_candidate, 1);
+    CHECK_INT(result.candidates_refused, 1);
+    CHECK_NEAR(x, 0.5, 0);
+}
+
 static void test_match_arguments(void)
 {
     renderer_state s;
@@ -1040,7 +1080,8 @@ static const test_case cases[] = {
     {"reference, the others", test_reference_rest}, {"misbehaving functions", test_misbehaviour},
     {"failing callback", test_failing_callback},  {"budgets", test_budgets},
     {"starts and bounds", test_starts},           {"arguments", test_arguments},
-    {"match", test_match},                        {"match, arguments", test_match_arguments},
+    {"match", test_match},                        {"match, restarts", test_restarts},
+    {"match, arguments", test_match_arguments},
     {"reduced objective", test_reduced},          {"float32 differences (table 4.3)", test_float_differences},
     {"sensitivity", test_sensitivity},            {"repeatable", test_repeatable},
     {"allocation failures", test_allocation}};

@@ -191,15 +191,18 @@ static void table_targets(matcher *m, target *targets)
         fprintf(summary, "| %s | %.1f | %.1f | %.2f | %.2f | **%.2f** | %.2f | %.2f |\n", edits[k].name, random, nn, mean[OPTIMISER_1500],
                 mean[HYBRID_1500], mean[OURS_50], mean[OURS_1500], mean[HOPPING]);
     }
-    plot_begin(&p, "Edited pictures: mean RMSE against the budget", "pictures by the network", "RMSE, levels of 255", PLOT_LOG_X);
+    plot_begin(&p, "Edited pictures: RMSE, times basin hopping's, geometric means of 30", "pictures by the network", "", PLOT_LOG_X | PLOT_LOG_Y);
     for (b = 0; b < 3; ++b) {
         x_axis[b] = budget[b];
-        for (k = 0; k < 3; ++k)
-            for (t = 0; t < TARGETS; ++t) y_axis[k][b] += rmse[t][3 * k + b] / (int)TARGETS;
+        for (k = 0; k < 3; ++k) {
+            double sum = 0;
+            for (t = 0; t < TARGETS; ++t) sum += log(rmse[t][3 * k + b] / rmse[t][HOPPING]);
+            y_axis[k][b] = exp(sum / (int)TARGETS);
+        }
     }
-    plot_series(&p, "thesis: Nelder-Mead, random start", x_axis, y_axis[0], 3, PLOT_LINE | PLOT_DOTS);
-    plot_series(&p, "thesis: Nelder-Mead, best of 9", x_axis, y_axis[1], 3, PLOT_LINE | PLOT_DOTS);
-    plot_series(&p, "ours, best of 9", x_axis, y_axis[2], 3, PLOT_LINE | PLOT_DOTS);
+    plot_series(&p, "thesis: optimiser", x_axis, y_axis[0], 3, PLOT_LINE | PLOT_DOTS);
+    plot_series(&p, "thesis: hybrid", x_axis, y_axis[1], 3, PLOT_LINE | PLOT_DOTS);
+    plot_series(&p, "ours", x_axis, y_axis[2], 3, PLOT_LINE | PLOT_DOTS);
     plot_write(&p, "build/bench/pme.svg");
     fclose(f);
     fclose(csv);
