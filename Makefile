@@ -93,7 +93,7 @@ test-cross:
 	@$(RUN) cross
 sizes:
 	@CC="$(CC)" sh tests/dropin/sizes.sh
-bench: all
+bench: all sizes
 	@CC="$(CC)" CFLAGS="$(CFLAGS)" sh tests/bench/run.sh
 
 dataset:
