@@ -342,6 +342,30 @@ static void test_brute_force(void)
     material_scene_destroy(s);
 }
 
+/* Rays that all but follow the floor meet it as far out as a float goes: what they bring is finite, and small. */
+static void test_far(void)
+{
+    material_scene *s = material_scene_create(0.25f);
+    float x[19], out[3], slope;
+    material m;
+    int k, rays = 0;
+    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    parameters(x);
+    m = material_from(x);
+    for (slope = 1e-2f; slope > 1e-30f; slope *= 0.1f)
+        for (k = 0; k < 64; ++k) {
+            trace_sampler sampler;
+            memset(&sampler, 0, sizeof sampler);
+            sampler.seed = 3;
+            sampler.index = (uint32_t)k;
+            stage_path(s, &m, &sampler, scene_v(0, 0, 3), scene_normalize(scene_v(0.3f, -slope, 1)), out);
+            CHECK(out[0] >= 0 && out[0] < 10 && out[0] == out[1] && out[0] == out[2]);
+            ++rays;
+        }
+    TEST_NOTE("%d rays", rays);
+    material_scene_destroy(s);
+}
+
 static void test_same_bytes(void)
 {
     material_scene *s = material_scene_create(0.5f);
@@ -567,6 +591,7 @@ static const test_case cases[] = {{"sobol points", test_sobol},
                                   {"absorbing ball", test_absorption},
                                   {"absorbing ball, all that leaves", test_absorbing_total},
                                   {"lamps by chance", test_brute_force},
+                                  {"far out on the floor", test_far},
                                   {"same bytes, swapped channels", test_same_bytes},
                                   {"extended, neutral", test_extended_neutral},
                                   {"extended, between the phases", test_extended_bounds},

@@ -331,8 +331,9 @@ static inline stage_hit stage__nearest(const stage *s, scene_vec p, scene_vec d)
     memset(&hit, 0, sizeof hit);
     hit.t = 1e30f;
     if (!s->bare) {
-        float t = stage__ground(&s->ground, p, d, hit.t, &hit.normal);
-        if (t < hit.t) {
+        const float horizon = 1e12f; /* beyond it squares of distances leave what Embree and floats take */
+        float t = stage__ground(&s->ground, p, d, horizon, &hit.normal);
+        if (t < horizon) {
             hit.t = t;
             hit.kind = STAGE_GROUND;
         }
@@ -400,7 +401,8 @@ static inline stage_hit stage__nearest(const stage *s, scene_vec p, scene_vec d)
 
 /* --- paths --- */
 
-static inline float stage__heuristic(float a, float b) { return a * a / (a * a + b * b); }
+/* Weight of a sample of density a that another way draws with density b; a may be huge, far out on the ground. */
+static inline float stage__heuristic(float a, float b) { return a < 1e19f ? a * a / (a * a + b * b) : 1; }
 
 /* Radiance along one camera ray. asked: what objects without a material wear. */
 static inline void stage_path(const stage *s, const material *asked, trace_sampler *sampler, scene_vec p, scene_vec d, float out[3])
