@@ -108,7 +108,7 @@ int main(int argc, char **argv)
     if (mask_path) weight = picture + 3 * pixels;
     for (i = 0; weight && i < 3 * pixels; ++i) {
         weight[i] = mask.pixels[i % pixels];
-        if (!(weight[i] > 0)) target[i] = 0; /* whatever was there */
+        if (!(weight[i] > 0) && !(fabsf(target[i]) < 1e30f)) target[i] = 0; /* NaN where nothing counts */
     }
 
     /* the match */
