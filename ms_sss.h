@@ -86,12 +86,13 @@
    Profiles, designers and kernels are only read once made: calls may overlap. ms_sss_filter cuts the picture into rows for
    ms_parallel. Kernels are made on one thread.
    The filter runs scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd.
-   Filter: the same bits for any thread count at one level. Kernels: the same bits in every call of one build.
+   Filter: the same bits for any thread count at one level. Kernels: the same bits in every call of one build. -ffast-math
+   voids what is said of bits, NaN and infinity; the rest holds to rounding.
    Calls return ms_status and fill an optional ms_error; outputs are untouched then, but where the call says otherwise.
 
    Configuration (define before the implementation)
    ------------------------------------------------
-   MS_API       linkage of the functions (MS_API, which is MS_DEF, which is nothing)
+   MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_SSS_FILENAME  this file's name, if it is not "ms_sss.h"
    MS_NO_SIMD       scalar text only
    MS_ASSERT        checks of the header's own invariants (nothing)
