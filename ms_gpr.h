@@ -87,7 +87,7 @@
 
    Configuration (define before the implementation)
    ------------------------------------------------
-   MS_API       linkage of the functions (MS_API, which is MS_DEF, which is nothing)
+   MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_GPR_FILENAME  this file's name, if it is not "ms_gpr.h"
    MS_GPR_NO_STDIO  no files, no <stdio.h>
    MS_NO_SIMD       scalar text only
