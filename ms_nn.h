@@ -87,6 +87,7 @@
    1e-5 in the tests. I8 layers take their input in 21-bit fixed point: 5e-7 of its largest element. The collapse is in double.
    ERRORS. Every call that can fail returns a status; loaders also fill an ms_error with a byte offset and a sentence. On failure
    outputs are untouched. Weights and inputs that are NaN or infinite run through (ms_nn_check_weights finds them).
+   -ffast-math voids what is said of bits, NaN and infinity; the rest holds to rounding.
 
    CONFIGURATION, all before the #include of the implementation
       MS_NN_NO_STDIO    no <stdio.h>, no files by name
