@@ -55,11 +55,13 @@
    Threads
       No state: calls may overlap. The callbacks run on the calling thread; a renderer may be parallel inside.
    Determinism
-      The same bits at every call with the same seed, as far as the callbacks' answers are; no SIMD, so on one build.
+      The same bits at every call with the same seed, as far as the callbacks' answers are; no SIMD, so on one build. -ffast-math
+      voids this and what is said of NaN and infinity.
    Errors
       Statuses, and a sentence in ms_error. NaN or infinite values of a function are no errors: such points lose.
    Configuration
       MS_PME_NO_CLOCK   no <time.h>; max_seconds then needs options.clock. The header never uses stdio.
+      MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport)
    Limits
       256 parameters; dense Jacobians [m][n] in double. Local methods: the answer is the minimum nearest to the best
       candidate; restarts or basin hopping look further. A function must not be smoother than it says: noise larger
