@@ -64,7 +64,8 @@
 
    Determinism: photon i draws from (seed, i); sums are integers. Same bits for any thread count and any split at one level of
    instruction sets; levels round paths differently (they agree far within a standard error). MCML's own generator is
-   biased (ketchup blue by -0.33%): results agree with the exact answer, not with its bits.
+   biased (ketchup blue by -0.33%): results agree with the exact answer, not with its bits. -ffast-math voids what is said of
+   bits, NaN and infinity.
    Long paths: from event 4096 on, and every fourfold more, half of the photons end and the rest count double, so that
    media without absorption end, too.
    Clear layers on top count as part of the surface: what they reflect is specular.
