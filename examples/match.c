@@ -113,7 +113,7 @@ int main(int argc, char **argv)
 
     /* the match */
     options.refine.max_cost = cost;
-    options.refine.restarts = 8; /* from the other first guesses, where cost is left */
+    options.refine.restarts = 1000; /* while cost is left: from the other first guesses, then from random points */
     options.candidates = source;
     options.candidate_count = start != NULL;
     status = matcher_aim(&m, target, weight, &error);
