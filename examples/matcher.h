@@ -76,16 +76,17 @@ static inline int matcher__side(ms_nn_shape shape)
 static inline ms_status matcher__predict(void *user, int i, const float *target, double *x)
 {
     const matcher *m = (const matcher *)user;
-    int s = matcher__side(ms_nn_input_shape(m->inversion[i])), box = m->network.size > s ? m->network.size / s : 1, c, row, column, u, v, j;
+    int size = m->network.size, s = matcher__side(ms_nn_input_shape(m->inversion[i])), box = size > s ? size / s : 1;
+    int c, row, column, u, v, j;
     float *small = (float *)m->small.data, *answer = (float *)m->x.data;
     ms_status status;
     for (c = 0; c < 3; ++c)
         for (row = 0; row < s; ++row)
             for (column = 0; column < s; ++column) {
-                const float *from = target + (c * m->network.size + row * m->network.size / s) * m->network.size + column * m->network.size / s;
+                const float *from = target + (c * size + row * size / s) * size + column * size / s;
                 float sum = 0;
                 for (u = 0; u < box; ++u)
-                    for (v = 0; v < box; ++v) sum += from[u * m->network.size + v];
+                    for (v = 0; v < box; ++v) sum += from[u * size + v];
                 small[(c * s + row) * s + column] = sum / (float)(box * box);
             }
     status = ms_nn_forward(m->inversion[i], 1, small, answer, m->workspace.data);
@@ -151,7 +152,7 @@ static inline ms_status matcher_add_inversion(matcher *m, const char *path, ms_e
     char wrong[160] = "";
     ms_error why;
     ms_nn *nn;
-    int i = m->renderer.prediction_count, s, n;
+    int i = m->renderer.prediction_count, size = m->network.size, s, n;
     ms_status status;
     if (i == matcher_inversions_max) return matcher__fail(error, MS_UNSUPPORTED, path, "more than 64 inversion networks");
     status = ms_nn_load_file(path, NULL, &nn, &why);
@@ -161,8 +162,8 @@ static inline ms_status matcher_add_inversion(matcher *m, const char *path, ms_e
     status = MS_BAD_DATA;
     if (s == 0) {
         snprintf(wrong, sizeof wrong, "no inversion network: that takes a square picture of 3 channels");
-    } else if (m->network.size % s != 0 && s % m->network.size != 0) {
-        snprintf(wrong, sizeof wrong, "takes %d x %d pixels, the renderer makes %d x %d: not a multiple", s, s, m->network.size, m->network.size);
+    } else if (size % s != 0 && s % size != 0) {
+        snprintf(wrong, sizeof wrong, "takes %d x %d pixels, the renderer makes %d x %d: not a multiple", s, s, size, size);
     } else if (n != m->renderer.parameter_count) {
         snprintf(wrong, sizeof wrong, "predicts %d parameters, the renderer has %d", n, m->renderer.parameter_count);
     } else {
