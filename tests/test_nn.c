@@ -305,7 +305,7 @@ static void net_end(ref_net *n, uint64_t *state)
     static const char *const kinds[] = {"dense", "conv1d", "conv2d", "upsample1d", "upsample2d", "maxpool1d", "maxpool2d", "flatten",
                                         "activation", "add", "dropout"};
     static const char *const acts[] = {"linear", "relu", "leaky_relu", "elu", "tanh", "sigmoid", "softplus"};
-    char layers[6000] = "[", input[60], names[72][24];
+    char layers[6000] = "[", input[60], names[72][32];
     ms_nn_tensor t[72];
     size_t shapes[72][4];
     void *hold[72];

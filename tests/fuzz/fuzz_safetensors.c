@@ -36,6 +36,23 @@ static void fuzz_file(const ms_nn_file *file)
     if (sum == 1u && written == 1) abort(); /* keeps the reads */
 }
 
+/* The network as an objective, with R from the file if it has one. */
+static void fuzz_collapse(const ms_nn *nn, const float *x, const float *target)
+{
+    ms_nn_collapse *c;
+    double value, *residual;
+    size_t n;
+    if (ms_nn_collapse_create(nn, NULL, &c, NULL) != MS_OK) return;
+    n = ms_nn_collapse_features(c) + 1;
+    residual = (double *)malloc(n * (ms_nn_input_size(nn) + 1) * sizeof(double));
+    if (ms_nn_collapse_target(c, target, NULL) == MS_OK) {
+        ms_nn_collapse_value(c, x, &value, NULL);
+        ms_nn_collapse_residual(c, x, residual, residual + n, NULL);
+    }
+    free(residual);
+    ms_nn_collapse_destroy(c);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     ms_nn_options options = ms_nn_defaults();
@@ -56,6 +73,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             for (i = 0; i < in; ++i) x[i] = (float)i;
             for (i = 0; i < out; ++i) g_y[i] = 1;
             ms_nn_vjp(nn, 1, x, g_y, y, g_x, NULL);
+            if (in < 256 && out < 256) fuzz_collapse(nn, x, g_y);
             free(x);
         }
     }
