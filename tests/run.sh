@@ -100,7 +100,7 @@ check_jobs() {
         job "manual_$n" "sh tests/dropin/manual.sh $h $out/manual_$n"
         job "symbols_$n" "sh tests/dropin/symbols.sh $h $out/symbols_$n"
     done
-    replay_jobs -O1
+    replay_jobs "$CFLAGS -O1"
 }
 
 oiio="-lOpenImageIO -lOpenImageIO_Util"
