@@ -53,7 +53,7 @@ with torch.no_grad():
 check("renderer", renderer, x.numpy(), theirs, 2e-5)  # the same rounded weights; I8 takes inputs in 21 bits
 
 frozen = inversion.Renderer(renderer)
-for number, kind, tolerance in ((1, "dense", 5e-3), (2, "convolution", 5e-3)):  # the file rounds to I8: 1 in 254 of a weight
+for number, kind, tolerance in ((1, "dense", 4e-2), (2, "convolution", 5e-3)):  # the file rounds to I8, by 1 in 254: three layers, two
     python("tests/train/inversion.py", "--renderer", renderer, "--data", OUT + "/data", "--kind", kind, "--from-number", str(number), "--count", "1",
            "--first", "4", "--width", "8", "--batch", "16", "--minutes", "0.01", "--out", OUT)
     net = (inversion.Dense if kind == "dense" else inversion.Convolution)(frozen, 4, 8)

@@ -75,7 +75,7 @@ class Dense(nn.Module):
         bias = first.bias - (a @ self.renderer.mean_u).sum(1)
         save.dense(layers, tensors, "picture", weight, bias, "elu", "I8")
         for i, layer in enumerate(self.layers[1:-1]):
-            save.dense(layers, tensors, "hidden%d" % (i + 1), layer.weight, layer.bias, "elu", "F16")
+            save.dense(layers, tensors, "hidden%d" % (i + 1), layer.weight, layer.bias, "elu", "I8")
         save.dense(layers, tensors, "parameters", self.layers[-1].weight, self.layers[-1].bias, "sigmoid", "F16")
         save.ms.write(path, [3, SIZE, SIZE], layers, tensors)
 
@@ -111,7 +111,7 @@ class Convolution(nn.Module):
             tensors[name + ".bias"] = c.bias.detach().numpy()
         layers.append({"type": "flatten"})
         save.dense(layers, tensors, "hidden1", self.layers[0].weight, self.layers[0].bias, "elu", "I8")
-        save.dense(layers, tensors, "hidden2", self.layers[1].weight, self.layers[1].bias, "elu", "F16")
+        save.dense(layers, tensors, "hidden2", self.layers[1].weight, self.layers[1].bias, "elu", "I8")
         save.dense(layers, tensors, "parameters", self.layers[2].weight, self.layers[2].bias, "sigmoid", "F16")
         save.ms.write(path, [3, SIZE, SIZE], layers, tensors)
 
