@@ -17,7 +17,7 @@ typedef struct scores {
     double *y;      /* [n] */
 } scores;
 
-static void scores_free(scores *s)
+static inline void scores_free(scores *s)
 {
     free(s->x);
     free(s->y);
@@ -40,7 +40,7 @@ static int scores__line(const char *text, double *value, int limit)
     }
 }
 
-static const char *scores_read(const char *path, scores *s)
+static inline const char *scores_read(const char *path, scores *s)
 {
     enum { LIMIT = 1001, TEXT = 32768 };
     static char text[TEXT];
