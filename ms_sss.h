@@ -2928,6 +2928,7 @@ MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, doubl
     int c, n;
     if (d == NULL || sigma_mm == NULL || weight == NULL || count < 1 || count > MS_SSS_TERMS_MAX)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d Gaussians; 1 to %d and no NULL expected", count, MS_SSS_TERMS_MAX);
+    memset(&mixture, 0, sizeof mixture);
     for (c = 0; c < 3; ++c) {
         ms_sss__fit_mixture(d, c, count, &mixture);
         for (n = 0; n < count; ++n) {
