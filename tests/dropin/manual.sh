@@ -11,7 +11,7 @@ if ! grep -q main "$out.c"; then
     echo "$header has no example in its comment"
     exit 1
 fi
-"$@" -O1 -I. -Wall -Wextra -pedantic -Wconversion -Wshadow -Werror "$out.c" -o "$out" -lm
+"$@" -O0 -I. -Wall -Wextra -pedantic -Wconversion -Wshadow -Werror "$out.c" -o "$out" -lm
 folder=$(mktemp -d)
 program=$(pwd)/$out
 (cd "$folder" && "$program")
