@@ -88,7 +88,7 @@ static inline const char *materials_read(const char *path, int parameters, mater
     while (m->problem[0] == 0 && fgets(text, TEXT, f)) {
         size_t length = strlen(text);
         char *start = text, *end;
-        if (++line == 1 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) start += 3; /* byte order mark */
+        if (++line == 1 && strncmp(text, "\xEF\xBB\xBF", 3) == 0) start += 3; /* byte order mark */
         if (length == TEXT - 1) {
             snprintf(m->problem, sizeof m->problem, "line %d is too long", line);
             break;
