@@ -124,7 +124,7 @@ static void test_develop(void)
         for (i = 0; i < SIZE * SIZE * 3; ++i) {
             float truth = i / 3 % SIZE < SIZE / 2 ? 0.1f : 0.6f, mean = 0;
             double gap = (double)(out.pixels[i] - developed(truth));
-            for (k = 0; k < PASSES; ++k) mean += pass[k].pixels[i] / PASSES;
+            for (k = 0; k < PASSES; ++k) mean += pass[k].pixels[i] / (float)PASSES;
             if (!noisy) CHECK_LE(fabs(gap), 1e-5);
             smoothed += gap * gap;
             gap = (double)(developed(mean) - developed(truth));

@@ -136,7 +136,7 @@ static ms_sss_kernel make_kernel(int taps, int terms)
         k.offset_mm[i] = (float)((i % 2 ? -1 : 1) * 3.7 * u * u);
     }
     for (c = 0; c < 3; ++c) {
-        double total = k.delta[c] = 0.1f;
+        double total = (double)(k.delta[c] = 0.1f);
         for (t = terms - 1; t >= 0; --t) {
             double sum = 0;
             for (i = 0; i < taps; ++i) {

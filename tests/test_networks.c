@@ -16,7 +16,7 @@ static void check_renderer(const char *path, double least_mean, double least)
     int t;
     if (problem) TEST_FAIL("%s: %s", path, problem);
     for (t = 0; t < NETWORKS_TILES && !problem; ++t) {
-        mean += dB[t] / NETWORKS_TILES;
+        mean += dB[t] / (double)NETWORKS_TILES;
         worst = fmin(worst, dB[t]);
     }
     CHECK_LE(least_mean, mean);
@@ -86,7 +86,7 @@ static void test_inversion(void)
     if (problem) TEST_FAIL("%s", problem);
     for (i = 0; i < COUNT && !problem; ++i) {
         for (k = 1; k < NETWORKS_INVERSIONS; ++k) rmse[i] = fmin(rmse[i], rmse[k * COUNT + i]);
-        mean += rmse[i] / COUNT;
+        mean += rmse[i] / (double)COUNT;
     }
     for (i = 0; i < NETWORKS_INVERSIONS * COUNT * NETWORKS_PARAMETERS && !problem; ++i) CHECK(guess[i] >= 0 && guess[i] <= 1);
     CHECK_LE(mean, 1.4); /* 1.09 in RESULTS.md on 500 others; the mean of 200 scatters by 0.05 */

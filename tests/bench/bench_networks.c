@@ -95,7 +95,7 @@ int main(void)
             return 1;
         }
         for (i = 0; i < NETWORKS_TILES; ++i) {
-            mean += dB[k][i] / NETWORKS_TILES;
+            mean += dB[k][i] / (double)NETWORKS_TILES;
             sorted[k][i] = dB[k][i];
         }
         bench_median(sorted[k], NETWORKS_TILES); /* sorts */
@@ -114,7 +114,7 @@ int main(void)
     fclose(csv);
     draw_worst(&n[0], dB[0]);
     plot_begin(&p, "Neural renderers: share of the held-out pictures below a PSNR", "PSNR, dB", "share", 0);
-    for (i = 0; i < NETWORKS_TILES; ++i) share[i] = (i + 0.5) / NETWORKS_TILES;
+    for (i = 0; i < NETWORKS_TILES; ++i) share[i] = (i + 0.5) / (double)NETWORKS_TILES;
     for (k = 0; k < 2; ++k) plot_series(&p, names[k], sorted[k], share, NETWORKS_TILES, PLOT_LINE);
     plot_write(&p, "build/bench/networks.svg");
 
@@ -132,7 +132,7 @@ int main(void)
     for (k = 0; k <= NETWORKS_INVERSIONS; ++k) {
         double *e = k < NETWORKS_INVERSIONS ? rmse + k * COUNT : best, mean = 0;
         for (i = 0; i < COUNT; ++i) {
-            mean += e[i] / COUNT;
+            mean += e[i] / (double)COUNT;
             if (k < NETWORKS_INVERSIONS) best[i] = fmin(best[i], e[i]);
         }
         bench_median(e, COUNT); /* sorts */
