@@ -5265,7 +5265,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, int axes, i
         V z = V_LOAD(p->depth + row + x), size, dx = one, dy = one;
         V own_r, own_g, own_b, r, g, b, nr, ng, nb;
         V_MASK part = V_LESS(z, V_SET(INFINITY)), large;
-        unsigned todo;
+        unsigned pending;
         if (!V_BITS(part)) {
             V_STORE(out[0] + x - begin, zero);
             V_STORE(out[1] + x - begin, zero);
@@ -5275,11 +5275,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, int axes, i
         size = V_SET(p->size);
         if (p->perspective) size = V_MIN(V_DIV(size, z), V_SET(p->size_max));
         large = V_LESS(V_SET(p->size_min), size);
-        todo = V_BITS(V_BOTH(part, large));
+        pending = V_BITS(V_BOTH(part, large));
         own_r = V_LOAD(p->colour[0] + row + x);
         own_g = V_LOAD(p->colour[1] + row + x);
         own_b = V_LOAD(p->colour[2] + row + x);
-        if (!todo) {
+        if (!pending) {
             V_STORE(out[0] + x - begin, V_MUL(own_r, V_SET(p->total[0])));
             V_STORE(out[1] + x - begin, V_MUL(own_g, V_SET(p->total[1])));
             V_STORE(out[2] + x - begin, V_MUL(own_b, V_SET(p->total[2])));
@@ -5303,7 +5303,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, int axes, i
             V tx = V_MUL(o, axes == 2 ? dy : dx), ix = V_FLOOR(tx), ty = zero, iy = zero, wr, wg, wb;
             float at_x[MS_SSS__LANES], at_y[MS_SSS__LANES];
             MS_SSS__NAME(sum) s = {zero, zero, zero, zero};
-            unsigned left = todo;
+            unsigned left = pending;
             tx = V_SUB(tx, ix);
             V_STORE(at_x, ix);
             if (axes == 3) {

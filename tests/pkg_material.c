@@ -192,18 +192,26 @@ static double mean_of(const image *im, int channel, double *deviation)
     return sum / (double)n;
 }
 
+/* The ball alone under a sky of 1; NULL: no scene. */
+static material_scene *furnace(void)
+{
+    material_scene *s = material_scene_create(-0.5f);
+    if (s == NULL) return NULL;
+    s->bare = 1;
+    s->sky[0] = 1;
+    s->sky[1] = s->sky[2] = 0;
+    return s;
+}
+
 /* Under a sky of 1 a ball that absorbs nothing is invisible: diffuse and translucent exactly, glass but for the
    directions that microfacets lose. */
 static void test_furnace(void)
 {
     static const struct { int lobe; float roughness; double loss; } cases[] = {
         {MATERIAL_DIFFUSE, 0, 1e-5}, {MATERIAL_TRANSLUCENT, 0, 2e-3}, {MATERIAL_GLASS, 0, 2e-2}, {MATERIAL_GLOSSY, 0, 2e-3}};
-    material_scene *s = material_scene_create(-0.5f);
+    material_scene *s = furnace();
     int k;
     if (s == NULL) { TEST_FAIL("no scene"); return; }
-    s->bare = 1;
-    s->sky[0] = 1;
-    s->sky[1] = s->sky[2] = 0;
     for (k = 0; k < 4; ++k) {
         float x[19];
         image im;
@@ -522,12 +530,9 @@ static void test_extended_relief(void)
    interpolated and the true normal disagree, and gain nothing. */
 static void test_extended_furnace(void)
 {
-    material_scene *s = material_scene_create(-0.5f);
+    material_scene *s = furnace();
     int k;
     if (s == NULL) { TEST_FAIL("no scene"); return; }
-    s->bare = 1;
-    s->sky[0] = 1;
-    s->sky[1] = s->sky[2] = 0;
     for (k = 0; k < 4; ++k) {
         float x[38];
         image im;

@@ -3,7 +3,7 @@
 The last layer is linear and its basis is known beforehand: the principal components of the training pictures are the best
 one of that rank. So the trunk is trained on their coefficients, where the squared error is that of the picture, less what
 lies outside the basis; an epoch then costs seconds. Materials without a lobe teach that its parameters do not matter."""
-import argparse, json, os, sys, time
+import argparse, os, time
 import numpy as np
 import torch
 from torch import nn
@@ -35,13 +35,12 @@ class Trunk(nn.Module):
         return self.out(x)
 
 
-def train(trunk, x, c, outside, scale, a):
-    """c [n][rank] coefficients; outside [n] the squared error that the basis leaves; scale of the trunk's output."""
+def train(trunk, x, c, scale, a):
+    """c [n][rank] coefficients; scale of the trunk's output."""
     optimizer = torch.optim.Adam(trunk.parameters(), a.rate)
     steps = a.epochs * ((len(x) + a.batch - 1) // a.batch)
     schedule = torch.optim.lr_scheduler.OneCycleLR(optimizer, a.rate, total_steps=steps, pct_start=0.05, final_div_factor=1e3)
-    average = [p.detach().clone() for p in trunk.parameters()]
-    start, step, curve = time.time(), 0, []
+    start, curve = time.time(), []
     for epoch in range(a.epochs):
         order, total = torch.randperm(len(x)), 0.0
         for i in range(0, len(x), a.batch):
@@ -53,11 +52,7 @@ def train(trunk, x, c, outside, scale, a):
             loss.backward()
             optimizer.step()
             schedule.step()
-            step += 1
             total += float(error.detach().sum())
-            with torch.no_grad():
-                for m, p in zip(average, trunk.parameters()):
-                    m.lerp_(p, 0.002)
         curve.append((epoch, total / len(x)))
         if epoch % 20 == 19 or epoch == a.epochs - 1:
             print("epoch %4d  %6.0f s  training error %.3e" % (epoch + 1, time.time() - start, total / len(x)), flush=True)
@@ -104,7 +99,7 @@ def main():
 
     trunk = Trunk(a.width, a.depth, a.rank)
     scale = float(variance.sum()) ** 0.5 / 8
-    curve = train(trunk, x, c, outside, scale, a)
+    curve = train(trunk, x, c, scale, a)
     with torch.no_grad():
         picture = ((trunk(hx) * scale) @ b.T + mean).reshape(held[0].shape)
     dB = data.psnr(picture, *held)
