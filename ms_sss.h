@@ -117,7 +117,7 @@
 
    Sections (search for the name)
    ------------------------------
-   Declarations: PROFILES, KERNELS, ERRORS, TRANSLUCENCY, FILTER, PYRAMID, GPU TEXT.
+   Declarations: PROFILES, ELEVATION, KERNELS, ERRORS, TRANSLUCENCY, FILTER, PYRAMID, GPU TEXT.
    Implementation: SMALL MATHS, PROFILE TABLES, PRE-INTEGRATION, CELLS AND SPECTRA, KERNEL ERRORS, TAPS, KERNEL MODELS,
    TRANSLUCENCY TABLES, FILTER CODE, PYRAMID CODE, GPU CODE.
    Included once a level: FILTER KERNELS, PYRAMID KERNELS.
@@ -306,6 +306,16 @@ MS_API void ms_sss_profile_strip(const ms_sss_profile *profile, double x_mm, dou
 /* Radius that holds this fraction (0 to 1) of each channel's light, to 1e-9 of itself; 0 for an empty channel. */
 MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction, double out[3]);
 
+/* ------------------------------------------------------------- ELEVATION */
+
+/* On a curved surface more light leaves than on the plane that the profile was made for, in hollows less. Light that enters
+   at q and leaves at p, outward normals n_q and n_p: profile on the surface over profile on the plane, at the same distance,
+   is close to exp(K sin(theta)) with sin(theta) = (n_p - n_q).(p - q) / (2 |p - q|), on a sphere of radius a |p - q| / (2 a).
+   K is the elevation of a channel by its reflectance on the plane, K = 0.27 + 2.85 (1 - reflectance), read off random walks
+   in spheres; 0 for a channel without light. The factor is the colour's, not the normalisation's:
+   out = reflectance sum(w exp(K sin(theta)) E) / sum(w). */
+MS_API double ms_sss_elevation(double reflectance);
+
 /* --------------------------------------------------------------- KERNELS */
 
 #define MS_SSS_TAPS_MAX 257 /* taps of one 1D pass, centre included */
@@ -325,6 +335,8 @@ typedef struct ms_sss_kernel {
     float reflectance[3]; /* the profile's total; the kernel itself is normalised */
     int frame_count;      /* 1: axes fixed; n: made for axes that stand at f * 90/n degrees in frame f and for the mean of n frames */
     float profile_radius_mm; /* that holds 99% of the profile's light in its widest channel; 0: radius_mm stands for it */
+    float elevation[3];      /* how light on curved surfaces differs from the plane, see ELEVATION; 0: not at all */
+    float elevation_axis[3]; /* the same for the distances of one 1D pass: over both passes it has the mean of the round kernel */
 } ms_sss_kernel;
 
 /* How the 2D profile becomes separable terms. Cost: 2 term_count passes. */
@@ -552,6 +564,8 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
 typedef struct ms_sss_pyramid {
     float radius_mm; /* that holds 99% of the light of the widest channel */
     float weight[MS_SSS_PYRAMID_SIZES][MS_SSS_PYRAMID_LEVELS][2][3]; /* [size][level][blurred][channel] */
+    float elevation[3];   /* see ELEVATION */
+    float reflectance[3]; /* the profile's total; the weights add up to 1 */
 } ms_sss_pyramid;
 
 /* Fits the weights: least squares of the transfer function for pictures with a 1/f spectrum, for every size. 0.1 s.
@@ -1507,6 +1521,7 @@ struct ms_sss_designer {
     int cells;                          /* from the centre to the edge of the square that holds the kernel */
     double cell_mm;
     double reflectance[3], width[3];    /* 99% radius of each channel, cells */
+    double mean_mm[3];                  /* distance between entry and exit */
     int widest;                         /* channel */
     double cosine[MS_SSS__SIZE];        /* cos(2 pi i / 512) */
     double variance[MS_SSS__SIGNALS];   /* of the signals after the true convolution, channels summed */
@@ -1691,6 +1706,27 @@ static void ms_sss__signal_power(const ms_sss_designer *d)
     d->power[MS_SSS__TEXTURE][0] = (float)(4.5 * 4.5 * total);
 }
 
+/* Mean of r over a channel's light, in mm; widest: any length of the profile's size. */
+static double ms_sss__mean_distance(const ms_sss_profile *profile, int c, double total, double widest)
+{
+    const int steps = 600;
+    double inside = 0, r = 0, sum = 0;
+    int i;
+    for (i = 0; i < steps && total > 0; ++i) { /* rings whose edges grow from 1e-6 to 100 widths */
+        double outer = widest * pow(10, 8.0 * i / (steps - 1) - 6), disc[3];
+        ms_sss_profile_disc(profile, outer, disc);
+        sum += (disc[c] - inside) * 0.5 * (r + outer);
+        inside = disc[c];
+        r = outer;
+    }
+    return total > 0 ? sum / total : 0;
+}
+
+MS_API double ms_sss_elevation(double reflectance)
+{
+    return reflectance > 0 ? 0.27 + 2.85 * (1 - (reflectance < 1 ? reflectance : 1)) : 0;
+}
+
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                             const ms_allocator *allocator, ms_error *error)
 {
@@ -1728,6 +1764,7 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
         d->slice[c] = columns;
         columns += row;
         d->reflectance[c] = total[c];
+        d->mean_mm[c] = ms_sss__mean_distance(profile, c, total[c], widest);
         d->width[c] = radius[c] / d->cell_mm;
         if (radius[c] > radius[d->widest]) d->widest = c;
     }
@@ -2805,9 +2842,18 @@ static void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *
                 for (c = 0; c < 3; ++c) kernel->weight[t][tap][c] = (float)v->weight[c][t][order[n]];
         }
     for (c = 0; c < 3; ++c) {
-        for (t = 0; t < v->terms; ++t) kernel->scale[t][c] = (float)v->sign[c][t];
+        double both = 0; /* mean of |x| + |y| */
+        for (t = 0; t < v->terms; ++t) {
+            double one = 0;
+            for (i = 1; i <= v->pairs; ++i) one += v->times[i] * v->weight[c][t][i] * fabs(v->offset[i]) * d->cell_mm;
+            both += 2 * v->sign[c][t] * ms_sss__term_sum(v, c, t) * one / v->energy[c];
+            kernel->scale[t][c] = (float)v->sign[c][t];
+        }
         kernel->delta[c] = (float)v->delta[c];
         kernel->reflectance[c] = (float)d->reflectance[c];
+        kernel->elevation[c] = (float)ms_sss_elevation(d->reflectance[c]);
+        /* pi/4 where terms of both signs leave no mean: what an exact separable kernel would have */
+        kernel->elevation_axis[c] = kernel->elevation[c] * (float)(both > 0.2 * d->mean_mm[c] ? d->mean_mm[c] / both : 0.785398);
     }
     kernel->profile_radius_mm = (float)(d->width[d->widest] * d->cell_mm);
     n = v->pairs;
@@ -4293,6 +4339,8 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
     memset(&p, 0, sizeof p);
     p.radius_mm = (float)widest;
     for (c = 0; c < 3; ++c) {
+        p.elevation[c] = (float)ms_sss_elevation(total[c]);
+        p.reflectance[c] = (float)total[c];
         for (i = 0; i < TABLE; ++i) T[i] = 0;
         previous[c] = 0;
         for (j = 0; j < CELLS && total[c] > 0; ++j) { /* the light of strips |x| < x_j, x_j growing from 1e-5 to 20 radii */
