@@ -1706,20 +1706,20 @@ static void ms_sss__signal_power(const ms_sss_designer *d)
     d->power[MS_SSS__TEXTURE][0] = (float)(4.5 * 4.5 * total);
 }
 
-/* Mean of r over a channel's light, in mm; widest: any length of the profile's size. */
-static double ms_sss__mean_distance(const ms_sss_profile *profile, int c, double total, double widest)
+/* Mean of r over each channel's light, in mm; widest: any length of the profile's size. */
+static void ms_sss__mean_distance(const ms_sss_profile *profile, const double total[3], double widest, double mean[3])
 {
-    const int steps = 600;
-    double inside = 0, r = 0, sum = 0;
-    int i;
-    for (i = 0; i < steps && total > 0; ++i) { /* rings whose edges grow from 1e-6 to 100 widths */
-        double outer = widest * pow(10, 8.0 * i / (steps - 1) - 6), disc[3];
+    const int steps = 1500;
+    double inside[3] = {0, 0, 0}, disc[3], r = 0;
+    int i, c;
+    mean[0] = mean[1] = mean[2] = 0;
+    for (i = 0; i < steps; ++i) { /* rings whose edges grow by 1% from 1e-5 to 30 widths */
+        double outer = widest * exp(15.0 * i / (steps - 1) - 11.6);
         ms_sss_profile_disc(profile, outer, disc);
-        sum += (disc[c] - inside) * 0.5 * (r + outer);
-        inside = disc[c];
+        for (c = 0; c < 3; ++c) mean[c] += total[c] > 0 ? (disc[c] - inside[c]) * 0.5 * (r + outer) / total[c] : 0;
+        memcpy(inside, disc, sizeof inside);
         r = outer;
     }
-    return total > 0 ? sum / total : 0;
 }
 
 MS_API double ms_sss_elevation(double reflectance)
@@ -1764,10 +1764,10 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
         d->slice[c] = columns;
         columns += row;
         d->reflectance[c] = total[c];
-        d->mean_mm[c] = ms_sss__mean_distance(profile, c, total[c], widest);
         d->width[c] = radius[c] / d->cell_mm;
         if (radius[c] > radius[d->widest]) d->widest = c;
     }
+    ms_sss__mean_distance(profile, total, widest, d->mean_mm);
     for (s = 0; s < MS_SSS__SIGNALS; ++s)
         d->power[s] = (float *)(void *)(columns + (MS_SSS__HALF + 1) * row) + s * MS_SSS__OCTANT;
     for (o = 0; o < MS_SSS__SIZE; ++o) d->cosine[o] = cos(2 * MS_SSS__PI * o / MS_SSS__SIZE);
