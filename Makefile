@@ -19,48 +19,65 @@ CXX = c++
 CFLAGS = -O2
 LDLIBS = -lm
 
+# Every implementation is compiled once; the examples are told that it is there and link what they use. (Each also
+# compiles alone, as its comment says.)
 TOOLS = build/mcml build/mcml_split build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
 	build/recommend build/latent build/nn_info build/nn_run build/preview build/match build/workflow
 DEMOS = build/demo_sss build/demo_match
+OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o
+MADE = -DMS_MCML_IMPLEMENTED -DMS_SSS_IMPLEMENTED -DMS_GPR_IMPLEMENTED -DMS_NN_IMPLEMENTED -DMS_PME_IMPLEMENTED
 IMAGE = examples/image.h
 PLOT = examples/plot.h
-BUILD = mkdir -p build && $(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -I. $(LDFLAGS) -o $@
+COMPILE = $(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -I.
+OBJECT = @mkdir -p build && echo "compiling $@" && $(COMPILE) -c -o $@ -x c
+BUILD = @echo "linking $@" && $(COMPILE) $(MADE) $(LDFLAGS) -o $@
 
 all: $(TOOLS) $(DEMOS)
 
-build/mcml: examples/mcml.c ms_mcml.h
-	$(BUILD) examples/mcml.c $(LDLIBS)
-build/mcml_split: examples/mcml_split.c ms_mcml.h
-	$(BUILD) examples/mcml_split.c $(LDLIBS)
-build/profile: examples/profile.c ms_mcml.h
-	$(BUILD) examples/profile.c $(LDLIBS)
-build/sss_kernel: examples/sss_kernel.c ms_sss.h ms_mcml.h
-	$(BUILD) examples/sss_kernel.c $(LDLIBS)
-build/sss_filter: examples/sss_filter.c ms_sss.h ms_mcml.h $(IMAGE)
-	$(BUILD) examples/sss_filter.c $(LDLIBS)
-build/postprocess: examples/postprocess.c ms_sss.h $(IMAGE)
-	$(BUILD) examples/postprocess.c $(LDLIBS)
-build/lightmap: examples/lightmap.c ms_sss.h $(IMAGE)
-	$(BUILD) examples/lightmap.c $(LDLIBS)
-build/demo_sss: examples/demo_sss.c examples/scene.h ms_sss.h ms_mcml.h $(IMAGE) $(PLOT)
-	$(BUILD) examples/demo_sss.c $(LDLIBS)
-build/recommend: examples/recommend.c examples/scores.h ms_gpr.h
-	$(BUILD) examples/recommend.c $(LDLIBS)
-build/latent: examples/latent.c examples/scores.h examples/maps.h ms_gpr.h $(IMAGE)
-	$(BUILD) examples/latent.c $(LDLIBS)
-build/nn_info: examples/nn_info.c ms_nn.h
-	$(BUILD) examples/nn_info.c $(LDLIBS)
-build/nn_run: examples/nn_run.c ms_nn.h
-	$(BUILD) examples/nn_run.c $(LDLIBS)
-build/preview: examples/preview.c examples/neural.h examples/materials.h ms_nn.h $(IMAGE)
-	$(BUILD) examples/preview.c $(LDLIBS)
-build/match: examples/match.c examples/matcher.h examples/neural.h examples/materials.h ms_nn.h ms_pme.h $(IMAGE)
-	$(BUILD) examples/match.c $(LDLIBS)
-build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h ms_nn.h ms_pme.h $(IMAGE)
-	$(BUILD) examples/demo_match.c $(LDLIBS)
-build/workflow: examples/workflow.c examples/workflow.h examples/neural.h examples/scores.h examples/studio.h examples/matcher.h examples/materialx.h \
-	examples/maps.h ms_gpr.h ms_nn.h ms_pme.h $(IMAGE)
-	$(BUILD) examples/workflow.c $(LDLIBS)
+build/ms_mcml.o: ms_mcml.h
+	$(OBJECT) -DMS_MCML_IMPLEMENTATION ms_mcml.h
+build/ms_sss.o: ms_sss.h
+	$(OBJECT) -DMS_SSS_IMPLEMENTATION ms_sss.h
+build/ms_gpr.o: ms_gpr.h
+	$(OBJECT) -DMS_GPR_IMPLEMENTATION ms_gpr.h
+build/ms_nn.o: ms_nn.h
+	$(OBJECT) -DMS_NN_IMPLEMENTATION ms_nn.h
+build/ms_pme.o: ms_pme.h
+	$(OBJECT) -DMS_PME_IMPLEMENTATION ms_pme.h
+
+build/mcml: examples/mcml.c build/ms_mcml.o
+	$(BUILD) examples/mcml.c build/ms_mcml.o $(LDLIBS)
+build/mcml_split: examples/mcml_split.c build/ms_mcml.o
+	$(BUILD) examples/mcml_split.c build/ms_mcml.o $(LDLIBS)
+build/profile: examples/profile.c build/ms_mcml.o
+	$(BUILD) examples/profile.c build/ms_mcml.o $(LDLIBS)
+build/sss_kernel: examples/sss_kernel.c build/ms_sss.o build/ms_mcml.o
+	$(BUILD) examples/sss_kernel.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
+build/sss_filter: examples/sss_filter.c $(IMAGE) build/ms_sss.o build/ms_mcml.o
+	$(BUILD) examples/sss_filter.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
+build/postprocess: examples/postprocess.c $(IMAGE) build/ms_sss.o
+	$(BUILD) examples/postprocess.c build/ms_sss.o $(LDLIBS)
+build/lightmap: examples/lightmap.c $(IMAGE) build/ms_sss.o
+	$(BUILD) examples/lightmap.c build/ms_sss.o $(LDLIBS)
+build/demo_sss: examples/demo_sss.c examples/scene.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
+	$(BUILD) examples/demo_sss.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
+build/recommend: examples/recommend.c examples/scores.h build/ms_gpr.o
+	$(BUILD) examples/recommend.c build/ms_gpr.o $(LDLIBS)
+build/latent: examples/latent.c examples/scores.h examples/maps.h $(IMAGE) build/ms_gpr.o
+	$(BUILD) examples/latent.c build/ms_gpr.o $(LDLIBS)
+build/nn_info: examples/nn_info.c build/ms_nn.o
+	$(BUILD) examples/nn_info.c build/ms_nn.o $(LDLIBS)
+build/nn_run: examples/nn_run.c build/ms_nn.o
+	$(BUILD) examples/nn_run.c build/ms_nn.o $(LDLIBS)
+build/preview: examples/preview.c examples/neural.h examples/materials.h $(IMAGE) build/ms_nn.o
+	$(BUILD) examples/preview.c build/ms_nn.o $(LDLIBS)
+build/match: examples/match.c examples/matcher.h examples/neural.h examples/materials.h $(IMAGE) build/ms_nn.o build/ms_pme.o
+	$(BUILD) examples/match.c build/ms_nn.o build/ms_pme.o $(LDLIBS)
+build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h $(IMAGE) build/ms_nn.o build/ms_pme.o
+	$(BUILD) examples/demo_match.c build/ms_nn.o build/ms_pme.o $(LDLIBS)
+build/workflow: examples/workflow.c examples/workflow.h examples/neural.h examples/scores.h examples/studio.h \
+	examples/matcher.h examples/materialx.h examples/maps.h $(IMAGE) build/ms_gpr.o build/ms_nn.o build/ms_pme.o
+	$(BUILD) examples/workflow.c build/ms_gpr.o build/ms_nn.o build/ms_pme.o $(LDLIBS)
 
 demo: all
 	@sh examples/demo.sh
@@ -68,8 +85,9 @@ demo: all
 deps:
 	@sh tests/deps.sh
 
-# The examples, two at a time, for the tests.
+# The examples, two at a time, for the tests: the objects first, which several of them link.
 examples:
+	@printf '%s\n' $(OBJECTS) | xargs -n 1 -P $${JOBS:-2} $(MAKE) -s
 	@printf '%s\n' $(TOOLS) $(DEMOS) | xargs -n 1 -P $${JOBS:-2} $(MAKE) -s
 
 RUN = CC="$(CC)" CXX="$(CXX)" CFLAGS="$(CFLAGS)" sh tests/run.sh

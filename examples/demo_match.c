@@ -1,5 +1,6 @@
 /* Eight edits of held-out materials and the materials that match them best:
 
+     cc -O2 -I. examples/demo_match.c -o build/demo_match -lm
      build/demo_match OUT.png
 
    Source, edited target, match, and four times their difference, two edits a row, from the networks and pictures of

@@ -2,7 +2,8 @@
      profiles_red.svg, _green, _blue       diffusion profiles of all 11 materials
      skin1_before.png, _after, and skin1.png with half of each; the same for marble; demo.png with both
      model_*.png                           a dot, a disk and a step through every kernel model, and exactly
-     index.html                            a page that shows them all */
+     index.html                            a page that shows them all
+   Alone: cc -O2 -I. examples/demo_sss.c -o build/demo_sss -lm */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION

@@ -1,5 +1,6 @@
 /* A plane of variants: embeds the materials that were scored highest, and colours the plane by what is known about it.
 
+     cc -O2 -I. examples/latent.c -o build/latent -lm
      build/latent SCORES.csv OUT.png
 
    SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. Three panels: predicted score, similarity to the best

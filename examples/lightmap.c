@@ -1,5 +1,6 @@
 /* Filters a lightmap in texture space: light that leaves a skin-like surface from light that arrives.
 
+     cc -O2 -I. examples/lightmap.c -o build/lightmap -lm
      build/lightmap LIGHT.pfm OUT.(pfm|png) --texels-per-mm S [--coverage MASK.pgm] [--scale MM]
 
    MASK is 0 where no surface uses the texel: charts do not bleed into gutters, nor gutters into charts. MM (1) stretches

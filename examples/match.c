@@ -1,5 +1,6 @@
 /* From an edited picture to a material: finds the parameters whose picture, drawn by a neural renderer, is closest to it.
 
+     cc -O2 -I. examples/match.c -o build/match -lm
      build/match RENDERER.safetensors TARGET.(ppm|pfm) [--inversion DIR] [--weights MASK.pgm] [--start X.csv]
                  [--cost 50] [--out-params CSV] [--out-png PNG]
 

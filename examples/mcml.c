@@ -1,5 +1,6 @@
 /* Runs an MCML 1.2 input file: build/mcml [-n PHOTONS] [-s SEED] FILE.mci
-   Every run of the file writes its .mco file, in the current folder unless its name says otherwise. */
+   Every run of the file writes its .mco file, in the current folder unless its name says otherwise.
+   Alone: cc -O2 -I. examples/mcml.c -o build/mcml -lm */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 

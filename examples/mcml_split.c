@@ -1,4 +1,5 @@
 /* One simulation over many processes or machines, with the same bits as one process:
+     cc -O2 -I. examples/mcml_split.c -o build/mcml_split -lm
      build/mcml_split run FILE.mci PART OF OUT.tally     the PART-th (from 1) of OF shares of the first run's photons
      build/mcml_split merge FILE.mci TALLY...            adds the shares, in any order, and writes the run's .mco file
    For example, with a shell as the batch system:

@@ -5,6 +5,8 @@
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* The next row of count numbers, separated by commas or spaces. 1: read, 0: end of the text, -1: malformed. */
 static int next_row(char **text, float *row, size_t count, const char *path, int line)

@@ -1,5 +1,6 @@
 /* Subsurface scattering as a post-process of an engine: what happens once, at a new window size, and every frame.
 
+     cc -O2 -I. examples/postprocess.c -o build/postprocess -lm
      build/postprocess [OUT.png]
 
    The "engine" shades a ball in front of a wall into one buffer of four floats a pixel, diffuse light and depth. */

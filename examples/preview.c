@@ -1,5 +1,6 @@
 /* Draws materials with a neural renderer: a gallery sheet, one picture for each row of parameters.
 
+     cc -O2 -I. examples/preview.c -o build/preview -lm
      build/preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.ppm]
 
    WEIGHTS: a network from parameters to a square RGB picture, such as examples/data/renderer_128.safetensors. PARAMS: as many

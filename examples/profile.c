@@ -1,5 +1,6 @@
 /* The diffusion profile of a material as a table: r_mm,R,G,B in 1/mm^2, rings of equal width, r_mm their middle.
 
+     cc -O2 -I. examples/profile.c -o build/profile -lm
      build/profile skin1
      build/profile --mua 0.032,0.17,0.48 --mus 0.74,0.88,1.01 --eta 1.3 --photons 10000000 --csv skin1.csv
      build/profile --list
@@ -8,7 +9,10 @@
    file; then only the comment lines are printed. Exit: 0, 1 if something failed, 2 if the arguments are wrong. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 static int usage(const char *problem, const char *value)
 {

@@ -1,5 +1,6 @@
 /* Learns a taste from scored materials and recommends new ones.
 
+     cc -O2 -I. examples/recommend.c -o build/recommend -lm
      build/recommend SCORES.csv [--count 300] [--tau 0.6] [--seed S] [--out FILE]
 
    SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. The recommendations go to FILE, or to standard output,

@@ -1,5 +1,6 @@
 /* Filters a rendered irradiance picture so that light seems to scatter below the surface:
 
+     cc -O2 -I. examples/sss_filter.c -o build/sss_filter -lm
      build/sss_filter IRRADIANCE.pfm DEPTH.pfm OUT.(pfm|png) --material NAME|--profile CSV [--taps N]
                       [--mm-per-unit S] [--fov DEG|--ortho HEIGHT] [--strength S]
 

@@ -1,5 +1,6 @@
 /* Designs a separable kernel for a material and prints its weights, its errors and the array for a shader.
 
+     cc -O2 -I. examples/sss_kernel.c -o build/sss_kernel -lm
      build/sss_kernel skin1                                   7 taps, least error where the radius covers 24 pixels
      build/sss_kernel skin1 --radius 96 --tolerance 0.05      the cheapest kernel within 5% on natural textures
      build/sss_kernel skin1 --model pre --taps 33 --tolerance 0.06     the fewest taps of one model, at most 33
@@ -12,7 +13,10 @@
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 static const char *const model_names[] = {"image", "preintegrated", "residual", "svd", "svdn", "gaussians", "guided", "artist", "slice", "rotated"};
 static const char *const placement_names[] = {"optimised", "quantile", "quadratic"};

@@ -1,6 +1,7 @@
 /* Gaussian Material Synthesis from start to end (thesis, algorithm 1): scores of a few random materials, a taste learned from
    them, 300 recommendations, a plane of variants of one of them, and an edited picture turned into a material.
 
+     cc -O2 -I. examples/workflow.c -o build/workflow -lm
      build/workflow OUT [--taste metal|glass|jade] [--scores SCORES.csv] [--networks examples/data] [--seed S]
 
    OUT: an existing folder. A scripted user scores 250 materials, or SCORES.csv does (19 parameters and a score a row, such

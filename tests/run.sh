@@ -121,6 +121,7 @@ test_group() {
     test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS" "" ""
     test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" ""
     ! have clang || test_jobs "clang_" clang "-std=c99 $CFLAGS" "" ""
+    job alone "sh tests/alone.sh $out/alone"
     for t in tests/pkg_*.c; do
         [ -f "$t" ] || continue
         n=$(basename "$t" .c)

@@ -1,0 +1,25 @@
+#!/bin/sh
+# Every example alone, with the line that its comment gives: sh tests/alone.sh OUT. CC takes the place of cc, -O0 that of
+# -O2, OUT that of build.
+set -u
+out=$1
+mkdir -p "$out"
+passed=0
+failed=0
+for f in examples/*.c; do
+    line=$(sed -n '1,/\*\//s/.*\(cc -O2 -I\. examples\/.*-lm\).*/\1/p' "$f" | head -1)
+    n=$(basename "$f" .c)
+    case $line in
+    *" $f -o build/$n "*)
+        if (eval "$(echo "$line" | sed "s|^cc -O2|${CC:-cc} -O0|; s|-o build/|-o $out/|")") >"$out/log" 2>&1; then
+            passed=$((passed + 1))
+            continue
+        fi ;;
+    *) echo "no line that compiles it" >"$out/log" ;;
+    esac
+    failed=$((failed + 1))
+    echo "FAIL $f: $line"
+    head -5 "$out/log"
+done
+echo "$passed passed, $failed failed"
+[ $failed = 0 ] && [ $passed -gt 0 ]
