@@ -47,20 +47,12 @@
    DIRECT MONTE CARLO (layers)
 
    Packets of 4, 8 or 16 photons, as MCML (Wang, Jacques, Zheng 1995): absorption by weight, Henyey-Greenstein, Fresnel,
-   roulette. Nanoseconds a photon on one core, every tally of an .mco file on, beside MCML 1.2.2 built with -O3 (AMD EPYC with
-   AVX-512, GCC 12; `MCML=path make bench FILTER=mcml` makes the table on yours):
+   roulette. Time grows with the collisions of a photon; RESULTS.md has it for each level beside original MCML
+   (`MCML=path make bench FILTER=mcml` makes the table on your machine).
 
-                                 MCML   scalar   SSE2   AVX2   AVX-512
-     skin1 R                     4942     1642    614    275       201
-     skin1 G                     1943      669    286    143       112
-     skin1 B                     1101      395    185     98        80
-     marble G                   33542    13196   4441   1840      1128
-     sample.mci, three layers    4241     2158   1005    480       379
-     mu_a 1, mu_s 100, g 0.9    27667     8153   3241   1334       818
-
-   Roulette starts at weight 0.03, not at MCML's 1e-4: that takes a seventh to almost a half of the time away, and adds less than a
-   percent of error (0.1 takes another fifth, but thins out the far rings of dark media). Without A_rz (no_absorption) a photon
-   takes 0.7 to 0.9 of the time, with its errors (absorption_error) 1.1 to 2.2 times: the bench's second table.
+   Roulette starts at 0.01 times the least albedo, not at MCML's 1e-4: that takes a seventh to a third of the time away; a
+   larger roulette_weight takes more, but thins out far rings. Without A_rz (no_absorption) a photon takes 0.7 to 0.9 of the
+   time, with its errors (absorption_error) 1.1 to 2.2 times.
 
    Determinism: photon i draws from (seed, i); sums are integers. Same bits for any thread count and any split at one level of
    instruction sets; levels round paths differently (they agree far within a standard error). MCML's own generator is
@@ -96,8 +88,9 @@
        0.4         0.3             76 ms         3e-10               4e-4
        0.3         0.25 (default) 145 ms         5e-13               8e-5
 
-   Valid for index ratios 0.1 to 10 and every albedo, 1 included; g other than 0 goes by similarity, mu_s (1 - g), which is
-   off by 6% of the total at reduced albedo 0.9, 0.3% at 0.99 (0 < g < 1), 60% at 0.5: use MS_MCML_DIRECT there. White Monte
+   Valid for index ratios 0.1 to 10 and every albedo, 1 included. Media with g other than 0 go to direct Monte Carlo;
+   similarity, mu_s (1 - g), is an option, whose totals are off by 0.3% at reduced albedo 0.99, 6% at 0.9, 60% at 0.5 and
+   whose profile is off by 100% and more within a mean free path of the beam. White Monte
    Carlo needs 1.5 us a photon for all albedos together, direct Monte Carlo 0.1 to 3 us a photon and channel; 1e6 photons
    leave about 1% of noise in a profile (relative L2 over rings of a twentieth of a mean free path).
 
@@ -253,7 +246,8 @@ typedef struct ms_mcml_options {
     uint64_t photons;          /* that ms_mcml_simulate runs; 0: 1000000; at most 2^32 in one tally */
     uint64_t seed;
     double target_error;       /* > 0: ms_mcml_simulate stops when one standard error of Rd + Tt is at most this part of it */
-    double roulette_weight;    /* photons of less weight play roulette; 0: 0.03, at most 1. MCML: 1e-4 */
+    double roulette_weight;    /* photons of less weight play roulette; at most 1; 0: 0.01 times the least albedo of a layer
+                                  that scatters, but at least MCML's 1e-4 */
     int no_absorption;         /* not 0: neither A_rz nor A_z: faster, and no memory for them; A_l remains */
     int absorption_error;      /* not 0: standard errors of A_rz, A_z and phi_rz: 64 times their memory */
     int fluence;               /* not 0: phi_rz by the collision estimator, which also works where mu_a = 0 */
@@ -476,7 +470,9 @@ typedef struct ms_mcml_halfspace {
 MS_API ms_status ms_mcml_halfspace_solve(const ms_mcml_medium *medium, const ms_mcml_halfspace_options *options,
                                          ms_mcml_halfspace *out, ms_error *error);
 
-/* Energy that leaves farther than r_mm >= 0 from the beam; at 0 the total. */
+/* The four evaluators return NaN outside the stated range (r < 0, an empty ring, NaN, solution NULL).
+
+   Energy that leaves farther than r_mm >= 0 from the beam; at 0 the total. */
 MS_API double ms_mcml_halfspace_beyond(const ms_mcml_halfspace *solution, double r_mm);
 
 /* Mean of R_d over the ring r0_mm <= r < r1_mm in 1/mm^2, r0_mm < r1_mm. */
@@ -533,8 +529,7 @@ MS_API void ms_mcml_white_destroy(ms_mcml_white *white);
 
 /* Three ways to a profile; times on one AVX2 core, three channels, from tests/bench/bench_profile.c (README has the table):
 
-     deterministic   the half-space solver: 10 to 25 ms, rings to 1e-4, totals to 1e-8. The default. g other than 0 by
-                     similarity, mu_s (1 - g): total within 6% at reduced albedo 0.9, 0.3% at 0.99 for g > 0
+     deterministic   the half-space solver: 10 to 25 ms, rings to 1e-4, totals to 1e-8. The default for g = 0
      white           1.5 us a photon for all channels together, whatever they absorb. For a table over many albedos run
                      ms_mcml_white_run once instead
      direct          0.1 us a photon and channel at albedo 0.95, 1 to 3 us at 0.9999; the only way that is exact for g
@@ -542,11 +537,12 @@ MS_API void ms_mcml_white_destroy(ms_mcml_white *white);
    1e6 photons leave an error of about 1% of the profile (L2). */
 
 typedef enum ms_mcml_method {
-    MS_MCML_AUTO = 0,          /* photons = 0: deterministic; else direct, but white (where it can) for edge_mm and where a
-                                  channel absorbs less than 1e-3 of what it meets: there it needs less time */
-    MS_MCML_DETERMINISTIC = 1, /* no noise, milliseconds a channel; exact for g = 0, similarity for other g */
+    MS_MCML_AUTO = 0,          /* deterministic if photons = 0 and g = 0 (or similarity); else direct, but white (where it
+                                  can) for edge_mm and where a channel absorbs less than 1e-3 of what it meets: there it
+                                  needs less time */
+    MS_MCML_DETERMINISTIC = 1, /* no noise, milliseconds a channel; g = 0, or other g by similarity where that is asked for */
     MS_MCML_WHITE = 2,         /* Monte Carlo, one run for all channels; g = 0 and one eta only */
-    MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g; rings of equal width */
+    MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g */
 } ms_mcml_method;
 
 typedef struct ms_mcml_profile_options {
@@ -557,6 +553,8 @@ typedef struct ms_mcml_profile_options {
     int rings;             /* 0 (with edge_mm NULL, ring_mm 0): rings that suit the media, see ms_mcml_profile */
     double ring_mm;
     double depth_step, frequency_step; /* deterministic: see ms_mcml_halfspace_options */
+    int similarity;        /* not 0: deterministic takes g other than 0 as mu_s (1 - g) and g = 0; RESULTS.md has the errors:
+                              100% and more within a mean free path of the beam */
     ms_simd simd;
     ms_parallel parallel;
     ms_progress progress;
@@ -1016,6 +1014,7 @@ struct ms_mcml {
     uint64_t photons;
     ms_simd simd;
     int groups;            /* of a and phi: 1 or GROUPS */
+    const double *edge_cm; /* NULL, or [nr] where the rings begin in place of i dr; the caller's */
     size_t size;
 };
 
@@ -1105,18 +1104,33 @@ static void ms_mcml__keep(ms_mcml__tracer *t, int i)
     t->sum[at] += (int64_t)(t->kept[i] * MS_MCML__UNITS + (float)(t->word[i] & 127) * (1.0f / 128));
 }
 
-/* Lane i leaves the tissue with its whole weight. */
+/* Ring of edged radius r by bisection; rings if outside. */
+static int ms_mcml__ring_of(const double *edge, int rings, double r)
+{
+    int low = 0, high = rings;
+    if (!(r >= edge[0] && r < edge[rings])) return rings;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        if (r < edge[middle]) high = middle;
+        else low = middle;
+    }
+    return low;
+}
+
+/* Lane i leaves the tissue with its whole weight; squares are rounded up, so that none is lost and no error becomes 0. */
 static void ms_mcml__leave(ms_mcml__tracer *t, int i, int down)
 {
     const ms_mcml *m = t->tally;
     const double w = (double)t->w[i], r = sqrt((double)t->x[i] * (double)t->x[i] + (double)t->y[i] * (double)t->y[i]);
     const double cosine = (double)t->cos_t[i] < 1 ? (double)t->cos_t[i] : 1, ring = r / m->grid.dr_cm;
+    size_t ir = (size_t)(ring < m->grid.nr - 1 ? (int)ring : m->grid.nr - 1);
     const double angle = m->grid.na > 1 ? acos(cosine) * m->grid.na / 1.5707963267948966 : 0;
-    const int64_t s = (int64_t)(w * (double)MS_MCML__UNITS + 0.5), q = (int64_t)(w * w * (double)MS_MCML__UNITS + 0.5);
-    const size_t ir = (size_t)(ring < m->grid.nr - 1 ? (int)ring : m->grid.nr - 1);
+    const int64_t s = (int64_t)(w * (double)MS_MCML__UNITS + 0.5), q = (int64_t)ceil(w * w * (double)MS_MCML__UNITS);
     const size_t ia = (size_t)(angle < m->grid.na - 1 ? (int)angle : m->grid.na - 1);
     const size_t nr = (size_t)m->grid.nr, na = (size_t)m->grid.na, nt = (size_t)m->grid.nt;
-    int64_t *bin = t->sum + m->at.leave + 2 * (((size_t)down * nr + ir) * na + ia);
+    int64_t *bin;
+    if (m->edge_cm) ir = (size_t)ms_mcml__ring_of(m->edge_cm, m->grid.nr - 1, r);
+    bin = t->sum + m->at.leave + 2 * (((size_t)down * nr + ir) * na + ia);
     bin[0] += s;
     bin[1] += q;
     if (nt && !down) {
@@ -1227,7 +1241,7 @@ static size_t ms_mcml__layout_make(ms_mcml__layout *at, const ms_mcml_grid *grid
 static void ms_mcml__prepare(ms_mcml *m)
 {
     const ms_mcml_layer *layer = m->tissue.layers;
-    double top = 0;
+    double top = 0, albedo = 1;
     int i;
     m->first_layer = m->tissue.layer_count;
     m->mfp_max_cm = 0;
@@ -1245,6 +1259,7 @@ static void ms_mcml__prepare(ms_mcml *m)
         slab->ratio_up = (float)(layer[i].n / above);
         slab->ratio_down = (float)(layer[i].n / below);
         if (!slab->clear) m->first_layer = i;
+        if (mu_s > 0 && mu_s < albedo * mu_t) albedo = mu_s / mu_t;
         if (!slab->clear && (double)slab->mfp > m->mfp_max_cm) m->mfp_max_cm = (double)slab->mfp;
     }
     for (i = 0; i < m->tissue.layer_count; ++i) {
@@ -1253,6 +1268,8 @@ static void ms_mcml__prepare(ms_mcml *m)
         if (i < m->first_layer) m->entry_path_cm += layer[i].n * layer[i].thickness_cm;
     }
     m->specular = ms_mcml__specular(&m->tissue, m->first_layer);
+    /* One collision in a dark layer must not make a photon that still matters play. */
+    if (!(m->options.roulette_weight > 0)) m->options.roulette_weight = 0.01 * albedo > 1e-4 ? 0.01 * albedo : 1e-4;
 }
 
 MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
@@ -1291,7 +1308,6 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
     if (m == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tally", size);
     memset(m, 0, size);
     m->options = o;
-    if (!(o.roulette_weight > 0)) m->options.roulette_weight = 0.03;
     m->grid = *grid;
     m->at = at;
     m->size = size;
@@ -1591,6 +1607,13 @@ static double ms_mcml__solid_angle(int ia, int na, double *cosine)
 
 static double ms_mcml__ring_area(int ir, double dr) { return 6.283185307179586 * (ir + 0.5) * dr * dr; }
 
+static double ms_mcml__area(const ms_mcml *m, int ir)
+{
+    const double *edge = m->edge_cm;
+    if (edge && ir + 1 < m->grid.nr) return 3.141592653589793 * (edge[ir + 1] - edge[ir]) * (edge[ir + 1] + edge[ir]);
+    return ms_mcml__ring_area(ir, m->grid.dr_cm);
+}
+
 /* Rd or Tt: the total, and over r, a, and both. */
 static void ms_mcml__leave_results(const ms_mcml *m, int down, double *total, double *total_error, double *r, double *r_error,
                                    double *a, double *a_error, double *ra, double *ra_error)
@@ -1601,7 +1624,7 @@ static void ms_mcml__leave_results(const ms_mcml *m, int down, double *total, do
     double s = 0, q = 0;
     int ir, ia;
     for (ir = 0; ir < nr; ++ir) {
-        const double area = ms_mcml__ring_area(ir, m->grid.dr_cm);
+        const double area = ms_mcml__area(m, ir);
         double ring_s = 0, ring_q = 0;
         for (ia = 0; ia < na; ++ia) {
             const size_t i = (size_t)ir * (size_t)na + (size_t)ia;
@@ -1637,7 +1660,7 @@ static void ms_mcml__time_results(const ms_mcml *m, ms_mcml_result *out)
         double s = 0, q = 0;
         for (ir = 0; ir < nr; ++ir) {
             const size_t i = (size_t)ir * (size_t)nt + (size_t)it;
-            ms_mcml__moments((double)bin[2 * i], (double)bin[2 * i + 1], n, scale / ms_mcml__ring_area(ir, m->grid.dr_cm),
+            ms_mcml__moments((double)bin[2 * i], (double)bin[2 * i + 1], n, scale / ms_mcml__area(m, ir),
                              &out->rd_rt[i], &out->rd_rt_error[i]);
             s += (double)bin[2 * i];
             q += (double)bin[2 * i + 1];
@@ -1653,7 +1676,7 @@ static void ms_mcml__volume_results(const ms_mcml *m, const int64_t *sum, double
     double group[MS_MCML__GROUPS];
     size_t i, g;
     for (i = 0; i < cells; ++i) {
-        const double volume = ms_mcml__ring_area((int)(i / nz), m->grid.dr_cm) * m->grid.dz_cm;
+        const double volume = ms_mcml__area(m, (int)(i / nz)) * m->grid.dz_cm;
         const double scale = (1 - m->specular) / volume;
         for (g = 0; error && g < MS_MCML__GROUPS; ++g) group[g] = (double)sum[g * cells + i];
         if (error) ms_mcml__spread(m, group, unit, scale, &value[i], &error[i]);
@@ -2088,16 +2111,25 @@ MS_API ms_status ms_mcml_mci_read(const char *text, size_t size, const ms_alloca
     ms_mcml_mci out;
     ms_mcml_layer *layers;
     ms_status status;
-    double count;
+    double count, version;
     size_t layer_count = 0;
     int i, k;
     if (text == NULL || mci == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "text or mci is NULL");
     memset(&t, 0, sizeof t);
     t.next = size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? text + 3 : text; /* byte order mark */
     t.end = text + size;
-    if (!ms_mcml__next_line(&t)) return ms__fail(error, MS_BAD_DATA, t.line, "line %z: the file is empty", t.line);
+    if (size >= 2 && (memcmp(text, "\xFF\xFE", 2) == 0 || memcmp(text, "\xFE\xFF", 2) == 0))
+        return ms__fail(error, MS_UNSUPPORTED, 1, "line 1: the file is in UTF-16, expected ASCII or UTF-8");
+    if (!ms_mcml__next_line(&t)) {
+        t.line += t.line == 0;
+        return ms__fail(error, MS_BAD_DATA, t.line, "line %z: the file is empty", t.line);
+    }
     if (t.stop - t.p >= 4 && memcmp(t.p, "mcml", 4) == 0)
         return ms__fail(error, MS_UNSUPPORTED, t.line, "line %z: an input file of MCML 2, expected MCML 1", t.line);
+    if (!ms_mcml__number(&t, &version))
+        return ms__fail(error, MS_BAD_DATA, t.line, "line %z: expected the file's version, 1.0", t.line);
+    if (!(version >= 1 && version < 2))
+        return ms__fail(error, MS_UNSUPPORTED, t.line, "line %z: the file's version is %g, expected 1.0", t.line, version);
     status = ms_mcml__read_count(&t, &count, 32767, "the number of runs", error);
     if (status) return status;
 
@@ -2963,10 +2995,20 @@ static double ms_mcml__x_bessel_k1(double x)
     return sum * sqrt(x) * exp(-x);
 }
 
+/* By its bits: no invalid operation is raised. */
+static double ms_mcml__nan(void)
+{
+    const uint64_t bits = 0x7ff8000000000000u;
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
 MS_API double ms_mcml_halfspace_beyond(const ms_mcml_halfspace *s, double r_mm)
 {
     double sum = 0;
     int i;
+    if (s == NULL || !ms_mcml__between(r_mm, 0, 1e300)) return ms_mcml__nan();
     for (i = 0; i < s->singles && s->single_rate_per_mm[i] * r_mm < 745; ++i)
         sum += s->single_energy[i] * exp(-s->single_rate_per_mm[i] * r_mm);
     for (i = 0; i < s->rates && s->rate_per_mm[i] * r_mm < 745; ++i)
@@ -2978,6 +3020,7 @@ MS_API double ms_mcml_halfspace_ring(const ms_mcml_halfspace *s, double r0_mm, d
 {
     double r0 = r0_mm, r1 = r1_mm, sum = 0;
     int i;
+    if (s == NULL || !ms_mcml__between(r0, 0, 1e150) || !ms_mcml__between(r1, 0, 1e150) || !(r0 < r1)) return ms_mcml__nan();
     if (r1 - r0 < 1e-4 * r1) { /* a narrower ring has the same mean to 1e-9 (rate r)^2, but would cancel */
         double middle = 0.5 * (r0 + r1);
         r0 = (1 - 0.5e-4) * middle;
@@ -2994,6 +3037,7 @@ MS_API double ms_mcml_halfspace_spectrum(const ms_mcml_halfspace *s, double k_pe
 {
     double sum = 0;
     int i;
+    if (s == NULL || !ms_mcml__between(k_per_mm, 0, 1e150)) return ms_mcml__nan();
     for (i = 0; i < s->singles; ++i) {
         double x = k_per_mm / s->single_rate_per_mm[i];
         sum += s->single_energy[i] / sqrt(1 + x * x);
@@ -3009,6 +3053,7 @@ MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *s, double x
 {
     double sum = 0;
     int i;
+    if (s == NULL || !ms_mcml__between(x_mm, 0, 1e300)) return ms_mcml__nan();
     for (i = 0; i < s->lines && s->line_rate_per_mm[i] * x_mm < 745; ++i)
         sum += s->line_energy[i] * exp(-s->line_rate_per_mm[i] * x_mm);
     for (i = 0; i < s->rates && s->rate_per_mm[i] * x_mm < 745; ++i)
@@ -3077,19 +3122,6 @@ struct ms_mcml_white {
     double *square;  /* [rings + 1] edge squared */
     uint32_t *count; /* [bins][rings + 1]; the last is beyond the rings (and inside the first edge) */
 };
-
-/* Ring of squared radius r2 by bisection; rings if outside. */
-static int ms_mcml__ring_of(const double *square, int rings, double r2)
-{
-    int low = 0, high = rings;
-    if (!(r2 >= square[0] && r2 < square[rings])) return rings;
-    while (high - low > 1) {
-        int middle = (low + high) / 2;
-        if (r2 < square[middle]) high = middle;
-        else low = middle;
-    }
-    return low;
-}
 
 /* Photons in waves of 8 batches, each wave tallied in the order of its photons on the calling thread. */
 #define MS_MCML__WAVE 8
@@ -3454,8 +3486,15 @@ static int ms_mcml__profile_report(void *user, double fraction)
 static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const ms_mcml_profile_options *o, ms_error *error)
 {
     ms_mcml_profile *p = job->profile;
+    const int inner = p->edge_mm[0] > 0; /* a ring for what leaves nearer than the first edge */
+    const size_t size = ((size_t)p->rings + 2) * sizeof(double);
     ms_mcml__profile_progress progress;
+    double *edge_cm = (double *)ms__alloc(&o->allocator, size);
     ms_status status = MS_OK;
+    int i;
+    if (edge_cm == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the ring edges", size);
+    edge_cm[0] = 0;
+    for (i = 0; i <= p->rings; ++i) edge_cm[i + inner] = 0.1 * p->edge_mm[i];
     progress.whole = &o->progress;
     progress.channels = p->channels;
     for (progress.channel = 0; status == MS_OK && progress.channel < p->channels; ++progress.channel) {
@@ -3467,7 +3506,7 @@ static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const 
         ms_mcml_grid grid;
         ms_mcml_options options = ms_mcml_defaults();
         ms_mcml_result result;
-        int i;
+        ms_mcml *tally;
         layer.n = m->eta;
         layer.mu_a_per_cm = 10 * m->mu_a_per_mm;
         layer.mu_s_per_cm = 10 * m->mu_s_per_mm;
@@ -3477,11 +3516,9 @@ static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const 
         tissue.layer_count = 1;
         tissue.layers = &layer;
         memset(&grid, 0, sizeof grid);
-        grid.dr_cm = 0.1 * p->edge_mm[1];
-        grid.dz_cm = 1;
-        grid.nr = p->rings + 1; /* the last collects what lies beyond */
+        grid.dr_cm = grid.dz_cm = 1;
+        grid.nr = p->rings + 1 + inner; /* the last collects what lies beyond */
         grid.nz = grid.na = 1;
-        options.photons = o->photons;
         options.seed = o->seed;
         options.no_absorption = 1;
         options.simd = o->simd;
@@ -3491,18 +3528,25 @@ static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const 
             options.progress.user = &progress;
             options.progress.report = ms_mcml__profile_report;
         }
-        status = ms_mcml_simulate(&tissue, &grid, &options, &result, error);
+        status = ms_mcml_create(&tissue, &grid, &options, &tally, error);
         if (status) break;
-        for (within[0] = 0, i = 0; i < p->rings; ++i) {
-            p->rd_per_mm2[row + (size_t)i] = 0.01 * result.rd_r[i];
-            p->rd_error_per_mm2[row + (size_t)i] = 0.01 * result.rd_r_error[i];
-            within[i + 1] = within[i] + 0.01 * result.rd_r[i] * 3.14159265358979324 *
+        tally->edge_cm = edge_cm;
+        status = ms_mcml__run(tally, 0, o->photons, 0, o->photons, error);
+        if (status == MS_OK) status = ms_mcml_results(tally, &result, error);
+        ms_mcml_destroy(tally);
+        if (status) break;
+        within[0] = inner ? result.rd_r[0] * 3.14159265358979324 * edge_cm[1] * edge_cm[1] : 0;
+        for (i = 0; i < p->rings; ++i) {
+            p->rd_per_mm2[row + (size_t)i] = 0.01 * result.rd_r[i + inner];
+            p->rd_error_per_mm2[row + (size_t)i] = 0.01 * result.rd_r_error[i + inner];
+            within[i + 1] = within[i] + 0.01 * result.rd_r[i + inner] * 3.14159265358979324 *
                                             (p->edge_mm[i + 1] - p->edge_mm[i]) * (p->edge_mm[i + 1] + p->edge_mm[i]);
         }
         p->total[progress.channel] = result.rd;
         p->total_error[progress.channel] = result.rd_error;
         ms_mcml_result_destroy(&result);
     }
+    ms__release(&o->allocator, edge_cm, size);
     return status;
 }
 
@@ -3515,7 +3559,7 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     size_t solve_size = 0, tally_size = 0, n, c;
     ms_status status = MS_OK;
     double least = 1; /* absorption, as a part of mu_a + mu_s */
-    int i, anisotropic = 0, solve;
+    int i, anisotropic = 0, forward = 0, solve;
     if (profile) memset(profile, 0, sizeof *profile);
     if (profile == NULL || media == NULL || channels < 1 || channels > 65536)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d channels, expected 1 to 65536; profile and media not NULL", channels);
@@ -3525,13 +3569,15 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
         double absorption = media[i].mu_a_per_mm / (media[i].mu_a_per_mm + media[i].mu_s_per_mm);
         status = ms_mcml__check_medium(&media[i], error);
         if (status) return status;
+        forward |= media[i].g < 0 || media[i].g > 0;
         anisotropic |= media[i].g < 0 || media[i].g > 0 || media[i].eta < media[0].eta || media[i].eta > media[0].eta;
         if (absorption < least) least = absorption;
     }
     if (o.method < MS_MCML_AUTO || o.method > MS_MCML_DIRECT)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected one of ms_mcml_method", o.method);
     if (o.method == MS_MCML_AUTO)
-        o.method = o.photons == 0 ? MS_MCML_DETERMINISTIC : o.edge_mm || (least < 1e-3 && !anisotropic) ? MS_MCML_WHITE : MS_MCML_DIRECT;
+        o.method = o.photons == 0 && (!forward || o.similarity) ? MS_MCML_DETERMINISTIC
+                   : !anisotropic && (o.edge_mm || least < 1e-3) ? MS_MCML_WHITE : MS_MCML_DIRECT;
     if (o.photons == 0) o.photons = 1000000;
     status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
     if (status == MS_OK) status = ms_mcml__check_photons(o.photons, media[0].eta, error);
@@ -3541,8 +3587,8 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected a positive number", o.ring_mm);
     if (o.method == MS_MCML_WHITE && anisotropic)
         return ms__fail(error, MS_UNSUPPORTED, 0, "white Monte Carlo needs g = 0 and one eta for all channels");
-    if (o.method == MS_MCML_DIRECT && o.edge_mm)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "direct Monte Carlo needs rings of equal width: ring_mm instead of edge_mm");
+    if (o.method == MS_MCML_DETERMINISTIC && forward && !o.similarity)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "g other than 0 needs direct Monte Carlo, or similarity in the options");
     if (o.method == MS_MCML_DIRECT && o.rings == 0) ms_mcml__profile_equal_rings(media, channels, &o);
 
     memset(&job, 0, sizeof job);

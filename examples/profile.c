@@ -22,17 +22,20 @@ static int usage(const char *problem, const char *value)
     return 2;
 }
 
-/* "1,2,3" into three numbers, or "1" into one: whether text is just that. */
+/* "1,2,3" into count numbers, or "1" into all of them: whether text is just that. */
 static int parse_numbers(const char *text, double *out, int count)
 {
     char *end;
     int i;
     for (i = 0; i < count; ++i) {
         out[i] = strtod(text, &end);
-        if (end == text || *end != (i + 1 < count ? ',' : 0)) return 0;
+        if (end == text || (*end != ',' && *end != 0)) return 0;
+        if (*end == 0) break;
         text = end + 1;
     }
-    return 1;
+    if (i == 0)
+        while (++i < count) out[i] = out[0];
+    return i >= count - 1 && *end == 0;
 }
 
 static void list_materials(void)
@@ -91,10 +94,10 @@ int main(int argc, char **argv)
             continue;
         }
         if (strcmp(argv[i], "--mua") == 0) {
-            if (!parse_numbers(value, custom.mu_a_per_mm, 3)) return usage("--mua needs three numbers R,G,B, not", value);
+            if (!parse_numbers(value, custom.mu_a_per_mm, 3)) return usage("--mua needs one number or three, R,G,B, not", value);
             given |= 1;
         } else if (strcmp(argv[i], "--mus") == 0) {
-            if (!parse_numbers(value, custom.mu_s_per_mm, 3)) return usage("--mus needs three numbers R,G,B, not", value);
+            if (!parse_numbers(value, custom.mu_s_per_mm, 3)) return usage("--mus needs one number or three, R,G,B, not", value);
             given |= 2;
         } else if (strcmp(argv[i], "--eta") == 0) {
             if (!parse_numbers(value, &custom.eta, 1)) return usage("--eta needs a number, not", value);

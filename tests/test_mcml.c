@@ -996,6 +996,14 @@ static void mci_malformed(void)
     }
     TEST_NOTE("%d malformed files", (int)i);
     CHECK_INT(ms_mcml_mci_read("", 0, NULL, &f, &e), MS_BAD_DATA);
+    CHECK_INT((int)e.position, 1);
+    CHECK_INT(ms_mcml_mci_read("# nothing\n\n", 11, NULL, &f, &e), MS_BAD_DATA);
+    CHECK_INT((int)e.position, 2);
+    CHECK_INT(ms_mcml_mci_read("2.0\n1\n", 6, NULL, &f, &e), MS_UNSUPPORTED);
+    CHECK(strstr(e.message, "version is 2") != NULL);
+    CHECK_INT(ms_mcml_mci_read("one\n1\n", 6, NULL, &f, &e), MS_BAD_DATA);
+    CHECK_INT(ms_mcml_mci_read("\xFF\xFE" "1", 3, NULL, &f, &e), MS_UNSUPPORTED);
+    CHECK(strstr(e.message, "UTF-16") != NULL);
     CHECK_INT(ms_mcml_mci_read("mcmli2.0\n", 9, NULL, &f, &e), MS_UNSUPPORTED);
     CHECK_INT(ms_mcml_mci_read(NULL, 0, NULL, &f, &e), MS_INVALID_ARGUMENT);
     {

@@ -785,7 +785,80 @@ static void similarity(void)
     }
 }
 
+/* Whatever the media, rings and photons, the automatic choice is a method that does it. */
+static void automatic_method(void)
+{
+    static const double edges[] = {0.1, 0.2, 0.7};
+    ms_mcml_profile p, q;
+    ms_mcml_profile_options o;
+    ms_error error;
+    int g, photons, rings, eta, absorbs, i;
+    for (i = 0; i < 48; ++i) {
+        ms_mcml_medium m[2];
+        ms_status status;
+        g = i % 2;
+        photons = i / 2 % 2;
+        rings = i / 4 % 3;
+        eta = i / 12 % 2;
+        absorbs = i / 24 % 2;
+        m[0] = m[1] = medium_of(absorbs ? 0.9 : 0.9999, 1.3);
+        m[1].g = g ? 0.8 : 0;
+        m[1].eta = eta ? 1.5 : 1.3;
+        memset(&o, 0, sizeof o);
+        o.photons = photons ? 2000 : 0;
+        o.rings = rings ? 2 : 0;
+        o.edge_mm = rings == 1 ? edges : NULL;
+        o.ring_mm = rings == 2 ? 0.1 : 0;
+        if (g && !photons && !(rings == 1 && absorbs)) continue; /* a million photons each: one case will do */
+        status = ms_mcml_profile_make(&p, m, 2, &o, &error);
+        if (status) TEST_FAIL("g %d, photons %d, rings %d, eta %d: %s", g, photons, rings, eta, error.message);
+        CHECK(!g || p.method == MS_MCML_DIRECT);
+        ms_mcml_profile_destroy(&p);
+    }
+    /* Rings that the caller chose are sums of narrow ones: the same photons, the same energy to rounding. */
+    {
+        ms_mcml_medium m = medium_of(0.9, 1.3);
+        m.g = 0.8;
+        memset(&o, 0, sizeof o);
+        o.method = MS_MCML_DIRECT;
+        o.photons = 20000;
+        o.edge_mm = edges;
+        o.rings = 2;
+        CHECK_INT(ms_mcml_profile_make(&p, &m, 1, &o, NULL), MS_OK);
+        o.edge_mm = NULL;
+        o.rings = 7;
+        o.ring_mm = 0.1;
+        CHECK_INT(ms_mcml_profile_make(&q, &m, 1, &o, NULL), MS_OK);
+        CHECK_NEAR(p.within[0], q.within[1], 1e-4); /* a photon on an edge may fall to either side: 1 / 20000 */
+        CHECK_NEAR(p.within[1], q.within[2], 1e-4);
+        CHECK_NEAR(p.within[2], q.within[7], 1e-4);
+        CHECK_NEAR(p.rd_per_mm2[1] * 3.14159265358979 * 0.45, p.within[2] - p.within[1], 1e-12);
+        CHECK(p.rd_error_per_mm2[1] > 0 && p.rd_error_per_mm2[1] < 0.2 * p.rd_per_mm2[1]);
+        CHECK(p.total[0] >= p.within[2]);
+        ms_mcml_profile_destroy(&p);
+        ms_mcml_profile_destroy(&q);
+    }
+}
+
 /* --- what is refused --- */
+
+static void evaluators_check_their_domain(void)
+{
+    const ms_mcml_halfspace s = solve(medium_of(0.9, 1.3));
+    const double no[] = {-1e-300, -1, strtod("nan", NULL), 1e301, -HUGE_VAL};
+    unsigned i;
+    for (i = 0; i < sizeof no / sizeof *no; ++i) {
+        CHECK(ms_mcml_halfspace_beyond(&s, no[i]) != ms_mcml_halfspace_beyond(&s, no[i])); /* NaN */
+        CHECK(ms_mcml_halfspace_line_beyond(&s, no[i]) != ms_mcml_halfspace_line_beyond(&s, no[i]));
+        CHECK(ms_mcml_halfspace_spectrum(&s, no[i]) != ms_mcml_halfspace_spectrum(&s, no[i]));
+        CHECK(ms_mcml_halfspace_ring(&s, no[i], 1) != ms_mcml_halfspace_ring(&s, no[i], 1));
+        CHECK(ms_mcml_halfspace_ring(&s, 0, no[i]) != ms_mcml_halfspace_ring(&s, 0, no[i]));
+    }
+    CHECK(ms_mcml_halfspace_ring(&s, 1, 1) != ms_mcml_halfspace_ring(&s, 1, 1));
+    CHECK(ms_mcml_halfspace_ring(&s, 2, 1) != ms_mcml_halfspace_ring(&s, 2, 1));
+    CHECK(ms_mcml_halfspace_beyond(NULL, 1) != ms_mcml_halfspace_beyond(NULL, 1));
+    CHECK(ms_mcml_halfspace_beyond(&s, 0) > 0 && ms_mcml_halfspace_ring(&s, 0, 1) > 0 && ms_mcml_halfspace_spectrum(&s, 0) > 0);
+}
 
 static int stop_at_once(void *user, double fraction)
 {
@@ -866,11 +939,9 @@ static void bad_arguments(void)
     two[1].eta = 1.3;
     two[1].g = 0.5;
     CHECK_INT(ms_mcml_profile_make(&p, two, 2, &o, &error), MS_UNSUPPORTED);
-    o.method = MS_MCML_DIRECT;
-    o.edge_mm = edges;
-    o.rings = 1;
+    o.method = MS_MCML_DETERMINISTIC; /* g is not silently replaced by mu_s (1 - g) */
     CHECK_INT(ms_mcml_profile_make(&p, two, 2, &o, &error), MS_UNSUPPORTED);
-    CHECK(strstr(error.message, "equal width") != NULL);
+    CHECK(strstr(error.message, "similarity") != NULL && p.memory == NULL);
     memset(&o, 0, sizeof o);
     o.method = MS_MCML_DIRECT;
     o.photons = (uint64_t)1 << 40;
@@ -961,6 +1032,8 @@ static const test_case cases[] = {
     {"profile_by_white_monte_carlo", profile_by_white_monte_carlo},
     {"profile_by_direct_monte_carlo", profile_by_direct_monte_carlo},
     {"similarity", similarity},
+    {"automatic_method", automatic_method},
+    {"evaluators_check_their_domain", evaluators_check_their_domain},
     {"bad_arguments", bad_arguments},
     {"memory_runs_out", memory_runs_out},
 };
