@@ -99,7 +99,7 @@
    LIMITS. Refused with MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes unless
    options.allow_trailing, NUL in names, null metadata, header over 100,000,000 bytes, rank over 32) and layers that do not fit
    their tensors; 4096 layers at most. MS_UNSUPPORTED: other element types than the five as weights. Files of 2^31 bytes and
-   more need a 64-bit machine. A mapped file must not shrink while it is used. Networks are chains with additive skips:
+   more need a 64-bit machine. A mapped file must not shrink while it is used: options.copy reads it instead. Networks are chains with additive skips:
    no concatenation, recurrence, grouped or dilated convolution.
 
    SOURCES. safetensors: its format description and reference implementation. Networks: Zsolnai-Feher, PhD thesis, sections 3.4.2
@@ -272,6 +272,7 @@ typedef struct ms_nn_options {
     size_t max_memory_bytes;  /* largest single allocation; 0: no cap. Over it: MS_OUT_OF_MEMORY */
     ms_parallel parallel;     /* runs the layers' tasks; zero: the calling thread */
     ms_allocator allocator;   /* zero: malloc and free */
+    int copy;                 /* non-zero: files by name are read into memory, not mapped: they may then change while in use */
 } ms_nn_options;
 
 /* All defaults. */
@@ -351,8 +352,8 @@ MS_NN_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_optio
 MS_NN_API void ms_nn_destroy(ms_nn *nn); /* NULL is allowed */
 
 #ifndef MS_NN_NO_STDIO
-/* ms_nn_file_open and ms_nn_load for a file by name: mapped on POSIX systems (it must not shrink while it is used), read
-   into one allocation elsewhere. MS_IO: cannot be read. */
+/* ms_nn_file_open and ms_nn_load for a file by name: mapped on POSIX systems, where a file that shrinks while it is used
+   ends the program (options.copy), read into one allocation elsewhere. MS_IO: cannot be read. */
 MS_NN_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error);
 MS_NN_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error);
 
@@ -862,15 +863,14 @@ static float ms_nn__float_at(const unsigned char *v, size_t i)
     return x;
 }
 
-/* IEEE binary16 with subnormals, infinities and NaN; the exponent's bias is moved by a multiplication. */
+/* IEEE binary16 with subnormals, infinities and NaN. No float on the way is subnormal: hosts that flush those to zero get
+   the same. */
 static float ms_nn__half(uint32_t h)
 {
-    uint32_t sign = (h & 0x8000u) << 16, magnitude = (h & 0x7fffu) << 13, bits;
-    float value;
-    if (magnitude >= 0x0f800000u) return ms_nn__float_of(sign | 0x70000000u | magnitude);
-    value = ms_nn__float_of(magnitude) * 5.192296858534828e33f; /* 2^112 */
-    memcpy(&bits, &value, sizeof bits);
-    return ms_nn__float_of(sign | bits);
+    uint32_t sign = (h & 0x8000u) << 16, magnitude = h & 0x7fffu;
+    float small = (float)(int32_t)magnitude * 5.9604644775390625e-8f; /* 2^-24 */
+    if (magnitude < 0x400u) return sign ? -small : small;
+    return ms_nn__float_of(sign | ((magnitude << 13) + (magnitude < 0x7c00u ? 0x38000000u : 0x70000000u)));
 }
 
 static int ms_nn__bits(ms_nn_dtype dtype)
@@ -2709,6 +2709,9 @@ static int ms_nn__large(const ms_nn__dense *job) { return job->m->rows * job->m-
 
 static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->block; }
 
+/* Samples of a batch that are taken together against each row of weights: 24 kB of them, a multiple of three. */
+static size_t ms_nn__samples(size_t cols) { return cols > 512 ? 12 : 6144 / cols / 3 * 3; }
+
 static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
 
 /* How large a task is: enough to hide the cost of handing it out. The sizes depend on the problem alone. */
@@ -2798,7 +2801,8 @@ static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, co
             ms_nn__digits_make(&digits[b], d + 3 * wide * b, sum + 3 * runs * b, x + b * m->cols, m->cols);
         job.digits = digits;
     }
-    job.chunk_rows = MS_NN__TASK_BYTES / (m->cols * (size_t)(ms_nn__bits(m->dtype) / 8) * (size_t)batch) + 1;
+    job.chunk_rows = MS_NN__TASK_BYTES / (m->cols * (size_t)(ms_nn__bits(m->dtype) / 8)) + 1;
+    if (batch > 1) job.chunk_rows = (job.chunk_rows + 15) / 16 * 16; /* whole tiles of rows */
     ms_nn__chunks(nn, m->rows, &job.chunk_rows, ms_nn__dense_task, &job);
 }
 
@@ -3204,12 +3208,28 @@ static size_t ms_nn__piece(size_t *total, size_t count, size_t floats)
     return at;
 }
 
+/* How many samples (JVP: directions) of a call run together: dense layers gain from many, values should stay in a cache. */
+static size_t ms_nn__together(const ms_nn *nn, ms_nn_product product)
+{
+    size_t floats = product == MS_NN_FORWARD ? nn->slots : nn->tapes, dense = 0, n;
+    int k, convolutions = 0;
+    floats = ms__size_mul(floats, nn->channels);
+    for (k = 0; k < nn->ops; ++k) {
+        if (nn->op[k].step == MS_NN__DO_DENSE) dense += nn->op[k].matrix.rows * nn->op[k].matrix.cols;
+        else convolutions += nn->op[k].step == MS_NN__DO_CONV;
+    }
+    n = (convolutions ? 131072u : 4194304u) / (floats + 1) / 12 * 12;
+    if (n > 48) n = 48;
+    return n > 0 ? n : convolutions && dense < 2000000 ? 1 : 12; /* large weights are better read for several */
+}
+
 static ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product product, size_t count)
 {
     ms_nn__layout l;
     size_t in = ms_nn__count(nn->inner), out = ms_nn__value_size(nn, nn->ops), vectors, scratch;
     int shared = nn->channel_input != NULL;
     memset(&l, 0, sizeof l);
+    if (product != MS_NN_JACOBIAN) count = ms_nn__min(count, ms_nn__together(nn, product));
     l.points = product == MS_NN_FORWARD || product == MS_NN_VJP ? ms__size_mul(count, nn->channels) : nn->channels;
     l.each = product == MS_NN_FORWARD ? 0 : product == MS_NN_VJP ? 1 : product == MS_NN_JVP ? count : in <= out ? in : out;
     l.backward = product == MS_NN_VJP || (product == MS_NN_JACOBIAN && out < in);
@@ -3286,17 +3306,39 @@ static ms_status ms_nn__end(ms_nn__call *call)
     return MS_OK;
 }
 
+/* A workspace for a call that was given none, so that nothing fails once outputs are written. */
+static ms_status ms_nn__lend(const ms_nn *nn, ms_nn_product product, int count, void **workspace, void **allocated)
+{
+    *allocated = NULL;
+    if (nn == NULL || count < 1) return MS_INVALID_ARGUMENT;
+    if (*workspace == NULL) *workspace = *allocated = ms_nn__alloc(&nn->options, ms_nn_workspace_size(nn, product, count));
+    return *workspace == NULL ? MS_OUT_OF_MEMORY : MS_OK;
+}
+
+static void ms_nn__give_back(const ms_nn *nn, ms_nn_product product, int count, void *allocated)
+{
+    if (allocated != NULL) ms__release(&nn->options.allocator, allocated, ms_nn_workspace_size(nn, product, count));
+}
+
 MS_NN_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace)
 {
     ms_nn__call call;
-    ms_status status = y == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_FORWARD, count, x, y, workspace);
-    return status == MS_OK ? ms_nn__end(&call) : status;
+    void *allocated;
+    int at, n;
+    ms_status status = x == NULL || y == NULL ? MS_INVALID_ARGUMENT : ms_nn__lend(nn, MS_NN_FORWARD, count, &workspace, &allocated);
+    if (status != MS_OK) return status;
+    for (at = 0; at < count && status == MS_OK; at += n) {
+        n = (int)ms_nn__min((size_t)(count - at), ms_nn__together(nn, MS_NN_FORWARD));
+        status = ms_nn__begin(&call, nn, MS_NN_FORWARD, n, x + (size_t)at * ms_nn_input_size(nn), y + (size_t)at * ms_nn_output_size(nn), workspace);
+    }
+    ms_nn__give_back(nn, MS_NN_FORWARD, count, allocated);
+    return status;
 }
 
-MS_NN_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
+static ms_status ms_nn__vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
 {
     ms_nn__call call;
-    ms_status status = g_y == NULL || g_x == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_VJP, count, x, y, workspace);
+    ms_status status = ms_nn__begin(&call, nn, MS_NN_VJP, count, x, y, workspace);
     float *inner, *slots;
     size_t input, n, b, i;
     if (status != MS_OK) return status;
@@ -3314,29 +3356,49 @@ MS_NN_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const 
     return ms_nn__end(&call);
 }
 
+MS_NN_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
+{
+    void *allocated;
+    int at, n;
+    ms_status status = x == NULL || g_y == NULL || g_x == NULL ? MS_INVALID_ARGUMENT : ms_nn__lend(nn, MS_NN_VJP, count, &workspace, &allocated);
+    if (status != MS_OK) return status;
+    for (at = 0; at < count && status == MS_OK; at += n) {
+        size_t in = (size_t)at * ms_nn_input_size(nn), out = (size_t)at * ms_nn_output_size(nn);
+        n = (int)ms_nn__min((size_t)(count - at), ms_nn__together(nn, MS_NN_VJP));
+        status = ms_nn__vjp(nn, n, x + in, g_y + out, y ? y + out : NULL, g_x + in, workspace);
+    }
+    ms_nn__give_back(nn, MS_NN_VJP, count, allocated);
+    return status;
+}
+
 MS_NN_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy, void *workspace)
 {
     ms_nn__call call;
     ms_status status = dx == NULL || dy == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JVP, count, x, y, workspace);
-    size_t c, d, i, out, n;
-    float *inner, *each;
+    size_t c, d, i, out, in, n, at, each;
+    float *inner, *slots, *result;
     if (status != MS_OK) return status;
-    if (nn->channel_input == NULL) {
-        ms_nn__run_directions(&call.run, (size_t)count, dx, dy, ms_nn__at(&call, call.layout.slots));
-        return ms_nn__end(&call);
-    }
-    /* [count][input] to [channels][count][channel inputs] and back from [channels][count][output] */
-    inner = ms_nn__at(&call, call.layout.dx);
-    n = nn->channel_inputs;
-    for (c = 0; c < nn->channels; ++c)
-        for (d = 0; d < (size_t)count; ++d)
-            for (i = 0; i < n; ++i) *inner++ = dx[d * ms_nn_input_size(nn) + nn->channel_input[c * n + i]];
+    in = ms_nn_input_size(nn);
     out = ms_nn__value_size(nn, nn->ops);
-    each = ms_nn__at(&call, call.layout.slots) + nn->slot[nn->ops] * nn->channels * (size_t)count;
-    ms_nn__run_directions(&call.run, (size_t)count, ms_nn__at(&call, call.layout.dx), NULL, ms_nn__at(&call, call.layout.slots));
-    for (c = 0; c < nn->channels; ++c)
-        for (d = 0; d < (size_t)count; ++d)
-            memcpy(dy + (d * nn->channels + c) * out, each + (c * (size_t)count + d) * out, out * sizeof(float));
+    slots = ms_nn__at(&call, call.layout.slots);
+    n = nn->channel_inputs;
+    for (at = 0; at < (size_t)count; at += each) {
+        each = ms_nn__min((size_t)count - at, call.layout.each);
+        if (nn->channel_input == NULL) {
+            ms_nn__run_directions(&call.run, each, dx + at * in, dy + at * out, slots);
+            continue;
+        }
+        /* [each][input] to [channels][each][channel inputs] and back from [channels][each][output] */
+        inner = ms_nn__at(&call, call.layout.dx);
+        for (c = 0; c < nn->channels; ++c)
+            for (d = at; d < at + each; ++d)
+                for (i = 0; i < n; ++i) *inner++ = dx[d * in + nn->channel_input[c * n + i]];
+        result = slots + nn->slot[nn->ops] * nn->channels * each;
+        ms_nn__run_directions(&call.run, each, ms_nn__at(&call, call.layout.dx), NULL, slots);
+        for (c = 0; c < nn->channels; ++c)
+            for (d = 0; d < each; ++d)
+                memcpy(dy + ((at + d) * nn->channels + c) * out, result + (c * each + d) * out, out * sizeof(float));
+    }
     return ms_nn__end(&call);
 }
 
@@ -3493,7 +3555,7 @@ MS_NN_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *optio
     size_t size = 0, used;
     ms_status status;
     if (path == NULL || file == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path and file must not be NULL");
-    ms_nn__map(path, &mapped, &size);
+    if (!o.copy) ms_nn__map(path, &mapped, &size);
     used = size;
     if (mapped == NULL && (status = ms_nn__slurp(path, &o, &block, &size, &used, error)) != MS_OK) return status;
     status = ms_nn_file_open(mapped ? mapped : block, used, &o, file, error);
@@ -4268,15 +4330,20 @@ MS_NN_API int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db)
 /* x rounded to nearest even in one of the three types, little-endian. */
 static void ms_nn__put_element(unsigned char *out, ms_nn_dtype dtype, size_t i, double x)
 {
-    float f = (float)x, scaled = (float)fabs(x) * 1.925929944387236e-34f; /* 2^-112: half's exponent */
+    float f = (float)x;
     uint32_t bits, k, n = dtype == MS_NN_F32 ? 4 : 2;
     memcpy(&bits, &f, sizeof bits);
     if (dtype == MS_NN_BF16) {
         bits = (bits + 0x7fffu + (bits >> 16 & 1)) >> 16;
     } else if (dtype == MS_NN_F16) {
-        uint32_t sign = bits >> 16 & 0x8000u, magnitude;
-        memcpy(&magnitude, &scaled, sizeof magnitude);
-        magnitude = (magnitude + 0x0fffu + (magnitude >> 13 & 1)) >> 13;
+        uint32_t sign = bits >> 16 & 0x8000u, magnitude = bits & 0x7fffffffu, shift, kept;
+        if (magnitude >= 0x38800000u) {
+            magnitude = (magnitude - 0x38000000u + 0x0fffu + (magnitude >> 13 & 1)) >> 13;
+        } else { /* a subnormal of 2^-24 units; below half of the smallest it is 0 */
+            shift = 126 - (magnitude >> 23);
+            kept = (magnitude & 0x7fffffu) | 0x800000u;
+            magnitude = shift > 25 ? 0 : (kept + (1u << (shift - 1)) - 1 + (kept >> shift & 1)) >> shift;
+        }
         bits = sign | (magnitude > 0x7c00u ? 0x7c00u : magnitude);
     }
     for (k = 0; k < n; ++k) out[i * n + k] = (unsigned char)(bits >> (8 * k) & 0xff);
@@ -4406,8 +4473,11 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
 /* === levels === */
 
 /* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments. Under
-   Clang's sanitizers that would take minutes to compile. */
-#if defined(__clang__)
+   Clang's sanitizers that would take minutes to compile; without optimisation it would only add up the stack of all forms. */
+#if defined(__GNUC__) && !defined(__OPTIMIZE__)
+#define MS_NN__UNROLL
+#define MS_NN__INLINE static inline
+#elif defined(__clang__)
 #if __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer) || __has_feature(thread_sanitizer)
 #define MS_NN__UNROLL
 #else
@@ -4538,93 +4608,95 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #if defined(MS_NN_IMPLEMENTATION) && defined(MS_NN__PASS)
 /* === kernels === */
 
-/* Read once a level. V_FLOATS is a vector of V_LANES floats; W_... load weights as floats.
-   V_BLOCK outputs x V_TILE vectors of positions are a convolution's registers; W_ROWS rows x 3 samples x W_CHAINS sums are a
+/* Read once a level. MS_NN__V_FLOATS is a vector of MS_NN__V_LANES floats; W_... load weights as floats.
+   MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers; MS_NN__W_ROWS rows x 3 samples x MS_NN__W_CHAINS sums are a
    dense layer's. MAX(a, b) is a > b ? a : b, which is b, hence NaN if b is one: constants stand first. */
 #if MS_NN__ISA == 1
-#define V_LANES 1
-#define V_BLOCK 4
-#define V_TILE 2
-#define W_ROWS 1
-#define W_CHAINS 4
-#define B_ROWS 1
-#define V_FLOATS float
-#define V_LOAD(p) ms_nn__float_at((const unsigned char *)(p), 0)
-#define V_STORE(p, v) (*(p) = (v))
-#define V_SET(x) (x)
-#define V_ADD(a, b) ((a) + (b))
-#define V_SUB(a, b) ((a) - (b))
-#define V_MUL(a, b) ((a) * (b))
-#define V_DIV(a, b) ((a) / (b))
-#define V_MADD(a, b, c) ((a) * (b) + (c))
-#define V_MAX(a, b) ((a) > (b) ? (a) : (b))
-#define V_MIN(a, b) ((a) < (b) ? (a) : (b))
-#define V_IF_GREATER(a, b, x, y) ((a) > (b) ? (x) : (y))
-#define V_SUM(a) (a)
-#define V_MAX_NAN(a, b) ms_nn__max_nan(a, b)
-#define V_PAIR_MAX(a, b) ms_nn__max_nan(a, b)
-#define V_INT int32_t
-#define V_ROUND(a) ((a) < 0 ? (int32_t)((a) - 0.5f) : (a) >= 0 ? (int32_t)((a) + 0.5f) : 0)
-#define V_FROM_INT(i) ((float)(i))
-#define V_POW2(i) ms_nn__float_of((uint32_t)((i) + 127) << 23)
-#define W_HALF(p) ms_nn__half(ms_nn__u16(p))
-#define W_BRAIN(p) ms_nn__float_of(ms_nn__u16(p) << 16)
-#define W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p) - 256))
+#define MS_NN__V_LANES 1
+#define MS_NN__V_BLOCK 4
+#define MS_NN__V_TILE 2
+#define MS_NN__W_ROWS 1
+#define MS_NN__W_CHAINS 4
+#define MS_NN__B_ROWS 1
+#define MS_NN__V_FLOATS float
+#define MS_NN__V_LOAD(p) ms_nn__float_at((const unsigned char *)(p), 0)
+#define MS_NN__V_STORE(p, v) (*(p) = (v))
+#define MS_NN__V_SET(x) (x)
+#define MS_NN__V_ADD(a, b) ((a) + (b))
+#define MS_NN__V_SUB(a, b) ((a) - (b))
+#define MS_NN__V_MUL(a, b) ((a) * (b))
+#define MS_NN__V_DIV(a, b) ((a) / (b))
+#define MS_NN__V_MADD(a, b, c) ((a) * (b) + (c))
+#define MS_NN__V_MAX(a, b) ((a) > (b) ? (a) : (b))
+#define MS_NN__V_MIN(a, b) ((a) < (b) ? (a) : (b))
+#define MS_NN__V_IF_GREATER(a, b, x, y) ((a) > (b) ? (x) : (y))
+#define MS_NN__V_SUM(a) (a)
+#define MS_NN__V_MAX_NAN(a, b) ms_nn__max_nan(a, b)
+#define MS_NN__V_PAIR_MAX(a, b) ms_nn__max_nan(a, b)
+#define MS_NN__V_INT int32_t
+#define MS_NN__V_ROUND(a) ((a) < 0 ? (int32_t)((a) - 0.5f) : (a) >= 0 ? (int32_t)((a) + 0.5f) : 0)
+#define MS_NN__V_FROM_INT(i) ((float)(i))
+#define MS_NN__V_POW2(i) ms_nn__float_of((uint32_t)((i) + 127) << 23)
+#define MS_NN__W_HALF(p) ms_nn__half(ms_nn__u16(p))
+#define MS_NN__W_BRAIN(p) ms_nn__float_of(ms_nn__u16(p) << 16)
+#define MS_NN__W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p) - 256))
 #elif MS_NN__ISA == 2 && defined(MS__X64)
-#define V_LANES 4
-#define V_BLOCK 4
-#define V_TILE 2
-#define W_ROWS 2
-#define W_CHAINS 2
-#define B_ROWS 1
-#define V_FLOATS __m128
-#define V_LOAD(p) _mm_loadu_ps((const float *)(const void *)(p))
-#define V_STORE(p, v) _mm_storeu_ps(p, v)
-#define V_SET(x) _mm_set1_ps(x)
-#define V_ADD(a, b) _mm_add_ps(a, b)
-#define V_SUB(a, b) _mm_sub_ps(a, b)
-#define V_MUL(a, b) _mm_mul_ps(a, b)
-#define V_DIV(a, b) _mm_div_ps(a, b)
-#define V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
-#define V_MAX(a, b) _mm_max_ps(a, b)
-#define V_MIN(a, b) _mm_min_ps(a, b)
-#define V_IF_GREATER(a, b, x, y) MS_NN__FN(if_greater)(a, b, x, y)
-#define V_SUM(a) MS_NN__FN(sum)(a)
-#define V_MAX_NAN(a, b) MS_NN__FN(max_nan)(a, b)
-#define V_PAIR_MAX(a, b) MS_NN__FN(max_nan)(_mm_shuffle_ps(a, b, 0x88), _mm_shuffle_ps(a, b, 0xDD))
-#define V_INT __m128i
-#define V_ROUND(a) _mm_cvtps_epi32(a)
-#define V_FROM_INT(i) _mm_cvtepi32_ps(i)
-#define V_POW2(i) _mm_castsi128_ps(_mm_slli_epi32(_mm_add_epi32(i, _mm_set1_epi32(127)), 23))
-#define W_HALF(p) MS_NN__FN(half)(p)
-#define W_BRAIN(p) _mm_castsi128_ps(_mm_unpacklo_epi16(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)(p))))
-#define W_INT8(p) MS_NN__FN(int8)(p)
-MS_NN__INLINE V_FLOATS MS_NN__FN(if_greater)(V_FLOATS a, V_FLOATS b, V_FLOATS x, V_FLOATS y)
+#define MS_NN__V_LANES 4
+#define MS_NN__V_BLOCK 4
+#define MS_NN__V_TILE 2
+#define MS_NN__W_ROWS 2
+#define MS_NN__W_CHAINS 2
+#define MS_NN__B_ROWS 1
+#define MS_NN__V_FLOATS __m128
+#define MS_NN__V_LOAD(p) _mm_loadu_ps((const float *)(const void *)(p))
+#define MS_NN__V_STORE(p, v) _mm_storeu_ps(p, v)
+#define MS_NN__V_SET(x) _mm_set1_ps(x)
+#define MS_NN__V_ADD(a, b) _mm_add_ps(a, b)
+#define MS_NN__V_SUB(a, b) _mm_sub_ps(a, b)
+#define MS_NN__V_MUL(a, b) _mm_mul_ps(a, b)
+#define MS_NN__V_DIV(a, b) _mm_div_ps(a, b)
+#define MS_NN__V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define MS_NN__V_MAX(a, b) _mm_max_ps(a, b)
+#define MS_NN__V_MIN(a, b) _mm_min_ps(a, b)
+#define MS_NN__V_IF_GREATER(a, b, x, y) MS_NN__FN(if_greater)(a, b, x, y)
+#define MS_NN__V_SUM(a) MS_NN__FN(sum)(a)
+#define MS_NN__V_MAX_NAN(a, b) MS_NN__FN(max_nan)(a, b)
+#define MS_NN__V_PAIR_MAX(a, b) MS_NN__FN(max_nan)(_mm_shuffle_ps(a, b, 0x88), _mm_shuffle_ps(a, b, 0xDD))
+#define MS_NN__V_INT __m128i
+#define MS_NN__V_ROUND(a) _mm_cvtps_epi32(a)
+#define MS_NN__V_FROM_INT(i) _mm_cvtepi32_ps(i)
+#define MS_NN__V_POW2(i) _mm_castsi128_ps(_mm_slli_epi32(_mm_add_epi32(i, _mm_set1_epi32(127)), 23))
+#define MS_NN__W_HALF(p) MS_NN__FN(half)(p)
+#define MS_NN__W_BRAIN(p) _mm_castsi128_ps(_mm_unpacklo_epi16(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)(p))))
+#define MS_NN__W_INT8(p) MS_NN__FN(int8)(p)
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(if_greater)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS x, MS_NN__V_FLOATS y)
 {
-    V_FLOATS m = _mm_cmpgt_ps(a, b);
+    MS_NN__V_FLOATS m = _mm_cmpgt_ps(a, b);
     return _mm_or_ps(_mm_and_ps(m, x), _mm_andnot_ps(m, y));
 }
-MS_NN__INLINE float MS_NN__FN(sum)(V_FLOATS a)
+MS_NN__INLINE float MS_NN__FN(sum)(MS_NN__V_FLOATS a)
 {
     a = _mm_add_ps(a, _mm_movehl_ps(a, a));
     return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
 }
-MS_NN__INLINE V_FLOATS MS_NN__FN(max_nan)(V_FLOATS a, V_FLOATS b)
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(max_nan)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b)
 {
-    V_FLOATS nan = _mm_cmpunord_ps(a, a);
+    MS_NN__V_FLOATS nan = _mm_cmpunord_ps(a, a);
     return _mm_or_ps(_mm_and_ps(nan, a), _mm_andnot_ps(nan, _mm_max_ps(a, b)));
 }
-/* As ms_nn__half: the magnitude moves to the float's place and is scaled by 2^112; the top exponent stays special. */
-MS_NN__INLINE V_FLOATS MS_NN__FN(half)(const unsigned char *p)
+/* As ms_nn__half, both cases at once. */
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(half)(const unsigned char *p)
 {
     __m128i h = _mm_unpacklo_epi16(_mm_loadl_epi64((const __m128i *)(const void *)p), _mm_setzero_si128());
-    __m128i magnitude = _mm_slli_epi32(_mm_and_si128(h, _mm_set1_epi32(0x7fff)), 13);
-    __m128i sign = _mm_slli_epi32(_mm_and_si128(h, _mm_set1_epi32(0x8000)), 16);
-    __m128i special = _mm_and_si128(_mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x0f7fffff)), _mm_set1_epi32(0x7f800000));
-    V_FLOATS value = _mm_mul_ps(_mm_castsi128_ps(magnitude), _mm_set1_ps(5.192296858534828e33f));
-    return _mm_or_ps(_mm_or_ps(value, _mm_castsi128_ps(sign)), _mm_castsi128_ps(special));
+    __m128i magnitude = _mm_and_si128(h, _mm_set1_epi32(0x7fff)), sign = _mm_slli_epi32(_mm_xor_si128(h, magnitude), 16);
+    __m128i special = _mm_and_si128(_mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x7bff)), _mm_set1_epi32(0x38000000));
+    __m128i small = _mm_castps_si128(_mm_mul_ps(_mm_cvtepi32_ps(magnitude), _mm_set1_ps(5.9604644775390625e-8f)));
+    __m128i is_small = _mm_cmpgt_epi32(_mm_set1_epi32(0x400), magnitude);
+    __m128i bits = _mm_add_epi32(_mm_add_epi32(_mm_slli_epi32(magnitude, 13), _mm_set1_epi32(0x38000000)), special);
+    bits = _mm_or_si128(_mm_and_si128(is_small, small), _mm_andnot_si128(is_small, bits));
+    return _mm_castsi128_ps(_mm_or_si128(bits, sign));
 }
-MS_NN__INLINE V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 {
     int32_t four;
     __m128i q;
@@ -4634,115 +4706,115 @@ MS_NN__INLINE V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
     return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(q, q), 24));
 }
 #elif MS_NN__ISA == 2
-#define V_LANES 4
-#define V_BLOCK 8
-#define V_TILE 2
-#define W_ROWS 4
-#define W_CHAINS 2
-#define B_ROWS 1
-#define V_FLOATS float32x4_t
-#define V_LOAD(p) vreinterpretq_f32_u8(vld1q_u8((const unsigned char *)(p)))
-#define V_STORE(p, v) vst1q_f32(p, v)
-#define V_SET(x) vdupq_n_f32(x)
-#define V_ADD(a, b) vaddq_f32(a, b)
-#define V_SUB(a, b) vsubq_f32(a, b)
-#define V_MUL(a, b) vmulq_f32(a, b)
-#define V_DIV(a, b) vdivq_f32(a, b)
-#define V_MADD(a, b, c) vfmaq_f32(c, a, b)
-#define V_MAX(a, b) vmaxq_f32(a, b)
-#define V_MIN(a, b) vminq_f32(a, b)
-#define V_IF_GREATER(a, b, x, y) vbslq_f32(vcgtq_f32(a, b), x, y)
-#define V_SUM(a) vaddvq_f32(a)
-#define V_MAX_NAN(a, b) vmaxq_f32(a, b)
-#define V_PAIR_MAX(a, b) vpmaxq_f32(a, b)
-#define V_INT int32x4_t
-#define V_ROUND(a) vcvtnq_s32_f32(a)
-#define V_FROM_INT(i) vcvtq_f32_s32(i)
-#define V_POW2(i) vreinterpretq_f32_s32(vshlq_n_s32(vaddq_s32(i, vdupq_n_s32(127)), 23))
-#define W_HALF(p) vcvt_f32_f16(vreinterpret_f16_u8(vld1_u8(p)))
-#define W_BRAIN(p) vreinterpretq_f32_u32(vshll_n_u16(vreinterpret_u16_u8(vld1_u8(p)), 16))
-#define W_INT8(p) MS_NN__FN(int8)(p)
-MS_NN__INLINE V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
+#define MS_NN__V_LANES 4
+#define MS_NN__V_BLOCK 8
+#define MS_NN__V_TILE 2
+#define MS_NN__W_ROWS 4
+#define MS_NN__W_CHAINS 2
+#define MS_NN__B_ROWS 1
+#define MS_NN__V_FLOATS float32x4_t
+#define MS_NN__V_LOAD(p) vreinterpretq_f32_u8(vld1q_u8((const unsigned char *)(p)))
+#define MS_NN__V_STORE(p, v) vst1q_f32(p, v)
+#define MS_NN__V_SET(x) vdupq_n_f32(x)
+#define MS_NN__V_ADD(a, b) vaddq_f32(a, b)
+#define MS_NN__V_SUB(a, b) vsubq_f32(a, b)
+#define MS_NN__V_MUL(a, b) vmulq_f32(a, b)
+#define MS_NN__V_DIV(a, b) vdivq_f32(a, b)
+#define MS_NN__V_MADD(a, b, c) vfmaq_f32(c, a, b)
+#define MS_NN__V_MAX(a, b) vmaxq_f32(a, b)
+#define MS_NN__V_MIN(a, b) vminq_f32(a, b)
+#define MS_NN__V_IF_GREATER(a, b, x, y) vbslq_f32(vcgtq_f32(a, b), x, y)
+#define MS_NN__V_SUM(a) vaddvq_f32(a)
+#define MS_NN__V_MAX_NAN(a, b) vmaxq_f32(a, b)
+#define MS_NN__V_PAIR_MAX(a, b) vpmaxq_f32(a, b)
+#define MS_NN__V_INT int32x4_t
+#define MS_NN__V_ROUND(a) vcvtnq_s32_f32(a)
+#define MS_NN__V_FROM_INT(i) vcvtq_f32_s32(i)
+#define MS_NN__V_POW2(i) vreinterpretq_f32_s32(vshlq_n_s32(vaddq_s32(i, vdupq_n_s32(127)), 23))
+#define MS_NN__W_HALF(p) vcvt_f32_f16(vreinterpret_f16_u8(vld1_u8(p)))
+#define MS_NN__W_BRAIN(p) vreinterpretq_f32_u32(vshll_n_u16(vreinterpret_u16_u8(vld1_u8(p)), 16))
+#define MS_NN__W_INT8(p) MS_NN__FN(int8)(p)
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 {
     uint32_t four;
     memcpy(&four, p, 4);
     return vcvtq_f32_s32(vmovl_s16(vget_low_s16(vmovl_s8(vcreate_s8(four)))));
 }
 #elif MS_NN__ISA == 3
-#define V_LANES 8
-#define V_BLOCK 4
-#define V_TILE 3
-#define W_ROWS 2
-#define W_CHAINS 2
-#define B_ROWS 2
-#define V_FLOATS __m256
-#define V_LOAD(p) _mm256_loadu_ps((const float *)(const void *)(p))
-#define V_STORE(p, v) _mm256_storeu_ps(p, v)
-#define V_SET(x) _mm256_set1_ps(x)
-#define V_ADD(a, b) _mm256_add_ps(a, b)
-#define V_SUB(a, b) _mm256_sub_ps(a, b)
-#define V_MUL(a, b) _mm256_mul_ps(a, b)
-#define V_DIV(a, b) _mm256_div_ps(a, b)
-#define V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define V_MAX(a, b) _mm256_max_ps(a, b)
-#define V_MIN(a, b) _mm256_min_ps(a, b)
-#define V_IF_GREATER(a, b, x, y) _mm256_blendv_ps(y, x, _mm256_cmp_ps(a, b, _CMP_GT_OQ))
-#define V_SUM(a) MS_NN__FN(sum)(a)
-#define V_MAX_NAN(a, b) _mm256_blendv_ps(_mm256_max_ps(a, b), a, _mm256_cmp_ps(a, a, _CMP_UNORD_Q))
-#define V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
-#define V_INT __m256i
-#define V_ROUND(a) _mm256_cvtps_epi32(a)
-#define V_FROM_INT(i) _mm256_cvtepi32_ps(i)
-#define V_POW2(i) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_add_epi32(i, _mm256_set1_epi32(127)), 23))
-#define W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
-#define W_BRAIN(p) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
-#define W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
-MS_NN__INLINE V_FLOATS MS_NN__FN(pair_max)(V_FLOATS a, V_FLOATS b)
+#define MS_NN__V_LANES 8
+#define MS_NN__V_BLOCK 4
+#define MS_NN__V_TILE 3
+#define MS_NN__W_ROWS 2
+#define MS_NN__W_CHAINS 2
+#define MS_NN__B_ROWS 2
+#define MS_NN__V_FLOATS __m256
+#define MS_NN__V_LOAD(p) _mm256_loadu_ps((const float *)(const void *)(p))
+#define MS_NN__V_STORE(p, v) _mm256_storeu_ps(p, v)
+#define MS_NN__V_SET(x) _mm256_set1_ps(x)
+#define MS_NN__V_ADD(a, b) _mm256_add_ps(a, b)
+#define MS_NN__V_SUB(a, b) _mm256_sub_ps(a, b)
+#define MS_NN__V_MUL(a, b) _mm256_mul_ps(a, b)
+#define MS_NN__V_DIV(a, b) _mm256_div_ps(a, b)
+#define MS_NN__V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define MS_NN__V_MAX(a, b) _mm256_max_ps(a, b)
+#define MS_NN__V_MIN(a, b) _mm256_min_ps(a, b)
+#define MS_NN__V_IF_GREATER(a, b, x, y) _mm256_blendv_ps(y, x, _mm256_cmp_ps(a, b, _CMP_GT_OQ))
+#define MS_NN__V_SUM(a) MS_NN__FN(sum)(a)
+#define MS_NN__V_MAX_NAN(a, b) _mm256_blendv_ps(_mm256_max_ps(a, b), a, _mm256_cmp_ps(a, a, _CMP_UNORD_Q))
+#define MS_NN__V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
+#define MS_NN__V_INT __m256i
+#define MS_NN__V_ROUND(a) _mm256_cvtps_epi32(a)
+#define MS_NN__V_FROM_INT(i) _mm256_cvtepi32_ps(i)
+#define MS_NN__V_POW2(i) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_add_epi32(i, _mm256_set1_epi32(127)), 23))
+#define MS_NN__W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
+#define MS_NN__W_BRAIN(p) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
+#define MS_NN__W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b)
 {
-    V_FLOATS even = _mm256_shuffle_ps(a, b, 0x88), odd = _mm256_shuffle_ps(a, b, 0xDD);
-    return _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(V_MAX_NAN(even, odd)), 0xD8));
+    MS_NN__V_FLOATS even = _mm256_shuffle_ps(a, b, 0x88), odd = _mm256_shuffle_ps(a, b, 0xDD);
+    return _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(MS_NN__V_MAX_NAN(even, odd)), 0xD8));
 }
-MS_NN__INLINE float MS_NN__FN(sum)(V_FLOATS v)
+MS_NN__INLINE float MS_NN__FN(sum)(MS_NN__V_FLOATS v)
 {
     __m128 a = _mm_add_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1));
     a = _mm_add_ps(a, _mm_movehl_ps(a, a));
     return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
 }
 #else /* maskz_ forms: the plain ones of GCC 12 warn in C++ */
-#define V_LANES 16
-#define V_BLOCK 8
-#define V_TILE 3
-#define W_ROWS 4
-#define W_CHAINS 2
-#define B_ROWS 4
-#define V_FLOATS __m512
-#define V_LOAD(p) _mm512_loadu_ps(p)
-#define V_STORE(p, v) _mm512_storeu_ps(p, v)
-#define V_SET(x) _mm512_set1_ps(x)
-#define V_ADD(a, b) _mm512_add_ps(a, b)
-#define V_SUB(a, b) _mm512_sub_ps(a, b)
-#define V_MUL(a, b) _mm512_mul_ps(a, b)
-#define V_DIV(a, b) _mm512_div_ps(a, b)
-#define V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define V_MAX(a, b) _mm512_maskz_max_ps(0xFFFF, a, b)
-#define V_MIN(a, b) _mm512_maskz_min_ps(0xFFFF, a, b)
-#define V_IF_GREATER(a, b, x, y) _mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ), y, x)
-#define V_SUM(a) MS_NN__FN(sum)(a)
-#define V_MAX_NAN(a, b) _mm512_mask_mov_ps(_mm512_maskz_max_ps(0xFFFF, a, b), _mm512_cmp_ps_mask(a, a, _CMP_UNORD_Q), a)
-#define V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
-#define V_INT __m512i
-#define V_ROUND(a) _mm512_maskz_cvtps_epi32(0xFFFF, a)
-#define V_FROM_INT(i) _mm512_maskz_cvtepi32_ps(0xFFFF, i)
-#define V_POW2(i) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
-#define W_HALF(p) _mm512_maskz_cvtph_ps(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
-#define W_BRAIN(p) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
-#define W_INT8(p) _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
-MS_NN__INLINE V_FLOATS MS_NN__FN(pair_max)(V_FLOATS a, V_FLOATS b)
+#define MS_NN__V_LANES 16
+#define MS_NN__V_BLOCK 8
+#define MS_NN__V_TILE 3
+#define MS_NN__W_ROWS 4
+#define MS_NN__W_CHAINS 2
+#define MS_NN__B_ROWS 4
+#define MS_NN__V_FLOATS __m512
+#define MS_NN__V_LOAD(p) _mm512_loadu_ps(p)
+#define MS_NN__V_STORE(p, v) _mm512_storeu_ps(p, v)
+#define MS_NN__V_SET(x) _mm512_set1_ps(x)
+#define MS_NN__V_ADD(a, b) _mm512_add_ps(a, b)
+#define MS_NN__V_SUB(a, b) _mm512_sub_ps(a, b)
+#define MS_NN__V_MUL(a, b) _mm512_mul_ps(a, b)
+#define MS_NN__V_DIV(a, b) _mm512_div_ps(a, b)
+#define MS_NN__V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define MS_NN__V_MAX(a, b) _mm512_maskz_max_ps(0xFFFF, a, b)
+#define MS_NN__V_MIN(a, b) _mm512_maskz_min_ps(0xFFFF, a, b)
+#define MS_NN__V_IF_GREATER(a, b, x, y) _mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ), y, x)
+#define MS_NN__V_SUM(a) MS_NN__FN(sum)(a)
+#define MS_NN__V_MAX_NAN(a, b) _mm512_mask_mov_ps(_mm512_maskz_max_ps(0xFFFF, a, b), _mm512_cmp_ps_mask(a, a, _CMP_UNORD_Q), a)
+#define MS_NN__V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
+#define MS_NN__V_INT __m512i
+#define MS_NN__V_ROUND(a) _mm512_maskz_cvtps_epi32(0xFFFF, a)
+#define MS_NN__V_FROM_INT(i) _mm512_maskz_cvtepi32_ps(0xFFFF, i)
+#define MS_NN__V_POW2(i) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
+#define MS_NN__W_HALF(p) _mm512_maskz_cvtph_ps(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
+#define MS_NN__W_BRAIN(p) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
+#define MS_NN__W_INT8(p) _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b)
 {
-    V_FLOATS even = _mm512_shuffle_ps(a, b, 0x88), odd = _mm512_shuffle_ps(a, b, 0xDD);
-    return _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xFF, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(V_MAX_NAN(even, odd))));
+    MS_NN__V_FLOATS even = _mm512_shuffle_ps(a, b, 0x88), odd = _mm512_shuffle_ps(a, b, 0xDD);
+    return _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xFF, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(MS_NN__V_MAX_NAN(even, odd))));
 }
-MS_NN__INLINE float MS_NN__FN(sum)(V_FLOATS v)
+MS_NN__INLINE float MS_NN__FN(sum)(MS_NN__V_FLOATS v)
 {
     __m512d w = _mm512_castps_pd(v);
     __m256 b = _mm256_add_ps(_mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 0)), _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 1)));
@@ -4755,34 +4827,34 @@ MS_NN__INLINE float MS_NN__FN(sum)(V_FLOATS v)
 /* Sums of products of 8-bit weights with 8-bit digits. On x86 unsigned times signed bytes: (w + 128) d, put right at the
    end by 128 sum d; |255 * 64 * 2| fits 16 bits. */
 #if MS_NN__ISA >= 4
-#define B_INTS __m512i
-#define B_BYTES 64
-#define B_ZERO _mm512_setzero_si512()
-#define B_LOAD(p) _mm512_loadu_si512(p)
-#define B_PART(p, n) _mm512_maskz_loadu_epi8(((__mmask64)1 << (n)) - 1, p)
-#define B_FLIP(u) _mm512_xor_si512(u, _mm512_set1_epi8((char)-128))
-#define B_SUM4(out, a, b, c, d) MS_NN__FN(int_sum4)(out, a, b, c, d)
-MS_NN__INLINE void MS_NN__FN(int_sum4)(int32_t *out, B_INTS a, B_INTS b, B_INTS c, B_INTS d)
+#define MS_NN__B_INTS __m512i
+#define MS_NN__B_BYTES 64
+#define MS_NN__B_ZERO _mm512_setzero_si512()
+#define MS_NN__B_LOAD(p) _mm512_loadu_si512(p)
+#define MS_NN__B_PART(p, n) _mm512_maskz_loadu_epi8(((__mmask64)1 << (n)) - 1, p)
+#define MS_NN__B_FLIP(u) _mm512_xor_si512(u, _mm512_set1_epi8((char)-128))
+#define MS_NN__B_SUM4(out, a, b, c, d) MS_NN__FN(int_sum4)(out, a, b, c, d)
+MS_NN__INLINE void MS_NN__FN(int_sum4)(int32_t *out, MS_NN__B_INTS a, MS_NN__B_INTS b, MS_NN__B_INTS c, MS_NN__B_INTS d)
 {
-    B_INTS ab = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, a, b), _mm512_maskz_unpackhi_epi32(0xFFFF, a, b));
-    B_INTS cd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, c, d), _mm512_maskz_unpackhi_epi32(0xFFFF, c, d));
-    B_INTS abcd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi64(0xFF, ab, cd), _mm512_maskz_unpackhi_epi64(0xFF, ab, cd));
+    MS_NN__B_INTS ab = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, a, b), _mm512_maskz_unpackhi_epi32(0xFFFF, a, b));
+    MS_NN__B_INTS cd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, c, d), _mm512_maskz_unpackhi_epi32(0xFFFF, c, d));
+    MS_NN__B_INTS abcd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi64(0xFF, ab, cd), _mm512_maskz_unpackhi_epi64(0xFF, ab, cd));
     __m256i half = _mm256_add_epi32(_mm512_maskz_extracti64x4_epi64(0xF, abcd, 0), _mm512_maskz_extracti64x4_epi64(0xF, abcd, 1));
     _mm_storeu_si128((__m128i *)(void *)out, _mm_add_epi32(_mm256_castsi256_si128(half), _mm256_extracti128_si256(half, 1)));
 }
 #if MS_NN__ISA == 5
-#define B_DOT(s, u, e) _mm512_dpbusd_epi32(s, u, e)
+#define MS_NN__B_DOT(s, u, e) _mm512_dpbusd_epi32(s, u, e)
 #else
-#define B_DOT(s, u, e) _mm512_add_epi32(s, _mm512_madd_epi16(_mm512_maddubs_epi16(u, e), _mm512_set1_epi16(1)))
+#define MS_NN__B_DOT(s, u, e) _mm512_add_epi32(s, _mm512_madd_epi16(_mm512_maddubs_epi16(u, e), _mm512_set1_epi16(1)))
 #endif
 #elif MS_NN__ISA == 3
-#define B_INTS __m256i
-#define B_BYTES 32
-#define B_ZERO _mm256_setzero_si256()
-#define B_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
-#define B_FLIP(u) _mm256_xor_si256(u, _mm256_set1_epi8((char)-128))
-#define B_SUM(s) MS_NN__FN(int_sum)(s)
-#define B_DOT(s, u, e) _mm256_add_epi32(s, _mm256_madd_epi16(_mm256_maddubs_epi16(u, e), _mm256_set1_epi16(1)))
+#define MS_NN__B_INTS __m256i
+#define MS_NN__B_BYTES 32
+#define MS_NN__B_ZERO _mm256_setzero_si256()
+#define MS_NN__B_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
+#define MS_NN__B_FLIP(u) _mm256_xor_si256(u, _mm256_set1_epi8((char)-128))
+#define MS_NN__B_SUM(s) MS_NN__FN(int_sum)(s)
+#define MS_NN__B_DOT(s, u, e) _mm256_add_epi32(s, _mm256_madd_epi16(_mm256_maddubs_epi16(u, e), _mm256_set1_epi16(1)))
 MS_NN__INLINE int32_t MS_NN__FN(int_sum)(__m256i s)
 {
     __m128i t = _mm_add_epi32(_mm256_castsi256_si128(s), _mm256_extracti128_si256(s, 1));
@@ -4790,122 +4862,122 @@ MS_NN__INLINE int32_t MS_NN__FN(int_sum)(__m256i s)
     return _mm_cvtsi128_si32(_mm_add_epi32(t, _mm_shuffle_epi32(t, 0xB1)));
 }
 #elif MS_NN__ISA == 2 && defined(MS__X64)
-#define B_INTS __m128i
-#define B_BYTES 16
-#define B_ZERO _mm_setzero_si128()
-#define B_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
-#define B_SUM(s) MS_NN__FN(int_sum)(s)
-#define B_DOT(s, u, e) MS_NN__FN(int_dot)(s, u, e)
+#define MS_NN__B_INTS __m128i
+#define MS_NN__B_BYTES 16
+#define MS_NN__B_ZERO _mm_setzero_si128()
+#define MS_NN__B_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
+#define MS_NN__B_SUM(s) MS_NN__FN(int_sum)(s)
+#define MS_NN__B_DOT(s, u, e) MS_NN__FN(int_dot)(s, u, e)
 MS_NN__INLINE int32_t MS_NN__FN(int_sum)(__m128i s)
 {
     s = _mm_add_epi32(s, _mm_shuffle_epi32(s, 0x4E));
     return _mm_cvtsi128_si32(_mm_add_epi32(s, _mm_shuffle_epi32(s, 0xB1)));
 }
-MS_NN__INLINE B_INTS MS_NN__FN(int_dot)(B_INTS s, B_INTS u, B_INTS e)
+MS_NN__INLINE MS_NN__B_INTS MS_NN__FN(int_dot)(MS_NN__B_INTS s, MS_NN__B_INTS u, MS_NN__B_INTS e)
 {
-    B_INTS zero = _mm_setzero_si128(); /* bytes to 16 bits with their sign */
+    MS_NN__B_INTS zero = _mm_setzero_si128(); /* bytes to 16 bits with their sign */
     s = _mm_add_epi32(s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpacklo_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpacklo_epi8(zero, e), 8)));
     return _mm_add_epi32(s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpackhi_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpackhi_epi8(zero, e), 8)));
 }
 #elif MS_NN__ISA == 2
-#define B_INTS int32x4_t
-#define B_BYTES 16
-#define B_ZERO vdupq_n_s32(0)
-#define B_LOAD(p) vreinterpretq_s32_u8(vld1q_u8((const unsigned char *)(p)))
-#define B_SUM(s) vaddvq_s32(s)
-#define B_DOT(s, u, e) MS_NN__FN(int_dot)(s, vreinterpretq_s8_s32(u), vreinterpretq_s8_s32(e))
-MS_NN__INLINE B_INTS MS_NN__FN(int_dot)(B_INTS s, int8x16_t u, int8x16_t e)
+#define MS_NN__B_INTS int32x4_t
+#define MS_NN__B_BYTES 16
+#define MS_NN__B_ZERO vdupq_n_s32(0)
+#define MS_NN__B_LOAD(p) vreinterpretq_s32_u8(vld1q_u8((const unsigned char *)(p)))
+#define MS_NN__B_SUM(s) vaddvq_s32(s)
+#define MS_NN__B_DOT(s, u, e) MS_NN__FN(int_dot)(s, vreinterpretq_s8_s32(u), vreinterpretq_s8_s32(e))
+MS_NN__INLINE MS_NN__B_INTS MS_NN__FN(int_dot)(MS_NN__B_INTS s, int8x16_t u, int8x16_t e)
 {
     return vpadalq_s16(s, vmlal_s8(vmull_s8(vget_low_s8(u), vget_low_s8(e)), vget_high_s8(u), vget_high_s8(e)));
 }
 #else
-#define B_INTS int32_t
-#define B_BYTES 1
-#define B_ZERO 0
-#define B_LOAD(p) ((int32_t)(signed char)*(p))
-#define B_SUM(s) (s)
-#define B_DOT(s, u, e) ((s) + (u) * (e))
+#define MS_NN__B_INTS int32_t
+#define MS_NN__B_BYTES 1
+#define MS_NN__B_ZERO 0
+#define MS_NN__B_LOAD(p) ((int32_t)(signed char)*(p))
+#define MS_NN__B_SUM(s) (s)
+#define MS_NN__B_DOT(s, u, e) ((s) + (u) * (e))
 #endif
-#ifndef B_PART
-#define B_PART(p, n) MS_NN__FN(int8_part)(p, n)
-MS_NN__INLINE B_INTS MS_NN__FN(int8_part)(const unsigned char *p, size_t n)
+#ifndef MS_NN__B_PART
+#define MS_NN__B_PART(p, n) MS_NN__FN(int8_part)(p, n)
+MS_NN__INLINE MS_NN__B_INTS MS_NN__FN(int8_part)(const unsigned char *p, size_t n)
 {
-    unsigned char copy[B_BYTES];
+    unsigned char copy[MS_NN__B_BYTES];
     memset(copy, 0, sizeof copy);
-    memcpy(copy, p, ms_nn__min(n, B_BYTES));
-    return B_LOAD(copy);
+    memcpy(copy, p, ms_nn__min(n, MS_NN__B_BYTES));
+    return MS_NN__B_LOAD(copy);
 }
 #endif
-#ifndef B_FLIP
-#define B_FLIP(u) (u)
-#define B_OFFSET 0
+#ifndef MS_NN__B_FLIP
+#define MS_NN__B_FLIP(u) (u)
+#define MS_NN__B_OFFSET 0
 #else
-#define B_OFFSET 128
+#define MS_NN__B_OFFSET 128
 #endif
 
 /* A row that is read alone comes from memory (ms_nn__large). It is asked for 8 kB ahead, over the ends of pages, where the
    processor's own prefetching stops: 1.35 times as fast on Zen 4 with small pages, 1.15 times with large ones. A request
    behind the end of the matrix does no harm. */
 #if defined(MS__X64) && MS_NN__ISA > 1
-#define B_ASK(p) _mm_prefetch((const char *)(p) + 8192, _MM_HINT_T1)
+#define MS_NN__B_ASK(p) _mm_prefetch((const char *)(p) + 8192, _MM_HINT_T1)
 #else
-#define B_ASK(p) ((void)0)
+#define MS_NN__B_ASK(p) ((void)0)
 #endif
 
-/* Adds the products of n <= B_BYTES columns of `rows` neighbouring rows; the digits behind the end are zero. */
-MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, size_t cols, const signed char *const *d, size_t at, size_t n, B_INTS s[3][B_ROWS],
+/* Adds the products of n <= MS_NN__B_BYTES columns of `rows` neighbouring rows; the digits behind the end are zero. */
+MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, size_t cols, const signed char *const *d, size_t at, size_t n, MS_NN__B_INTS s[3][MS_NN__B_ROWS],
                                         int rows)
 {
-    B_INTS u[B_ROWS];
+    MS_NN__B_INTS u[MS_NN__B_ROWS];
     int r, k;
-    if (rows == 1) B_ASK(w + at);
+    if (rows == 1) MS_NN__B_ASK(w + at);
     MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) u[r] = n == B_BYTES ? B_LOAD(w + (size_t)r * cols + at) : B_PART(w + (size_t)r * cols + at, n);
+    for (r = 0; r < rows; ++r) u[r] = n == MS_NN__B_BYTES ? MS_NN__B_LOAD(w + (size_t)r * cols + at) : MS_NN__B_PART(w + (size_t)r * cols + at, n);
     MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) u[r] = B_FLIP(u[r]);
+    for (r = 0; r < rows; ++r) u[r] = MS_NN__B_FLIP(u[r]);
     MS_NN__UNROLL
     for (k = 0; k < 3; ++k) {
-        B_INTS e = B_LOAD(d[k] + at);
+        MS_NN__B_INTS e = MS_NN__B_LOAD(d[k] + at);
         MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) s[k][r] = B_DOT(s[k][r], u[r], e);
+        for (r = 0; r < rows; ++r) s[k][r] = MS_NN__B_DOT(s[k][r], u[r], e);
     }
 }
 
 /* sums[k][r] = sum_j w_r,j d_k,j over columns [at, end) of a run of MS_NN__RUN: integers, so exact in any order. */
 MS_NN__INLINE void MS_NN__FN(int8_sums)(const unsigned char *w, size_t cols, const ms_nn__digits *x, size_t at, size_t end,
-                                        int32_t sums[3][B_ROWS], int rows)
+                                        int32_t sums[3][MS_NN__B_ROWS], int rows)
 {
     const signed char *d[3];
     size_t run = at / MS_NN__RUN;
-    B_INTS s[3][B_ROWS];
+    MS_NN__B_INTS s[3][MS_NN__B_ROWS];
     int r, k;
     MS_NN__UNROLL
     for (k = 0; k < 3; ++k) {
         d[k] = x->d[k];
         MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) s[k][r] = B_ZERO;
+        for (r = 0; r < rows; ++r) s[k][r] = MS_NN__B_ZERO;
     }
-    for (; at + B_BYTES <= end; at += B_BYTES) MS_NN__FN(int8_step)(w, cols, d, at, B_BYTES, s, rows);
+    for (; at + MS_NN__B_BYTES <= end; at += MS_NN__B_BYTES) MS_NN__FN(int8_step)(w, cols, d, at, MS_NN__B_BYTES, s, rows);
     if (at < end) MS_NN__FN(int8_step)(w, cols, d, at, end - at, s, rows);
-#if B_ROWS == 4
+#if MS_NN__B_ROWS == 4
     if (rows == 1) {
         int32_t three[4];
-        B_SUM4(three, s[0][0], s[1][0], s[2][0], B_ZERO);
+        MS_NN__B_SUM4(three, s[0][0], s[1][0], s[2][0], MS_NN__B_ZERO);
         for (k = 0; k < 3; ++k) sums[k][0] = three[k];
     } else {
-        for (k = 0; k < 3; ++k) B_SUM4(sums[k], s[k][0], s[k][1], s[k][2], s[k][3]);
+        for (k = 0; k < 3; ++k) MS_NN__B_SUM4(sums[k], s[k][0], s[k][1], s[k][2], s[k][3]);
     }
 #else
     MS_NN__UNROLL
     for (k = 0; k < 3; ++k) {
         MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) sums[k][r] = B_SUM(s[k][r]);
+        for (r = 0; r < rows; ++r) sums[k][r] = MS_NN__B_SUM(s[k][r]);
     }
 #endif
     MS_NN__UNROLL
     for (k = 0; k < 3; ++k) {
         MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) sums[k][r] -= B_OFFSET * x->sum[k][run];
+        for (r = 0; r < rows; ++r) sums[k][r] -= MS_NN__B_OFFSET * x->sum[k][run];
     }
 }
 
@@ -4917,11 +4989,11 @@ MS_NN__INLINE void MS_NN__FN(int8_rows)(const ms_nn__dense *job, size_t row, int
     int b, r;
     for (b = 0; b < job->batch; ++b) {
         const ms_nn__digits *x = &job->digits[b];
-        int64_t total[B_ROWS];
+        int64_t total[MS_NN__B_ROWS];
         MS_NN__UNROLL
         for (r = 0; r < rows; ++r) total[r] = 0;
         for (at = 0; at < m->cols; at += MS_NN__RUN) {
-            int32_t sums[3][B_ROWS];
+            int32_t sums[3][MS_NN__B_ROWS];
             MS_NN__FN(int8_sums)(m->w + row * m->cols, m->cols, x, at, ms_nn__min(m->cols, at + MS_NN__RUN), sums, rows);
             MS_NN__UNROLL
             for (r = 0; r < rows; ++r) total[r] += (int64_t)sums[0][r] * 16384 + (int64_t)sums[1][r] * 128 + sums[2][r];
@@ -4938,30 +5010,30 @@ MS_NN__INLINE void MS_NN__FN(int8_rows)(const ms_nn__dense *job, size_t row, int
 static void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
     size_t row = row0;
-    for (; !ms_nn__large(job) && row + B_ROWS <= row1; row += B_ROWS) MS_NN__FN(int8_rows)(job, row, B_ROWS);
+    for (; !ms_nn__large(job) && row + MS_NN__B_ROWS <= row1; row += MS_NN__B_ROWS) MS_NN__FN(int8_rows)(job, row, MS_NN__B_ROWS);
     for (; row < row1; ++row) MS_NN__FN(int8_rows)(job, row, 1);
 }
 
 #if MS_NN__ISA < 5 /* the VNNI pass is for I8 only; the rest is AVX-512's */
-/* V_LANES weights of a type that is a constant where this is inlined. */
-MS_NN__INLINE V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
+/* MS_NN__V_LANES weights of a type that is a constant where this is inlined. */
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
 {
-    if (dtype == MS_NN_F32) return V_LOAD(p);
-    if (dtype == MS_NN_F16) return W_HALF(p);
-    if (dtype == MS_NN_BF16) return W_BRAIN(p);
-    return W_INT8(p);
+    if (dtype == MS_NN_F32) return MS_NN__V_LOAD(p);
+    if (dtype == MS_NN_F16) return MS_NN__W_HALF(p);
+    if (dtype == MS_NN_BF16) return MS_NN__W_BRAIN(p);
+    return MS_NN__W_INT8(p);
 }
 
-/* n < V_LANES weights, zeros behind them; nothing behind them is read. */
-MS_NN__INLINE V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype, size_t n)
+/* n < MS_NN__V_LANES weights, zeros behind them; nothing behind them is read. */
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype, size_t n)
 {
 #if MS_NN__ISA >= 4
     if (dtype == MS_NN_F32) return _mm512_maskz_loadu_ps((__mmask16)((1u << n) - 1), p);
 #endif
     {
-        unsigned char copy[4 * V_LANES];
+        unsigned char copy[4 * MS_NN__V_LANES];
         memset(copy, 0, sizeof copy);
-        memcpy(copy, p, ms_nn__min(n, V_LANES) * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2));
+        memcpy(copy, p, ms_nn__min(n, MS_NN__V_LANES) * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2));
         return MS_NN__FN(weight)(copy, dtype);
     }
 }
@@ -4969,16 +5041,16 @@ MS_NN__INLINE V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtyp
 #if MS_NN__ISA == 4
 /* One row times one sample, as dots has it, by halves of vectors: 32 bytes at a time come from memory up to 1.15 times as fast
    as 64 on Zen 4 with small pages. Lanes and order are the same. Returns how many columns are done. */
-MS_NN__INLINE size_t MS_NN__FN(dots_halves)(const unsigned char *w, const float *x, size_t cols, ms_nn_dtype dtype, V_FLOATS *sum)
+MS_NN__INLINE size_t MS_NN__FN(dots_halves)(const unsigned char *w, const float *x, size_t cols, ms_nn_dtype dtype, MS_NN__V_FLOATS *sum)
 {
     size_t size = dtype == MS_NN_F32 ? 4 : 2, k = 0, at;
-    __m256 half[2 * W_CHAINS], u;
+    __m256 half[2 * MS_NN__W_CHAINS], u;
     int c;
     MS_NN__UNROLL
-    for (c = 0; c < 2 * W_CHAINS; ++c) half[c] = _mm256_setzero_ps();
-    for (; k + V_LANES * W_CHAINS <= cols; k += V_LANES * W_CHAINS) {
+    for (c = 0; c < 2 * MS_NN__W_CHAINS; ++c) half[c] = _mm256_setzero_ps();
+    for (; k + MS_NN__V_LANES * MS_NN__W_CHAINS <= cols; k += MS_NN__V_LANES * MS_NN__W_CHAINS) {
         MS_NN__UNROLL
-        for (c = 0; c < 2 * W_CHAINS; ++c) {
+        for (c = 0; c < 2 * MS_NN__W_CHAINS; ++c) {
             at = k + 8 * (size_t)c;
             if (dtype == MS_NN_F32) u = _mm256_loadu_ps((const float *)(const void *)(w + at * size));
             else if (dtype == MS_NN_F16) u = _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(w + at * size)));
@@ -4987,21 +5059,21 @@ MS_NN__INLINE size_t MS_NN__FN(dots_halves)(const unsigned char *w, const float 
         }
     }
     MS_NN__UNROLL
-    for (c = 0; c < W_CHAINS; ++c)
+    for (c = 0; c < MS_NN__W_CHAINS; ++c)
         sum[c] = _mm512_castpd_ps(_mm512_maskz_insertf64x4(0xFF, _mm512_castps_pd(_mm512_castps256_ps512(half[2 * c])), _mm256_castps_pd(half[2 * c + 1]), 1));
     return k;
 }
 #endif
 
-/* rows x batch dot products. Sum c runs over the columns V_LANES c + (0..V_LANES-1) modulo V_LANES W_CHAINS; then the rest; the sums are
+/* rows x batch dot products. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1) modulo MS_NN__V_LANES MS_NN__W_CHAINS; then the rest; the sums are
    added in pairs. The order depends on nothing but cols, so that tiles of any shape agree. */
 MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch)
 {
     const ms_nn__matrix *m = job->m;
     size_t cols = m->cols, size = dtype == MS_NN_F32 ? 4 : 2, k = 0;
-    const unsigned char *w[W_ROWS];
+    const unsigned char *w[MS_NN__W_ROWS];
     const float *x[3];
-    V_FLOATS sum[W_ROWS][3][W_CHAINS];
+    MS_NN__V_FLOATS sum[MS_NN__W_ROWS][3][MS_NN__W_CHAINS];
     int r, b, c;
     MS_NN__UNROLL
     for (r = 0; r < rows; ++r) {
@@ -5009,37 +5081,37 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
             MS_NN__UNROLL
-            for (c = 0; c < W_CHAINS; ++c) sum[r][b][c] = V_SET(0.0f);
+            for (c = 0; c < MS_NN__W_CHAINS; ++c) sum[r][b][c] = MS_NN__V_SET(0.0f);
         }
     }
     MS_NN__UNROLL
-    for (b = 0; b < batch; ++b) x[b] = job->x + ms_nn__min(sample + (size_t)b, (size_t)job->batch - 1) * cols;
+    for (b = 0; b < batch; ++b) x[b] = job->x + (sample + (size_t)b) * cols;
 #if MS_NN__ISA == 4
     if (rows == 1 && batch == 1) k = MS_NN__FN(dots_halves)(w[0], x[0], cols, dtype, sum[0][0]);
 #endif
-    for (; k + V_LANES * W_CHAINS <= cols; k += V_LANES * W_CHAINS) {
+    for (; k + MS_NN__V_LANES * MS_NN__W_CHAINS <= cols; k += MS_NN__V_LANES * MS_NN__W_CHAINS) {
         MS_NN__UNROLL
-        for (c = 0; c < W_CHAINS; ++c) {
-            V_FLOATS v[3];
+        for (c = 0; c < MS_NN__W_CHAINS; ++c) {
+            MS_NN__V_FLOATS v[3];
             MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) v[b] = V_LOAD(x[b] + k + (size_t)c * V_LANES);
+            for (b = 0; b < batch; ++b) v[b] = MS_NN__V_LOAD(x[b] + k + (size_t)c * MS_NN__V_LANES);
             MS_NN__UNROLL
             for (r = 0; r < rows; ++r) {
-                V_FLOATS u = MS_NN__FN(weight)(w[r] + (k + (size_t)c * V_LANES) * size, dtype);
+                MS_NN__V_FLOATS u = MS_NN__FN(weight)(w[r] + (k + (size_t)c * MS_NN__V_LANES) * size, dtype);
                 MS_NN__UNROLL
-                for (b = 0; b < batch; ++b) sum[r][b][c] = V_MADD(u, v[b], sum[r][b][c]);
+                for (b = 0; b < batch; ++b) sum[r][b][c] = MS_NN__V_MADD(u, v[b], sum[r][b][c]);
             }
         }
     }
-    for (; k < cols; k += V_LANES) {
-        size_t n = ms_nn__min(cols - k, V_LANES);
+    for (; k < cols; k += MS_NN__V_LANES) {
+        size_t n = ms_nn__min(cols - k, MS_NN__V_LANES);
         MS_NN__UNROLL
         for (r = 0; r < rows; ++r) {
-            V_FLOATS u = n == V_LANES ? MS_NN__FN(weight)(w[r] + k * size, dtype) : MS_NN__FN(weight_part)(w[r] + k * size, dtype, n);
+            MS_NN__V_FLOATS u = n == MS_NN__V_LANES ? MS_NN__FN(weight)(w[r] + k * size, dtype) : MS_NN__FN(weight_part)(w[r] + k * size, dtype, n);
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) {
-                V_FLOATS v = n == V_LANES ? V_LOAD(x[b] + k) : MS_NN__FN(weight_part)((const unsigned char *)(x[b] + k), MS_NN_F32, n);
-                sum[r][b][0] = V_MADD(u, v, sum[r][b][0]);
+                MS_NN__V_FLOATS v = n == MS_NN__V_LANES ? MS_NN__V_LOAD(x[b] + k) : MS_NN__FN(weight_part)((const unsigned char *)(x[b] + k), MS_NN_F32, n);
+                sum[r][b][0] = MS_NN__V_MADD(u, v, sum[r][b][0]);
             }
         }
     }
@@ -5048,29 +5120,30 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
         float bias = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + (size_t)r) : 0.0f;
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
-            V_FLOATS s = V_ADD(sum[r][b][0], sum[r][b][1]);
-#if W_CHAINS == 4
-            s = V_ADD(s, V_ADD(sum[r][b][2], sum[r][b][3]));
+            MS_NN__V_FLOATS s = MS_NN__V_ADD(sum[r][b][0], sum[r][b][1]);
+#if MS_NN__W_CHAINS == 4
+            s = MS_NN__V_ADD(s, MS_NN__V_ADD(sum[r][b][2], sum[r][b][3]));
 #endif
-            if (sample + (size_t)b < (size_t)job->batch) job->y[(sample + (size_t)b) * m->rows + row + (size_t)r] = V_SUM(s) + bias;
+            job->y[(sample + (size_t)b) * m->rows + row + (size_t)r] = MS_NN__V_SUM(s) + bias;
         }
     }
 }
 
-/* A large matrix for one sample is read row by row, at the speed of memory; where it is read more than once or lies in
-   the cache, W_ROWS at a time. */
+/* A large matrix for one sample is read row by row, at the speed of memory; where it lies in the cache, MS_NN__W_ROWS at a time.
+   Batches go by blocks of samples that stay in the first cache, three samples at a time; what is left over runs as if alone. */
 MS_NN__INLINE void MS_NN__FN(dense_typed)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
 {
-    size_t row = row0, b;
-    if (job->batch > 1 || !ms_nn__large(job)) {
-        for (; row + W_ROWS <= row1; row += W_ROWS) {
-            if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, W_ROWS, 1);
-            else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, W_ROWS, 3);
-        }
-    }
-    for (; row < row1; ++row) {
-        if (job->batch == 1) MS_NN__FN(dots)(job, row, 0, dtype, 1, 1);
-        else for (b = 0; b < (size_t)job->batch; b += 3) MS_NN__FN(dots)(job, row, b, dtype, 1, 3);
+    size_t batch = (size_t)job->batch, step = ms_nn__samples(job->m->cols), row = row0, b0, b1, b;
+    for (b0 = 0; b0 < batch; b0 = b1) {
+        b1 = ms_nn__min(b0 + step, batch);
+        row = row0;
+        if (batch > 1 || !ms_nn__large(job))
+            for (; row + MS_NN__W_ROWS <= row1; row += MS_NN__W_ROWS) {
+                for (b = b0; b + 3 <= b1; b += 3) MS_NN__FN(dots)(job, row, b, dtype, MS_NN__W_ROWS, 3);
+                for (; b < b1; ++b) MS_NN__FN(dots)(job, row, b, dtype, MS_NN__W_ROWS, 1);
+            }
+        for (; row < row1; ++row)
+            for (b = b0; b < b1; ++b) MS_NN__FN(dots)(job, row, b, dtype, 1, 1);
     }
 }
 
@@ -5088,40 +5161,40 @@ MS_NN__INLINE void MS_NN__FN(axpy)(const ms_nn__dense *job, size_t sample, size_
     const ms_nn__matrix *m = job->m;
     size_t cols = m->cols, size = dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2, k;
     const unsigned char *w = m->w + row * cols * size;
-    V_FLOATS factor[4][3], sum[3];
+    MS_NN__V_FLOATS factor[4][3], sum[3];
     int r, b;
     MS_NN__UNROLL
     for (r = 0; r < rows; ++r) {
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
             float g = job->x[(sample + (size_t)b) * m->rows + row + (size_t)r];
-            factor[r][b] = V_SET(dtype == MS_NN_I8 ? g * ms_nn__float_at(m->scale, row + (size_t)r) : g);
+            factor[r][b] = MS_NN__V_SET(dtype == MS_NN_I8 ? g * ms_nn__float_at(m->scale, row + (size_t)r) : g);
         }
     }
     out += sample * cols;
-    for (k = col0; k + V_LANES <= col1; k += V_LANES) {
+    for (k = col0; k + MS_NN__V_LANES <= col1; k += MS_NN__V_LANES) {
         MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) sum[b] = V_LOAD(out + (size_t)b * cols + k);
+        for (b = 0; b < batch; ++b) sum[b] = MS_NN__V_LOAD(out + (size_t)b * cols + k);
         MS_NN__UNROLL
         for (r = 0; r < rows; ++r) {
-            V_FLOATS u = MS_NN__FN(weight)(w + ((size_t)r * cols + k) * size, dtype);
+            MS_NN__V_FLOATS u = MS_NN__FN(weight)(w + ((size_t)r * cols + k) * size, dtype);
             MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) sum[b] = V_MADD(factor[r][b], u, sum[b]);
+            for (b = 0; b < batch; ++b) sum[b] = MS_NN__V_MADD(factor[r][b], u, sum[b]);
         }
         MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) V_STORE(out + (size_t)b * cols + k, sum[b]);
+        for (b = 0; b < batch; ++b) MS_NN__V_STORE(out + (size_t)b * cols + k, sum[b]);
     }
     if (k == col1) return;
     MS_NN__UNROLL
     for (b = 0; b < batch; ++b) {
-        float last[V_LANES];
+        float last[MS_NN__V_LANES];
         size_t n = col1 - k;
         memset(last, 0, sizeof last);
         memcpy(last, out + (size_t)b * cols + k, n * sizeof(float));
-        sum[b] = V_LOAD(last);
+        sum[b] = MS_NN__V_LOAD(last);
         MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) sum[b] = V_MADD(factor[r][b], MS_NN__FN(weight_part)(w + ((size_t)r * cols + k) * size, dtype, n), sum[b]);
-        V_STORE(last, sum[b]);
+        for (r = 0; r < rows; ++r) sum[b] = MS_NN__V_MADD(factor[r][b], MS_NN__FN(weight_part)(w + ((size_t)r * cols + k) * size, dtype, n), sum[b]);
+        MS_NN__V_STORE(last, sum[b]);
         memcpy(out + (size_t)b * cols + k, last, n * sizeof(float));
     }
 }
@@ -5129,17 +5202,26 @@ MS_NN__INLINE void MS_NN__FN(axpy)(const ms_nn__dense *job, size_t sample, size_
 MS_NN__INLINE void MS_NN__FN(dense_back_typed)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out,
                                                ms_nn_dtype dtype)
 {
-    size_t row = row0, batch = (size_t)job->batch, b, from, to;
-    if (batch > 1) {
-        for (; row + 4 <= row1; row += 4)
-            for (from = col0; from < col1; from = to) { /* four row pieces stay in the first cache */
-                to = ms_nn__min(from + 1024, col1);
-                for (b = 0; b + 3 <= batch; b += 3) MS_NN__FN(axpy)(job, b, row, from, to, out, dtype, 4, 3);
-                for (; b < batch; ++b) MS_NN__FN(axpy)(job, b, row, from, to, out, dtype, 4, 1);
+    size_t row = row0, batch = (size_t)job->batch, b, b0, b1, from, to, first, last;
+    if (batch > 1) { /* 64 rows of 512 columns stay in the second cache, 12 samples' sums over them in the first */
+        for (from = col0; from < col1; from = to) {
+            to = ms_nn__min(from + 512, col1);
+            for (first = row0; first < row1; first = last) {
+                last = ms_nn__min(first + 64, row1);
+                for (b0 = 0; b0 < batch; b0 = b1) {
+                    b1 = ms_nn__min(b0 + 12, batch);
+                    for (row = first; row + 4 <= last; row += 4) {
+                        for (b = b0; b + 3 <= b1; b += 3) MS_NN__FN(axpy)(job, b, row, from, to, out, dtype, 4, 3);
+                        for (; b < b1; ++b) MS_NN__FN(axpy)(job, b, row, from, to, out, dtype, 4, 1);
+                    }
+                    for (; row < last; ++row)
+                        for (b = b0; b < b1; ++b) MS_NN__FN(axpy)(job, b, row, from, to, out, dtype, 1, 1);
+                }
             }
+        }
+        return;
     }
-    for (; row < row1; ++row)
-        for (b = 0; b < batch; ++b) MS_NN__FN(axpy)(job, b, row, col0, col1, out, dtype, 1, 1);
+    for (; row < row1; ++row) MS_NN__FN(axpy)(job, 0, row, col0, col1, out, dtype, 1, 1);
 }
 
 static void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out)
@@ -5150,37 +5232,37 @@ static void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t r
     else MS_NN__FN(dense_back_typed)(job, row0, row1, col0, col1, out, MS_NN_I8);
 }
 
-/* V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x + t). */
+/* MS_NN__V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x + t). */
 MS_NN__INLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out, size_t out_plane,
                                         size_t outs, int tile)
 {
     size_t c, t;
-    V_FLOATS sum[V_BLOCK][V_TILE];
+    MS_NN__V_FLOATS sum[MS_NN__V_BLOCK][MS_NN__V_TILE];
     int i, j;
     MS_NN__UNROLL
-    for (i = 0; i < V_BLOCK; ++i) {
+    for (i = 0; i < MS_NN__V_BLOCK; ++i) {
         MS_NN__UNROLL
-        for (j = 0; j < tile; ++j) sum[i][j] = V_SET(bias[i]);
+        for (j = 0; j < tile; ++j) sum[i][j] = MS_NN__V_SET(bias[i]);
     }
     for (c = 0; c < v->in.c; ++c, in += v->plane) {
-        for (t = 0; t < v->taps; ++t, w += V_BLOCK) {
+        for (t = 0; t < v->taps; ++t, w += MS_NN__V_BLOCK) {
             const float *p = in + v->offset[t];
-            V_FLOATS x[V_TILE];
+            MS_NN__V_FLOATS x[MS_NN__V_TILE];
             MS_NN__UNROLL
-            for (j = 0; j < tile; ++j) x[j] = V_LOAD(p + j * V_LANES);
+            for (j = 0; j < tile; ++j) x[j] = MS_NN__V_LOAD(p + j * MS_NN__V_LANES);
             MS_NN__UNROLL
-            for (i = 0; i < V_BLOCK; ++i) {
-                V_FLOATS u = V_SET(w[i]);
+            for (i = 0; i < MS_NN__V_BLOCK; ++i) {
+                MS_NN__V_FLOATS u = MS_NN__V_SET(w[i]);
                 MS_NN__UNROLL
-                for (j = 0; j < tile; ++j) sum[i][j] = V_MADD(u, x[j], sum[i][j]);
+                for (j = 0; j < tile; ++j) sum[i][j] = MS_NN__V_MADD(u, x[j], sum[i][j]);
             }
         }
     }
     MS_NN__UNROLL
-    for (i = 0; i < V_BLOCK; ++i) {
+    for (i = 0; i < MS_NN__V_BLOCK; ++i) {
         if ((size_t)i < outs) {
             MS_NN__UNROLL
-            for (j = 0; j < tile; ++j) V_STORE(out + (size_t)i * out_plane + j * V_LANES, sum[i][j]);
+            for (j = 0; j < tile; ++j) MS_NN__V_STORE(out + (size_t)i * out_plane + j * MS_NN__V_LANES, sum[i][j]);
         }
     }
 }
@@ -5192,12 +5274,12 @@ static void MS_NN__FN(combine)(float *rows, size_t n)
 {
     float *d0 = rows, *d1 = rows + n, *d2 = d1 + n, *d3 = d2 + n;
     size_t i = 0;
-    for (; i + V_LANES <= n; i += V_LANES) {
-        V_FLOATS a = V_LOAD(d0 + i), b = V_LOAD(d1 + i), c = V_LOAD(d2 + i), d = V_LOAD(d3 + i);
-        V_STORE(d0 + i, V_SUB(a, c));
-        V_STORE(d1 + i, V_ADD(b, c));
-        V_STORE(d2 + i, V_SUB(c, b));
-        V_STORE(d3 + i, V_SUB(b, d));
+    for (; i + MS_NN__V_LANES <= n; i += MS_NN__V_LANES) {
+        MS_NN__V_FLOATS a = MS_NN__V_LOAD(d0 + i), b = MS_NN__V_LOAD(d1 + i), c = MS_NN__V_LOAD(d2 + i), d = MS_NN__V_LOAD(d3 + i);
+        MS_NN__V_STORE(d0 + i, MS_NN__V_SUB(a, c));
+        MS_NN__V_STORE(d1 + i, MS_NN__V_ADD(b, c));
+        MS_NN__V_STORE(d2 + i, MS_NN__V_SUB(c, b));
+        MS_NN__V_STORE(d3 + i, MS_NN__V_SUB(b, d));
     }
     for (; i < n; ++i) {
         float a = d0[i], b = d1[i], c = d2[i], d = d3[i];
@@ -5212,24 +5294,24 @@ static void MS_NN__FN(combine)(float *rows, size_t n)
 static void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
 {
     const ms_nn__conv *v = job->conv;
-    size_t o = block * V_BLOCK, outs = ms_nn__min(V_BLOCK, v->out.c - o), part = v->in.c * v->taps * V_BLOCK, x, i, j;
+    size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o), part = v->in.c * v->taps * MS_NN__V_BLOCK, x, i, j;
     size_t rows = ms_nn__min(2, v->out.h - row);
     const float *w = v->packed + block * 4 * part;
-    float zero[V_BLOCK], m[4][V_BLOCK * V_TILE * V_LANES], *out = job->y + o * job->y_plane + row * job->y_row;
-    for (i = 0; i < V_BLOCK; ++i) zero[i] = 0;
+    float zero[MS_NN__V_BLOCK], m[4][MS_NN__V_BLOCK * MS_NN__V_TILE * MS_NN__V_LANES], *out = job->y + o * job->y_plane + row * job->y_row;
+    for (i = 0; i < MS_NN__V_BLOCK; ++i) zero[i] = 0;
     for (x = 0; x < v->out.w;) {
-        size_t left = v->out.w - x, tile = left > (V_TILE - 1) * V_LANES ? V_TILE : 1, width = ms_nn__min(left, tile * V_LANES);
+        size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1, width = ms_nn__min(left, tile * MS_NN__V_LANES);
         for (j = 0; j < 4; ++j) {
-            if (tile == V_TILE) MS_NN__FN(conv_tile)(v, in + j * v->pitch + x, w + j * part, zero, m[j], V_TILE * V_LANES, V_BLOCK, V_TILE);
-            else MS_NN__FN(conv_tile)(v, in + j * v->pitch + x, w + j * part, zero, m[j], V_TILE * V_LANES, V_BLOCK, 1);
+            if (tile == MS_NN__V_TILE) MS_NN__FN(conv_tile)(v, in + j * v->pitch + x, w + j * part, zero, m[j], MS_NN__V_TILE * MS_NN__V_LANES, MS_NN__V_BLOCK, MS_NN__V_TILE);
+            else MS_NN__FN(conv_tile)(v, in + j * v->pitch + x, w + j * part, zero, m[j], MS_NN__V_TILE * MS_NN__V_LANES, MS_NN__V_BLOCK, 1);
         }
         for (i = 0; i < outs; ++i) {
-            float *m0 = m[0] + i * V_TILE * V_LANES, *m1 = m[1] + i * V_TILE * V_LANES, *to = out + i * job->y_plane + x;
-            V_FLOATS bias = V_SET(job->linear ? 0.0f : v->bias[o + i]);
+            float *m0 = m[0] + i * MS_NN__V_TILE * MS_NN__V_LANES, *m1 = m[1] + i * MS_NN__V_TILE * MS_NN__V_LANES, *to = out + i * job->y_plane + x;
+            MS_NN__V_FLOATS bias = MS_NN__V_SET(job->linear ? 0.0f : v->bias[o + i]);
             for (j = 0; j < tile; ++j) {
-                V_FLOATS a = V_LOAD(m1 + j * V_LANES), b = V_LOAD(m[2] + i * V_TILE * V_LANES + j * V_LANES);
-                V_STORE(m1 + j * V_LANES, V_SUB(V_ADD(bias, V_SUB(a, b)), V_LOAD(m[3] + i * V_TILE * V_LANES + j * V_LANES)));
-                V_STORE(m0 + j * V_LANES, V_ADD(V_ADD(bias, V_ADD(a, b)), V_LOAD(m0 + j * V_LANES)));
+                MS_NN__V_FLOATS a = MS_NN__V_LOAD(m1 + j * MS_NN__V_LANES), b = MS_NN__V_LOAD(m[2] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES);
+                MS_NN__V_STORE(m1 + j * MS_NN__V_LANES, MS_NN__V_SUB(MS_NN__V_ADD(bias, MS_NN__V_SUB(a, b)), MS_NN__V_LOAD(m[3] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES)));
+                MS_NN__V_STORE(m0 + j * MS_NN__V_LANES, MS_NN__V_ADD(MS_NN__V_ADD(bias, MS_NN__V_ADD(a, b)), MS_NN__V_LOAD(m0 + j * MS_NN__V_LANES)));
             }
             memcpy(to, m0, width * sizeof(float));
             if (rows == 2) memcpy(to + job->y_row, m1, width * sizeof(float));
@@ -5244,21 +5326,21 @@ static void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float *in, si
 static void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
 {
     const ms_nn__conv *v = job->conv;
-    size_t o = block * V_BLOCK, outs = ms_nn__min(V_BLOCK, v->out.c - o), x, i, j;
-    const float *w = v->packed + block * v->in.c * v->taps * V_BLOCK;
-    float bias[V_BLOCK], buffer[V_BLOCK * V_TILE * V_LANES], *out = job->y + o * job->y_plane + row * job->y_row;
-    for (i = 0; i < V_BLOCK; ++i) bias[i] = job->linear ? 0.0f : v->bias[o + i];
+    size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o), x, i, j;
+    const float *w = v->packed + block * v->in.c * v->taps * MS_NN__V_BLOCK;
+    float bias[MS_NN__V_BLOCK], buffer[MS_NN__V_BLOCK * MS_NN__V_TILE * MS_NN__V_LANES], *out = job->y + o * job->y_plane + row * job->y_row;
+    for (i = 0; i < MS_NN__V_BLOCK; ++i) bias[i] = job->linear ? 0.0f : v->bias[o + i];
     for (x = 0; x < v->out.w;) {
-        size_t left = v->out.w - x, tile = left > (V_TILE - 1) * V_LANES ? V_TILE : 1, width = ms_nn__min(left, tile * V_LANES);
-        int direct = width == tile * V_LANES && job->y_step == 1 && !job->accumulate;
+        size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1, width = ms_nn__min(left, tile * MS_NN__V_LANES);
+        int direct = width == tile * MS_NN__V_LANES && job->y_step == 1 && !job->accumulate;
         float *to = direct ? out + x : buffer;
-        size_t plane = direct ? job->y_plane : V_TILE * V_LANES;
-        if (tile == V_TILE) MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, V_TILE);
+        size_t plane = direct ? job->y_plane : MS_NN__V_TILE * MS_NN__V_LANES;
+        if (tile == MS_NN__V_TILE) MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, MS_NN__V_TILE);
         else MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, 1);
         for (i = 0; !direct && i < outs; ++i)
             for (j = 0; j < width; ++j) {
                 float *y = out + i * job->y_plane + (x + j) * job->y_step;
-                *y = job->accumulate ? *y + buffer[i * V_TILE * V_LANES + j] : buffer[i * V_TILE * V_LANES + j];
+                *y = job->accumulate ? *y + buffer[i * MS_NN__V_TILE * MS_NN__V_LANES + j] : buffer[i * MS_NN__V_TILE * MS_NN__V_LANES + j];
             }
         x += width;
     }
@@ -5269,7 +5351,7 @@ static void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, siz
 static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const float *padded)
 {
     const ms_nn__conv *v = job->conv;
-    size_t blocks = (v->out.c + V_BLOCK - 1) / V_BLOCK, row0 = strip * v->strip, row1 = ms_nn__min(row0 + v->strip, v->out.h), row, block;
+    size_t blocks = (v->out.c + MS_NN__V_BLOCK - 1) / MS_NN__V_BLOCK, row0 = strip * v->strip, row1 = ms_nn__min(row0 + v->strip, v->out.h), row, block;
     for (row = row0; row < row1; row += v->pairs ? 2 : 1)
         for (block = 0; block < blocks; ++block) {
             if (v->pairs) MS_NN__FN(conv_pair)(job, padded + (row - row0) * 2 * v->pitch, row, block);
@@ -5279,91 +5361,91 @@ static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const floa
 
 /* e^x - c, c = 0 or 1, for x in [-87, 88]: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c); e^r - 1 = r + r^2 q(r) with the
    Taylor coefficients 1/2 to 1/5040, |r| <= 0.347: relative error below 2 ulp. */
-MS_NN__INLINE V_FLOATS MS_NN__FN(exp_minus)(V_FLOATS x, float c)
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(exp_minus)(MS_NN__V_FLOATS x, float c)
 {
-    V_FLOATS r, q, s, t;
-    V_INT n;
-    x = V_MAX(V_SET(-87.0f), V_MIN(V_SET(88.0f), x));
-    n = V_ROUND(V_MUL(x, V_SET(1.44269504f)));
-    t = V_FROM_INT(n);
-    r = V_MADD(t, V_SET(-0.693145752f), x); /* ln 2 in two pieces: the first has 15 bits, t times it is exact */
-    r = V_MADD(t, V_SET(-1.42860677e-6f), r);
-    q = V_SET(1.0f / 5040);
-    q = V_MADD(q, r, V_SET(1.0f / 720));
-    q = V_MADD(q, r, V_SET(1.0f / 120));
-    q = V_MADD(q, r, V_SET(1.0f / 24));
-    q = V_MADD(q, r, V_SET(1.0f / 6));
-    q = V_MADD(q, r, V_SET(0.5f));
-    q = V_MADD(V_MUL(r, r), q, r);
-    s = V_POW2(n);
-    return V_MADD(s, q, V_SUB(s, V_SET(c)));
+    MS_NN__V_FLOATS r, q, s, t;
+    MS_NN__V_INT n;
+    x = MS_NN__V_MAX(MS_NN__V_SET(-87.0f), MS_NN__V_MIN(MS_NN__V_SET(88.0f), x));
+    n = MS_NN__V_ROUND(MS_NN__V_MUL(x, MS_NN__V_SET(1.44269504f)));
+    t = MS_NN__V_FROM_INT(n);
+    r = MS_NN__V_MADD(t, MS_NN__V_SET(-0.693145752f), x); /* ln 2 in two pieces: the first has 15 bits, t times it is exact */
+    r = MS_NN__V_MADD(t, MS_NN__V_SET(-1.42860677e-6f), r);
+    q = MS_NN__V_SET(1.0f / 5040);
+    q = MS_NN__V_MADD(q, r, MS_NN__V_SET(1.0f / 720));
+    q = MS_NN__V_MADD(q, r, MS_NN__V_SET(1.0f / 120));
+    q = MS_NN__V_MADD(q, r, MS_NN__V_SET(1.0f / 24));
+    q = MS_NN__V_MADD(q, r, MS_NN__V_SET(1.0f / 6));
+    q = MS_NN__V_MADD(q, r, MS_NN__V_SET(0.5f));
+    q = MS_NN__V_MADD(MS_NN__V_MUL(r, r), q, r);
+    s = MS_NN__V_POW2(n);
+    return MS_NN__V_MADD(s, q, MS_NN__V_SUB(s, MS_NN__V_SET(c)));
 }
 
 /* ln(1 + e) for e in [0, 1]: 2 artanh(z), z = e / (2 + e) <= 1/3; the series to z^15 leaves 1e-9. */
-MS_NN__INLINE V_FLOATS MS_NN__FN(log1p)(V_FLOATS e)
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(log1p)(MS_NN__V_FLOATS e)
 {
-    V_FLOATS z = V_DIV(e, V_ADD(e, V_SET(2.0f))), s = V_MUL(z, z), q = V_SET(1.0f / 15);
-    q = V_MADD(q, s, V_SET(1.0f / 13));
-    q = V_MADD(q, s, V_SET(1.0f / 11));
-    q = V_MADD(q, s, V_SET(1.0f / 9));
-    q = V_MADD(q, s, V_SET(1.0f / 7));
-    q = V_MADD(q, s, V_SET(0.2f));
-    q = V_MADD(q, s, V_SET(1.0f / 3));
-    return V_MUL(V_ADD(z, z), V_MADD(q, s, V_SET(1.0f)));
+    MS_NN__V_FLOATS z = MS_NN__V_DIV(e, MS_NN__V_ADD(e, MS_NN__V_SET(2.0f))), s = MS_NN__V_MUL(z, z), q = MS_NN__V_SET(1.0f / 15);
+    q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 13));
+    q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 11));
+    q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 9));
+    q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 7));
+    q = MS_NN__V_MADD(q, s, MS_NN__V_SET(0.2f));
+    q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 3));
+    return MS_NN__V_MUL(MS_NN__V_ADD(z, z), MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f)));
 }
 
-MS_NN__INLINE V_FLOATS MS_NN__FN(activated)(V_FLOATS x, ms_nn__activation activation, float alpha)
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(activated)(MS_NN__V_FLOATS x, ms_nn__activation activation, float alpha)
 {
-    V_FLOATS zero = V_SET(0.0f), one = V_SET(1.0f), magnitude, e;
-    if (activation == MS_NN__RELU) return V_MAX(zero, x);
-    if (activation == MS_NN__LEAKY) return V_IF_GREATER(x, zero, x, V_MUL(x, V_SET(alpha)));
-    if (activation == MS_NN__ELU) return V_IF_GREATER(x, zero, x, V_MUL(V_SET(alpha), MS_NN__FN(exp_minus)(V_MIN(zero, x), 1.0f)));
-    magnitude = V_MAX(V_SUB(zero, x), x);
+    MS_NN__V_FLOATS zero = MS_NN__V_SET(0.0f), one = MS_NN__V_SET(1.0f), magnitude, e;
+    if (activation == MS_NN__RELU) return MS_NN__V_MAX(zero, x);
+    if (activation == MS_NN__LEAKY) return MS_NN__V_IF_GREATER(x, zero, x, MS_NN__V_MUL(x, MS_NN__V_SET(alpha)));
+    if (activation == MS_NN__ELU) return MS_NN__V_IF_GREATER(x, zero, x, MS_NN__V_MUL(MS_NN__V_SET(alpha), MS_NN__FN(exp_minus)(MS_NN__V_MIN(zero, x), 1.0f)));
+    magnitude = MS_NN__V_MAX(MS_NN__V_SUB(zero, x), x);
     if (activation == MS_NN__TANH) { /* (1 - e^-2|x|) / (1 + e^-2|x|) */
-        e = MS_NN__FN(exp_minus)(V_MUL(V_SET(-2.0f), magnitude), 1.0f);
-        e = V_DIV(V_SUB(zero, e), V_ADD(e, V_SET(2.0f)));
-        return V_IF_GREATER(zero, x, V_SUB(zero, e), e);
+        e = MS_NN__FN(exp_minus)(MS_NN__V_MUL(MS_NN__V_SET(-2.0f), magnitude), 1.0f);
+        e = MS_NN__V_DIV(MS_NN__V_SUB(zero, e), MS_NN__V_ADD(e, MS_NN__V_SET(2.0f)));
+        return MS_NN__V_IF_GREATER(zero, x, MS_NN__V_SUB(zero, e), e);
     }
-    e = MS_NN__FN(exp_minus)(V_SUB(zero, magnitude), 0.0f); /* e^-|x| */
-    if (activation == MS_NN__SIGMOID) return V_DIV(V_IF_GREATER(zero, x, e, one), V_ADD(e, one));
-    return V_ADD(V_MAX(zero, x), MS_NN__FN(log1p)(e)); /* softplus */
+    e = MS_NN__FN(exp_minus)(MS_NN__V_SUB(zero, magnitude), 0.0f); /* e^-|x| */
+    if (activation == MS_NN__SIGMOID) return MS_NN__V_DIV(MS_NN__V_IF_GREATER(zero, x, e, one), MS_NN__V_ADD(e, one));
+    return MS_NN__V_ADD(MS_NN__V_MAX(zero, x), MS_NN__FN(log1p)(e)); /* softplus */
 }
 
 /* Slope where the activation's value is y. */
-MS_NN__INLINE V_FLOATS MS_NN__FN(slope)(V_FLOATS y, ms_nn__activation activation, float alpha)
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(slope)(MS_NN__V_FLOATS y, ms_nn__activation activation, float alpha)
 {
-    V_FLOATS zero = V_SET(0.0f), one = V_SET(1.0f);
-    if (activation == MS_NN__RELU) return V_IF_GREATER(y, zero, one, zero);
-    if (activation == MS_NN__LEAKY) return V_IF_GREATER(y, zero, one, V_SET(alpha));
-    if (activation == MS_NN__ELU) return V_IF_GREATER(y, zero, one, V_ADD(y, V_SET(alpha)));
-    if (activation == MS_NN__TANH) return V_MUL(V_SUB(one, y), V_ADD(one, y));
-    if (activation == MS_NN__SIGMOID) return V_MUL(y, V_SUB(one, y));
-    return V_SUB(zero, MS_NN__FN(exp_minus)(V_SUB(zero, y), 1.0f)); /* softplus: 1 - e^-y */
+    MS_NN__V_FLOATS zero = MS_NN__V_SET(0.0f), one = MS_NN__V_SET(1.0f);
+    if (activation == MS_NN__RELU) return MS_NN__V_IF_GREATER(y, zero, one, zero);
+    if (activation == MS_NN__LEAKY) return MS_NN__V_IF_GREATER(y, zero, one, MS_NN__V_SET(alpha));
+    if (activation == MS_NN__ELU) return MS_NN__V_IF_GREATER(y, zero, one, MS_NN__V_ADD(y, MS_NN__V_SET(alpha)));
+    if (activation == MS_NN__TANH) return MS_NN__V_MUL(MS_NN__V_SUB(one, y), MS_NN__V_ADD(one, y));
+    if (activation == MS_NN__SIGMOID) return MS_NN__V_MUL(y, MS_NN__V_SUB(one, y));
+    return MS_NN__V_SUB(zero, MS_NN__FN(exp_minus)(MS_NN__V_SUB(zero, y), 1.0f)); /* softplus: 1 - e^-y */
 }
 
 /* y = f(y), or g = f'(y) g where y is f's value. */
 MS_NN__INLINE void MS_NN__FN(activate_as)(float *y, size_t n, ms_nn__activation activation, float alpha)
 {
-    float last[V_LANES];
+    float last[MS_NN__V_LANES];
     size_t i;
-    for (i = 0; i + V_LANES <= n; i += V_LANES) V_STORE(y + i, MS_NN__FN(activated)(V_LOAD(y + i), activation, alpha));
+    for (i = 0; i + MS_NN__V_LANES <= n; i += MS_NN__V_LANES) MS_NN__V_STORE(y + i, MS_NN__FN(activated)(MS_NN__V_LOAD(y + i), activation, alpha));
     if (i == n) return;
     memset(last, 0, sizeof last);
     memcpy(last, y + i, (n - i) * sizeof(float));
-    V_STORE(last, MS_NN__FN(activated)(V_LOAD(last), activation, alpha));
+    MS_NN__V_STORE(last, MS_NN__FN(activated)(MS_NN__V_LOAD(last), activation, alpha));
     memcpy(y + i, last, (n - i) * sizeof(float));
 }
 
 MS_NN__INLINE void MS_NN__FN(derive_as)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha)
 {
-    float last[2][V_LANES];
+    float last[2][MS_NN__V_LANES];
     size_t i;
-    for (i = 0; i + V_LANES <= n; i += V_LANES) V_STORE(g + i, V_MUL(V_LOAD(g + i), MS_NN__FN(slope)(V_LOAD(y + i), activation, alpha)));
+    for (i = 0; i + MS_NN__V_LANES <= n; i += MS_NN__V_LANES) MS_NN__V_STORE(g + i, MS_NN__V_MUL(MS_NN__V_LOAD(g + i), MS_NN__FN(slope)(MS_NN__V_LOAD(y + i), activation, alpha)));
     if (i == n) return;
     memset(last, 0, sizeof last);
     memcpy(last[0], y + i, (n - i) * sizeof(float));
     memcpy(last[1], g + i, (n - i) * sizeof(float));
-    V_STORE(last[1], V_MUL(V_LOAD(last[1]), MS_NN__FN(slope)(V_LOAD(last[0]), activation, alpha)));
+    MS_NN__V_STORE(last[1], MS_NN__V_MUL(MS_NN__V_LOAD(last[1]), MS_NN__FN(slope)(MS_NN__V_LOAD(last[0]), activation, alpha)));
     memcpy(g + i, last[1], (n - i) * sizeof(float));
 }
 
@@ -5397,85 +5479,85 @@ static void MS_NN__FN(derive)(const float *y, float *g, size_t n, ms_nn__activat
 static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 {
     size_t j = 0;
-    for (; j + V_LANES <= n; j += V_LANES, x += 2 * V_LANES) {
-        V_FLOATS a = V_LOAD(x), b = V_LOAD(x + V_LANES), c = V_LOAD(x + row), d = V_LOAD(x + row + V_LANES);
-        a = V_MAX_NAN(a, c);
-        b = V_MAX_NAN(b, d);
-        V_STORE(y + j, V_PAIR_MAX(a, b));
+    for (; j + MS_NN__V_LANES <= n; j += MS_NN__V_LANES, x += 2 * MS_NN__V_LANES) {
+        MS_NN__V_FLOATS a = MS_NN__V_LOAD(x), b = MS_NN__V_LOAD(x + MS_NN__V_LANES), c = MS_NN__V_LOAD(x + row), d = MS_NN__V_LOAD(x + row + MS_NN__V_LANES);
+        a = MS_NN__V_MAX_NAN(a, c);
+        b = MS_NN__V_MAX_NAN(b, d);
+        MS_NN__V_STORE(y + j, MS_NN__V_PAIR_MAX(a, b));
     }
     for (; j < n; ++j, x += 2) y[j] = ms_nn__max_nan(ms_nn__max_nan(x[0], x[row]), ms_nn__max_nan(x[1], x[row + 1]));
 }
 
-/* --- double precision, for the collapse: vectors of D_LANES --- */
+/* --- double precision, for the collapse: vectors of MS_NN__D_LANES --- */
 
 #if MS_NN__ISA == 1
-#define D_LANES 1
-#define D_DOUBLES double
-#define D_LOAD(p) (*(p))
-#define D_STORE(p, v) (*(p) = (v))
-#define D_SET(x) (x)
-#define D_WIDEN(p) ((double)*(p))
-#define D_MUL(a, b) ((a) * (b))
-#define D_MADD(a, b, c) ((a) * (b) + (c))
+#define MS_NN__D_LANES 1
+#define MS_NN__D_DOUBLES double
+#define MS_NN__D_LOAD(p) (*(p))
+#define MS_NN__D_STORE(p, v) (*(p) = (v))
+#define MS_NN__D_SET(x) (x)
+#define MS_NN__D_WIDEN(p) ((double)*(p))
+#define MS_NN__D_MUL(a, b) ((a) * (b))
+#define MS_NN__D_MADD(a, b, c) ((a) * (b) + (c))
 #elif MS_NN__ISA == 2 && defined(MS__X64)
-#define D_LANES 2
-#define D_DOUBLES __m128d
-#define D_LOAD(p) _mm_loadu_pd(p)
-#define D_STORE(p, v) _mm_storeu_pd(p, v)
-#define D_SET(x) _mm_set1_pd(x)
-#define D_WIDEN(p) _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
-#define D_MUL(a, b) _mm_mul_pd(a, b)
-#define D_MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
+#define MS_NN__D_LANES 2
+#define MS_NN__D_DOUBLES __m128d
+#define MS_NN__D_LOAD(p) _mm_loadu_pd(p)
+#define MS_NN__D_STORE(p, v) _mm_storeu_pd(p, v)
+#define MS_NN__D_SET(x) _mm_set1_pd(x)
+#define MS_NN__D_WIDEN(p) _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
+#define MS_NN__D_MUL(a, b) _mm_mul_pd(a, b)
+#define MS_NN__D_MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
 #elif MS_NN__ISA == 2
-#define D_LANES 2
-#define D_DOUBLES float64x2_t
-#define D_LOAD(p) vld1q_f64(p)
-#define D_STORE(p, v) vst1q_f64(p, v)
-#define D_SET(x) vdupq_n_f64(x)
-#define D_WIDEN(p) vcvt_f64_f32(vld1_f32(p))
-#define D_MUL(a, b) vmulq_f64(a, b)
-#define D_MADD(a, b, c) vfmaq_f64(c, a, b)
+#define MS_NN__D_LANES 2
+#define MS_NN__D_DOUBLES float64x2_t
+#define MS_NN__D_LOAD(p) vld1q_f64(p)
+#define MS_NN__D_STORE(p, v) vst1q_f64(p, v)
+#define MS_NN__D_SET(x) vdupq_n_f64(x)
+#define MS_NN__D_WIDEN(p) vcvt_f64_f32(vld1_f32(p))
+#define MS_NN__D_MUL(a, b) vmulq_f64(a, b)
+#define MS_NN__D_MADD(a, b, c) vfmaq_f64(c, a, b)
 #elif MS_NN__ISA == 3
-#define D_LANES 4
-#define D_DOUBLES __m256d
-#define D_LOAD(p) _mm256_loadu_pd(p)
-#define D_STORE(p, v) _mm256_storeu_pd(p, v)
-#define D_SET(x) _mm256_set1_pd(x)
-#define D_WIDEN(p) _mm256_cvtps_pd(_mm_loadu_ps(p))
-#define D_MUL(a, b) _mm256_mul_pd(a, b)
-#define D_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
+#define MS_NN__D_LANES 4
+#define MS_NN__D_DOUBLES __m256d
+#define MS_NN__D_LOAD(p) _mm256_loadu_pd(p)
+#define MS_NN__D_STORE(p, v) _mm256_storeu_pd(p, v)
+#define MS_NN__D_SET(x) _mm256_set1_pd(x)
+#define MS_NN__D_WIDEN(p) _mm256_cvtps_pd(_mm_loadu_ps(p))
+#define MS_NN__D_MUL(a, b) _mm256_mul_pd(a, b)
+#define MS_NN__D_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
 #else
-#define D_LANES 8
-#define D_DOUBLES __m512d
-#define D_LOAD(p) _mm512_loadu_pd(p)
-#define D_STORE(p, v) _mm512_storeu_pd(p, v)
-#define D_SET(x) _mm512_set1_pd(x)
-#define D_WIDEN(p) _mm512_maskz_cvtps_pd(0xFF, _mm256_loadu_ps(p))
-#define D_MUL(a, b) _mm512_mul_pd(a, b)
-#define D_MADD(a, b, c) _mm512_fmadd_pd(a, b, c)
+#define MS_NN__D_LANES 8
+#define MS_NN__D_DOUBLES __m512d
+#define MS_NN__D_LOAD(p) _mm512_loadu_pd(p)
+#define MS_NN__D_STORE(p, v) _mm512_storeu_pd(p, v)
+#define MS_NN__D_SET(x) _mm512_set1_pd(x)
+#define MS_NN__D_WIDEN(p) _mm512_maskz_cvtps_pd(0xFF, _mm256_loadu_ps(p))
+#define MS_NN__D_MUL(a, b) _mm512_mul_pd(a, b)
+#define MS_NN__D_MADD(a, b, c) _mm512_fmadd_pd(a, b, c)
 #endif
 
 /* out[i][k] = a_i . b_k for na x nb columns (at most 4 x 2) of n elements, `stride` apart. */
 MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t stride, size_t n, double *out, size_t out_stride, int na, int nb)
 {
-    D_DOUBLES s[4][2];
-    double lane[D_LANES];
+    MS_NN__D_DOUBLES s[4][2];
+    double lane[MS_NN__D_LANES];
     size_t j = 0;
     int i, k, l;
     MS_NN__UNROLL
     for (i = 0; i < na; ++i) {
         MS_NN__UNROLL
-        for (k = 0; k < nb; ++k) s[i][k] = D_SET(0.0);
+        for (k = 0; k < nb; ++k) s[i][k] = MS_NN__D_SET(0.0);
     }
-    for (; j + D_LANES <= n; j += D_LANES) {
-        D_DOUBLES v[2];
+    for (; j + MS_NN__D_LANES <= n; j += MS_NN__D_LANES) {
+        MS_NN__D_DOUBLES v[2];
         MS_NN__UNROLL
-        for (k = 0; k < nb; ++k) v[k] = D_LOAD(b + (size_t)k * stride + j);
+        for (k = 0; k < nb; ++k) v[k] = MS_NN__D_LOAD(b + (size_t)k * stride + j);
         MS_NN__UNROLL
         for (i = 0; i < na; ++i) {
-            D_DOUBLES u = D_LOAD(a + (size_t)i * stride + j);
+            MS_NN__D_DOUBLES u = MS_NN__D_LOAD(a + (size_t)i * stride + j);
             MS_NN__UNROLL
-            for (k = 0; k < nb; ++k) s[i][k] = D_MADD(u, v[k], s[i][k]);
+            for (k = 0; k < nb; ++k) s[i][k] = MS_NN__D_MADD(u, v[k], s[i][k]);
         }
     }
     MS_NN__UNROLL
@@ -5484,8 +5566,8 @@ MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t
         for (k = 0; k < nb; ++k) {
             double sum = 0;
             size_t rest;
-            D_STORE(lane, s[i][k]);
-            for (l = 0; l < D_LANES; ++l) sum += lane[l];
+            MS_NN__D_STORE(lane, s[i][k]);
+            for (l = 0; l < MS_NN__D_LANES; ++l) sum += lane[l];
             for (rest = j; rest < n; ++rest) sum += a[(size_t)i * stride + rest] * b[(size_t)k * stride + rest];
             out[(size_t)i * out_stride + (size_t)k] = sum;
         }
@@ -5509,26 +5591,26 @@ static void MS_NN__FN(gram)(const double *a, size_t na, const double *b, size_t 
 /* y_k += sum_i s_ik a_i for ny x na vectors (at most 2 x 4) of n elements, `stride` apart. */
 MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride, size_t n, const double *s, size_t s_stride, int ny, int na)
 {
-    D_DOUBLES f[4][2];
+    MS_NN__D_DOUBLES f[4][2];
     size_t j = 0;
     int i, k;
     MS_NN__UNROLL
     for (i = 0; i < na; ++i) {
         MS_NN__UNROLL
-        for (k = 0; k < ny; ++k) f[i][k] = D_SET(s[(size_t)i * s_stride + (size_t)k]);
+        for (k = 0; k < ny; ++k) f[i][k] = MS_NN__D_SET(s[(size_t)i * s_stride + (size_t)k]);
     }
-    for (; j + D_LANES <= n; j += D_LANES) {
-        D_DOUBLES sum[2];
+    for (; j + MS_NN__D_LANES <= n; j += MS_NN__D_LANES) {
+        MS_NN__D_DOUBLES sum[2];
         MS_NN__UNROLL
-        for (k = 0; k < ny; ++k) sum[k] = D_LOAD(y + (size_t)k * stride + j);
+        for (k = 0; k < ny; ++k) sum[k] = MS_NN__D_LOAD(y + (size_t)k * stride + j);
         MS_NN__UNROLL
         for (i = 0; i < na; ++i) {
-            D_DOUBLES v = D_LOAD(a + (size_t)i * stride + j);
+            MS_NN__D_DOUBLES v = MS_NN__D_LOAD(a + (size_t)i * stride + j);
             MS_NN__UNROLL
-            for (k = 0; k < ny; ++k) sum[k] = D_MADD(f[i][k], v, sum[k]);
+            for (k = 0; k < ny; ++k) sum[k] = MS_NN__D_MADD(f[i][k], v, sum[k]);
         }
         MS_NN__UNROLL
-        for (k = 0; k < ny; ++k) D_STORE(y + (size_t)k * stride + j, sum[k]);
+        for (k = 0; k < ny; ++k) MS_NN__D_STORE(y + (size_t)k * stride + j, sum[k]);
     }
     for (; j < n; ++j)
         for (k = 0; k < ny; ++k)
@@ -5554,12 +5636,12 @@ static void MS_NN__FN(add)(double *y, size_t ny, const double *a, size_t na, siz
 /* (a, b) = (c a - s b, s a + c b). */
 static void MS_NN__FN(rotate)(double *a, double *b, size_t n, double c, double s)
 {
-    D_DOUBLES vc = D_SET(c), vs = D_SET(s), minus = D_SET(-s);
+    MS_NN__D_DOUBLES vc = MS_NN__D_SET(c), vs = MS_NN__D_SET(s), minus = MS_NN__D_SET(-s);
     size_t j = 0;
-    for (; j + D_LANES <= n; j += D_LANES) {
-        D_DOUBLES u = D_LOAD(a + j), v = D_LOAD(b + j);
-        D_STORE(a + j, D_MADD(vc, u, D_MADD(minus, v, D_SET(0.0))));
-        D_STORE(b + j, D_MADD(vs, u, D_MADD(vc, v, D_SET(0.0))));
+    for (; j + MS_NN__D_LANES <= n; j += MS_NN__D_LANES) {
+        MS_NN__D_DOUBLES u = MS_NN__D_LOAD(a + j), v = MS_NN__D_LOAD(b + j);
+        MS_NN__D_STORE(a + j, MS_NN__D_MADD(vc, u, MS_NN__D_MADD(minus, v, MS_NN__D_SET(0.0))));
+        MS_NN__D_STORE(b + j, MS_NN__D_MADD(vs, u, MS_NN__D_MADD(vc, v, MS_NN__D_SET(0.0))));
     }
     for (; j < n; ++j) {
         double u = a[j], v = b[j];
@@ -5572,13 +5654,13 @@ static void MS_NN__FN(rotate)(double *a, double *b, size_t n, double c, double s
 MS_NN__INLINE void MS_NN__FN(row_typed)(const unsigned char *w, size_t cols, double factor, double *out, ms_nn_dtype dtype)
 {
     size_t size = dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2, k, j;
-    D_DOUBLES f = D_SET(factor);
-    float part[V_LANES];
-    for (k = 0; k + V_LANES <= cols; k += V_LANES) {
-        V_STORE(part, MS_NN__FN(weight)(w + k * size, dtype));
-        for (j = 0; j < V_LANES; j += D_LANES) D_STORE(out + k + j, D_MUL(f, D_WIDEN(part + j)));
+    MS_NN__D_DOUBLES f = MS_NN__D_SET(factor);
+    float part[MS_NN__V_LANES];
+    for (k = 0; k + MS_NN__V_LANES <= cols; k += MS_NN__V_LANES) {
+        MS_NN__V_STORE(part, MS_NN__FN(weight)(w + k * size, dtype));
+        for (j = 0; j < MS_NN__V_LANES; j += MS_NN__D_LANES) MS_NN__D_STORE(out + k + j, MS_NN__D_MUL(f, MS_NN__D_WIDEN(part + j)));
     }
-    if (k < cols) V_STORE(part, MS_NN__FN(weight_part)(w + k * size, dtype, cols - k));
+    if (k < cols) MS_NN__V_STORE(part, MS_NN__FN(weight_part)(w + k * size, dtype, cols - k));
     for (j = 0; k < cols; ++k, ++j) out[k] = factor * (double)part[j];
 }
 
@@ -5594,64 +5676,64 @@ static void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double factor, do
 #endif
 
 #if MS_NN__ISA == 5
-static const ms_nn__kernels ms_nn__table_avx512vnni = {V_BLOCK, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
+static const ms_nn__kernels ms_nn__table_avx512vnni = {MS_NN__V_BLOCK, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
                                                        ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512, ms_nn__gram_avx512,
                                                        ms_nn__add_avx512, ms_nn__rotate_avx512, ms_nn__row_avx512};
 #else
-static const ms_nn__kernels MS_NN__FN(table) = {V_BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_int8), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
+static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_int8), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
                                                 MS_NN__FN(derive), MS_NN__FN(pool2), MS_NN__FN(gram), MS_NN__FN(add), MS_NN__FN(rotate),
                                                 MS_NN__FN(row)};
 #endif
 
 #undef MS_NN__LEVEL
 #undef MS_NN__ISA
-#undef V_LANES
-#undef V_BLOCK
-#undef V_TILE
-#undef W_ROWS
-#undef W_CHAINS
-#undef B_INTS
-#undef B_BYTES
-#undef B_ZERO
-#undef B_LOAD
-#undef B_FLIP
-#undef B_OFFSET
-#undef B_SUM
-#undef B_SUM4
-#undef B_PART
-#undef B_DOT
-#undef B_ROWS
-#undef B_ASK
-#undef V_MAX_NAN
-#undef V_PAIR_MAX
-#undef V_FLOATS
-#undef V_LOAD
-#undef V_STORE
-#undef V_SET
-#undef V_ADD
-#undef V_SUB
-#undef V_MUL
-#undef V_DIV
-#undef V_MADD
-#undef V_MAX
-#undef V_MIN
-#undef V_IF_GREATER
-#undef V_SUM
-#undef V_INT
-#undef V_ROUND
-#undef V_FROM_INT
-#undef V_POW2
-#undef W_HALF
-#undef W_BRAIN
-#undef W_INT8
-#undef D_LANES
-#undef D_DOUBLES
-#undef D_LOAD
-#undef D_STORE
-#undef D_SET
-#undef D_WIDEN
-#undef D_MUL
-#undef D_MADD
+#undef MS_NN__V_LANES
+#undef MS_NN__V_BLOCK
+#undef MS_NN__V_TILE
+#undef MS_NN__W_ROWS
+#undef MS_NN__W_CHAINS
+#undef MS_NN__B_INTS
+#undef MS_NN__B_BYTES
+#undef MS_NN__B_ZERO
+#undef MS_NN__B_LOAD
+#undef MS_NN__B_FLIP
+#undef MS_NN__B_OFFSET
+#undef MS_NN__B_SUM
+#undef MS_NN__B_SUM4
+#undef MS_NN__B_PART
+#undef MS_NN__B_DOT
+#undef MS_NN__B_ROWS
+#undef MS_NN__B_ASK
+#undef MS_NN__V_MAX_NAN
+#undef MS_NN__V_PAIR_MAX
+#undef MS_NN__V_FLOATS
+#undef MS_NN__V_LOAD
+#undef MS_NN__V_STORE
+#undef MS_NN__V_SET
+#undef MS_NN__V_ADD
+#undef MS_NN__V_SUB
+#undef MS_NN__V_MUL
+#undef MS_NN__V_DIV
+#undef MS_NN__V_MADD
+#undef MS_NN__V_MAX
+#undef MS_NN__V_MIN
+#undef MS_NN__V_IF_GREATER
+#undef MS_NN__V_SUM
+#undef MS_NN__V_INT
+#undef MS_NN__V_ROUND
+#undef MS_NN__V_FROM_INT
+#undef MS_NN__V_POW2
+#undef MS_NN__W_HALF
+#undef MS_NN__W_BRAIN
+#undef MS_NN__W_INT8
+#undef MS_NN__D_LANES
+#undef MS_NN__D_DOUBLES
+#undef MS_NN__D_LOAD
+#undef MS_NN__D_STORE
+#undef MS_NN__D_SET
+#undef MS_NN__D_WIDEN
+#undef MS_NN__D_MUL
+#undef MS_NN__D_MADD
 #endif /* kernels */
 
 /*
