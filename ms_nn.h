@@ -77,7 +77,8 @@
 
    MEMORY. A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights, float
    copies of F64 and of folded dense weights, nothing else of the weights. The products allocate nothing when they are given a
-   workspace of ms_nn_workspace_size bytes. Stack: below 16 kB.
+   workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples or directions: more run in blocks. Stack: below 32 kB, 64 kB
+   when compiled without optimisation.
    THREADS. No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ.
    options.parallel takes a thread pool; the work is cut by the problem alone.
    SIMD. SSE2, AVX2, AVX-512 (with VNNI where there is) and NEON, chosen at load, capped by options.simd. MS_NO_SIMD: plain C.
@@ -954,6 +955,21 @@ static ms_status ms_nn__bad(const ms_nn__json *j, const char *sentence)
     return ms__fail(j->error, MS_BAD_DATA, j->base + (size_t)(j->p - j->start), "%s", sentence);
 }
 
+/* The same at another place, with a word of the file in the sentence. */
+static ms_status ms_nn__bad_word(const ms_nn__json *j, const unsigned char *at, const char *format, const char *word)
+{
+    return ms__fail(j->error, MS_BAD_DATA, j->base + (size_t)(at - j->start), format, word);
+}
+
+/* Puts what an error speaks of in front of its sentence: `kind`, then a name in quotes. Returns status. */
+static ms_status ms_nn__about(ms_error *error, ms_status status, size_t position, const char *kind, const char *name)
+{
+    ms_error inner;
+    if (error == NULL) return status;
+    inner = *error;
+    return ms__fail(error, status, position, *name ? "%s '%s': %s" : "%s%s: %s", kind, name, inner.message);
+}
+
 static void ms_nn__space(ms_nn__json *j)
 {
     while (j->p < j->end && (*j->p == ' ' || *j->p == '\n' || *j->p == '\r' || *j->p == '\t')) ++j->p;
@@ -1100,6 +1116,8 @@ struct ms_nn_file {
     ms_nn_entry *entry;     /* [entries] */
     size_t *shape;          /* all dimensions */
     size_t *by_data, *by_name, *by_key;
+    size_t *value_at;       /* [entries] byte in the file behind the quote that opens a value */
+    const unsigned char *start;
     char *text;
 };
 
@@ -1125,17 +1143,20 @@ static ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header *h, const ms
     if (ms_nn__take(j, '}')) more = 0;
     while (more) {
         int field;
+        const unsigned char *at = j->p;
         if ((status = ms_nn__json_string(j, &none, &s)) != MS_OK) return status;
         field = ms_nn__is(&s, "dtype") ? 1 : ms_nn__is(&s, "shape") ? 2 : ms_nn__is(&s, "data_offsets") ? 4 : 0;
-        if (field == 0) return ms_nn__bad(j, "unknown field of a tensor; known are dtype, shape, data_offsets");
-        if (seen & field) return ms_nn__bad(j, "a field of a tensor stands twice");
+        if (field == 0) return ms_nn__bad_word(j, at, "unknown field '%s'; known are dtype, shape, data_offsets", s.head);
+        if (seen & field) return ms_nn__bad_word(j, at, "the field '%s' stands twice", s.head);
         seen |= field;
         if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
         if (field == 1) {
+            ms_nn__space(j);
+            at = j->p;
             if ((status = ms_nn__json_string(j, &none, &s)) != MS_OK) return status;
             for (dtype = 0; dtype < (int)MS_NN_DTYPE_COUNT; ++dtype)
                 if (ms_nn__is(&s, ms_nn__dtype_name(dtype))) break;
-            if (dtype == (int)MS_NN_DTYPE_COUNT) return ms_nn__bad(j, "unknown dtype");
+            if (dtype == (int)MS_NN_DTYPE_COUNT) return ms_nn__bad_word(j, at, "unknown dtype '%s'", s.head);
         } else {
             int list = !ms_nn__take(j, '['), count = 0;
             if (list) return ms_nn__bad(j, "expected a list of integers in brackets");
@@ -1193,6 +1214,8 @@ static ms_status ms_nn__header_metadata(ms_nn__json *j, ms_nn__header *h)
         ms_nn__string key, value;
         if ((status = ms_nn__json_string(j, &h->pool, &key)) != MS_OK) return status;
         if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
+        ms_nn__space(j);
+        if (h->file) h->file->value_at[h->entries] = j->base + (size_t)(j->p - j->start) + 1;
         if ((status = ms_nn__json_string(j, &h->pool, &value)) != MS_OK) return status;
         if (h->file) {
             h->file->entry[h->entries].key = key.text;
@@ -1225,6 +1248,7 @@ static ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header *h)
             status = ms_nn__header_metadata(j, h);
         } else {
             status = ms_nn__header_tensor(j, h, &name, position);
+            if (status != MS_OK) return ms_nn__about(j->error, status, j->error ? j->error->position : 0, "tensor", name.head);
         }
         if (status != MS_OK) return status;
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
@@ -1331,7 +1355,7 @@ MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_
     if ((status = ms_nn__header_object(&j, &h)) != MS_OK) return status;
 
     total = ms__size_add(sizeof *f, ms__size_mul(h.tensors, sizeof(ms_nn__record) + 2 * sizeof(size_t)));
-    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + sizeof(size_t)));
+    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + 2 * sizeof(size_t)));
     total = ms__size_add(total, ms__size_add(ms__size_mul(h.dimensions, sizeof(size_t)), h.text));
     f = (ms_nn_file *)ms_nn__alloc(&o, total);
     if (f == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a list of %z tensors", h.tensors);
@@ -1345,7 +1369,9 @@ MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_
     f->by_data = (size_t *)(void *)(f->entry + h.entries);
     f->by_name = f->by_data + h.tensors;
     f->by_key = f->by_name + h.tensors;
-    f->shape = f->by_key + h.entries;
+    f->value_at = f->by_key + h.entries;
+    f->shape = f->value_at + h.entries;
+    f->start = b;
     f->text = (char *)(f->shape + h.dimensions);
 
     h.tensors = h.entries = h.dimensions = h.text = 0;
@@ -1421,6 +1447,29 @@ MS_NN_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *ke
         else low = middle + 1;
     }
     return NULL;
+}
+
+/* The byte of the file that holds character k of a metadata value: escapes are longer than what they stand for. */
+static size_t ms_nn__byte_of(const ms_nn_file *file, const char *key, size_t k)
+{
+    const unsigned char *p;
+    size_t i = 0;
+    uint32_t code;
+    while (strcmp(file->entry[i].key, key) != 0) ++i;
+    for (p = file->start + file->value_at[i]; k > 0; --k) {
+        size_t n = 1;
+        if (*p != '\\') {
+            ++p;
+        } else if (p[1] != 'u') {
+            p += 2;
+        } else {
+            ms_nn__hex4(p + 2, p + 6, &code);
+            n = code >= 0xD800 && code < 0xE000 ? 4 : code < 0x80 ? 1 : code < 0x800 ? 2 : 3;
+            p += n == 4 ? 12 : 6;
+        }
+        k -= n - 1 < k - 1 ? n - 1 : k - 1;
+    }
+    return (size_t)(p - file->start);
 }
 
 /* === writer === */
@@ -1621,7 +1670,8 @@ typedef struct ms_nn__spec {
     const char *type, *name, *activation, *padding, *order, *from;
     size_t units[2], filters[2], kernel[2], stride[2], size[2], factor[2];
     double alpha, rate;
-    int bias; /* 0: not said, 1: true, 2: false */
+    int bias;  /* 0: not said, 1: true, 2: false */
+    size_t at; /* where it begins in the list's text */
 } ms_nn__spec;
 
 typedef enum ms_nn__field_kind { MS_NN__TEXT, MS_NN__COUNTS, MS_NN__REAL, MS_NN__FLAG } ms_nn__field_kind;
@@ -1759,11 +1809,16 @@ static ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
     ms_status status;
     memset(&spec, 0, sizeof spec);
     spec.alpha = -1; /* not said */
+    ms_nn__space(j);
+    spec.at = (size_t)(j->p - j->start);
     if (!ms_nn__take(j, '{')) return ms_nn__bad(j, "a layer must be an object");
     if (ms_nn__take(j, '}')) more = 0;
     while (more) {
         ms_nn__string key, text;
         char *none = NULL, *at;
+        const unsigned char *key_at;
+        ms_nn__space(j);
+        key_at = j->p;
         if ((status = ms_nn__json_string(j, &none, &key)) != MS_OK) return status;
         if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
         for (f = 0; f < FIELDS; ++f)
@@ -1773,30 +1828,33 @@ static ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
             if (l->layers > 0) return ms_nn__bad(j, "shared_channels must be the first layer");
             status = ms_nn__list_channels(j, l);
         } else {
-            if (f == FIELDS) return ms_nn__bad(j, "unknown field of a layer");
-            if (seen & 1u << f) return ms_nn__bad(j, "a field of a layer stands twice");
+            if (f == FIELDS) return ms_nn__bad_word(j, key_at, "unknown field '%s'", key.head);
+            if (seen & 1u << f) return ms_nn__bad_word(j, key_at, "the field '%s' stands twice", key.head);
             seen |= 1u << f;
             at = (char *)&spec + ms_nn__field_list[f].offset;
             switch (ms_nn__field_list[f].kind) {
             case MS_NN__TEXT:
+                ms_nn__space(j);
+                key_at = j->p;
                 status = ms_nn__json_string(j, &l->pool, &text);
                 l->text += text.length + 1;
                 memcpy(at, &text.text, sizeof text.text);
                 if (f == 0)
                     for (kind = 0; kind < (int)MS_NN__KINDS; ++kind)
                         if (ms_nn__is(&text, ms_nn__kind_name[kind])) break;
+                if (status == MS_OK && kind == (int)MS_NN__KINDS) return ms_nn__bad_word(j, key_at, "unknown type '%s'", text.head);
                 break;
             case MS_NN__COUNTS: {
                 size_t counts[2] = {0, 0};
                 status = ms_nn__json_counts(j, counts);
-                if (status == MS_OK && (counts[0] == 0 || counts[1] == 0)) return ms_nn__bad(j, "a size of a layer must not be 0");
+                if (status == MS_OK && (counts[0] == 0 || counts[1] == 0)) return ms_nn__bad_word(j, key_at, "the size '%s' must not be 0", key.head);
                 memcpy(at, counts, sizeof counts);
                 break;
             }
             case MS_NN__REAL: {
                 double real = 0;
                 status = ms_nn__json_real(j, &real);
-                if (status == MS_OK && !(real >= 0 && real <= 1e30)) return ms_nn__bad(j, "a slope or rate must not be negative");
+                if (status == MS_OK && !(real >= 0 && real <= 1e30)) return ms_nn__bad_word(j, key_at, "'%s' must not be negative or above 1e30", key.head);
                 memcpy(at, &real, sizeof real);
                 break;
             }
@@ -1814,10 +1872,11 @@ static ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
         if (status != MS_OK) return status;
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
     }
-    if (kind < 0 || kind == (int)MS_NN__KINDS) return ms_nn__bad(j, "a layer has no type that this release knows");
+    if (kind < 0) return ms_nn__bad(j, "the layer has no type");
     for (f = 0; f < FIELDS; ++f)
         if ((seen & 1u << f) && !(ms_nn__field_list[f].layers & 1u << kind))
-            return ms_nn__bad(j, "a field does not belong to this type of layer");
+            return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at, "the field '%s' does not belong to a layer of type %s", ms_nn__field_list[f].key,
+                            ms_nn__kind_name[kind]);
     if (inputs != (kind == (int)MS_NN__SHARED)) return ms_nn__bad(j, "inputs and shared_channels belong together");
     if (l->layers == MS_NN_MAX_LAYERS) return ms_nn__bad(j, "more than 4096 layers");
     if (l->spec) {
@@ -1831,6 +1890,7 @@ static ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
 static ms_status ms_nn__list_read(ms_nn__list *l, const char *text, ms_error *error)
 {
     ms_nn__json j;
+    ms_error layer;
     int more = 1;
     ms_status status;
     j.start = j.p = (const unsigned char *)text;
@@ -1840,7 +1900,10 @@ static ms_status ms_nn__list_read(ms_nn__list *l, const char *text, ms_error *er
     if (!ms_nn__take(&j, '[')) return ms_nn__bad(&j, "ms_nn_layers must be a list");
     if (ms_nn__take(&j, ']')) more = 0;
     while (more) {
-        if ((status = ms_nn__list_layer(&j, l)) != MS_OK) return status;
+        if ((status = ms_nn__list_layer(&j, l)) != MS_OK) {
+            ms__fail(&layer, MS_OK, 0, "layer %d", l->layers);
+            return ms_nn__about(error, status, error ? error->position : 0, layer.message, "");
+        }
         if ((status = ms_nn__json_more(&j, ']', &more)) != MS_OK) return status;
     }
     ms_nn__space(&j);
@@ -2018,7 +2081,7 @@ static ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int ran
     ms_status status;
     int i;
     size_t macs = 1;
-    if (spec->name == NULL) return ms__fail(error, MS_BAD_DATA, 0, "a %s layer has no name", info->type);
+    if (spec->name == NULL) return ms__fail(error, MS_BAD_DATA, 0, "it has no name");
     if ((status = ms_nn__tensor(nn, spec->name, "weight", rank, shape, 1, &w->weight, error)) != MS_OK) return status;
     for (i = 0; i < rank; ++i) shape[i] = w->weight->shape[i];
     if ((status = ms_nn__tensor(nn, spec->name, "bias", 1, shape, spec->bias != 2, &w->bias, error)) != MS_OK) return status;
@@ -2323,7 +2386,7 @@ static ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_layer *info, m
     ms_nn__op *op;
     size_t shape[2];
     ms_status status;
-    if (b->rank != 1) return ms__fail(error, MS_BAD_DATA, 0, "dense layer %d needs a vector: put a flatten before it", i);
+    if (b->rank != 1) return ms__fail(error, MS_BAD_DATA, 0, "it needs a vector: put a flatten before it");
     shape[0] = s->units[0];
     shape[1] = b->now.c;
     if ((status = ms_nn__weights_find(b->nn, s, 2, shape, info, &w, error)) != MS_OK) return status;
@@ -2349,7 +2412,7 @@ static ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_layer *info, ms
     ms_status status;
     int d;
     if (b->rank != (two ? 3 : 2))
-        return ms__fail(error, MS_BAD_DATA, 0, two ? "conv2d layer %d needs channels, height, width" : "conv1d layer %d needs channels, length", i);
+        return ms__fail(error, MS_BAD_DATA, 0, two ? "it needs channels, height, width" : "it needs channels, length");
     if (s->padding && strcmp(s->padding, "same") && strcmp(s->padding, "valid"))
         return ms__fail(error, MS_BAD_DATA, 0, "padding must be same or valid, not '%s'", s->padding);
     same = s->padding && s->padding[0] == 's';
@@ -2367,7 +2430,7 @@ static ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_layer *info, ms
     for (d = 0; d < 2; ++d) {
         if (same) pad[d] = (kernel[d] - 1) / 2;
         else if (extent[d] < kernel[d])
-            return ms__fail(error, MS_BAD_DATA, 0, "the kernel of layer %d has %z, its input only %z", i, kernel[d], extent[d]);
+            return ms__fail(error, MS_BAD_DATA, 0, "its kernel has %z, its input only %z", kernel[d], extent[d]);
         extent[d] = ((same ? extent[d] - 1 : extent[d] - kernel[d]) / stride[d]) + 1;
     }
     out.c = shape[0];
@@ -2393,7 +2456,7 @@ static ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_error *error)
     ms_nn__dims out = b->now;
     ms_nn__op *op;
     if (b->rank != (two ? 3 : 2))
-        return ms__fail(error, MS_BAD_DATA, 0, two ? "layer %d needs channels, height, width" : "layer %d needs channels, length", i);
+        return ms__fail(error, MS_BAD_DATA, 0, two ? "it needs channels, height, width" : "it needs channels, length");
     for (d = 0; d < 2; ++d) {
         int on = two || d == 1;
         size[d] = !on ? 1 : given[two ? d : 0] ? given[two ? d : 0] : 2;
@@ -2401,13 +2464,13 @@ static ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_error *error)
         extent[d] = d == 0 ? b->now.h : b->now.w;
         if (up) extent[d] = ms__size_mul(extent[d], size[d]);
         else if (extent[d] < size[d])
-            return ms__fail(error, MS_BAD_DATA, 0, "the pool of layer %d takes %z, its input has only %z", i, size[d], extent[d]);
+            return ms__fail(error, MS_BAD_DATA, 0, "it takes %z, its input has only %z", size[d], extent[d]);
         else extent[d] = (extent[d] - size[d]) / stride[d] + 1;
     }
     out.h = extent[0];
     out.w = extent[1];
     if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
-        return ms__fail(error, MS_BAD_DATA, 0, "the output of layer %d is too large", i);
+        return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     b->now = out;
     if (up && ms_nn__foldable(b, i)) {
         b->fold[0] = size[0];
@@ -2445,10 +2508,10 @@ static ms_status ms_nn__build_add(ms_nn__build *b, int i, ms_nn_layer *info, ms_
     if (s->from && strcmp(s->from, "input") == 0) from = 0;
     for (k = 0; k < i; ++k)
         if (s->from && b->list->spec[k].name && strcmp(s->from, b->list->spec[k].name) == 0) from = b->value[k];
-    if (from < 0) return ms__fail(error, MS_BAD_DATA, 0, "layer %d adds '%s', which no layer before it is named", i, s->from ? s->from : "");
+    if (from < 0) return ms__fail(error, MS_BAD_DATA, 0, "it adds '%s', which no layer before it is named", s->from ? s->from : "");
     out = from == 0 ? b->nn->inner : b->nn->op[from - 1].out;
     if (ms_nn__count(out) != ms_nn__count(b->now) || (b->rank > 1 && (out.c != b->now.c || out.h != b->now.h)))
-        return ms__fail(error, MS_BAD_DATA, 0, "layer %d adds '%s', which has another shape", i, s->from);
+        return ms__fail(error, MS_BAD_DATA, 0, "it adds '%s', which has another shape", s->from);
     op = ms_nn__op_add(b, MS_NN__DO_ADD, i, b->now);
     op->skip = from;
     return ms_nn__activation_read(s, op, info, error);
@@ -2479,7 +2542,7 @@ static ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error *error)
     case MS_NN__ADD: status = ms_nn__build_add(b, i, info, error); break;
     case MS_NN__ACTIVATE: status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__DO_ACTIVATE, i, b->low), info, error); break;
     case MS_NN__DROPOUT:
-        if (s->rate >= 1) status = ms__fail(error, MS_BAD_DATA, 0, "the rate of dropout layer %d must be below 1", i);
+        if (s->rate >= 1) status = ms__fail(error, MS_BAD_DATA, 0, "its rate must be below 1");
         break;
     default: break; /* shared_channels: done before the first layer */
     }
@@ -2569,7 +2632,10 @@ static ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_error *error
     int i;
     memset(&l, 0, sizeof l);
     memset(&b, 0, sizeof b);
-    if ((status = ms_nn__list_read(&l, layers, error)) != MS_OK) return status;
+    if ((status = ms_nn__list_read(&l, layers, error)) != MS_OK) {
+        if (error) error->position = ms_nn__byte_of(nn->file, "ms_nn_layers", error->position);
+        return status;
+    }
     n = (size_t)l.layers;
     l.spec = (ms_nn__spec *)ms_nn__hold(nn, n, sizeof *l.spec);
     l.kind = (ms_nn__kind *)ms_nn__hold(nn, n, sizeof *l.kind);
@@ -2587,9 +2653,14 @@ static ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_error *error
     b.nn = nn;
     b.list = &l;
     b.block = ms_nn__block_of(nn->kernels);
-    status = ms_nn__build_input(&b, error);
-    for (i = 0; status == MS_OK && i < l.layers; ++i) status = ms_nn__build_layer(&b, i, error);
-    if (status != MS_OK) return status;
+    if ((status = ms_nn__build_input(&b, error)) != MS_OK)
+        return ms_nn__about(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[0].at), "layer 0, shared_channels", "");
+    for (i = 0; i < l.layers; ++i)
+        if ((status = ms_nn__build_layer(&b, i, error)) != MS_OK) {
+            ms_error layer;
+            ms__fail(&layer, MS_OK, 0, "layer %d, %s", i, nn->layer[i].type);
+            return ms_nn__about(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[i].at), layer.message, nn->layer[i].name);
+        }
     if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__DO_ACTIVATE, 0, b.low); /* nothing to do is a copy */
     nn->output = ms_nn__shape(b.now, b.rank);
     if (nn->channels > 1 || nn->channel_input) {
@@ -2620,13 +2691,15 @@ static ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *o, ms_nn **n
     input = ms_nn_file_metadata(file, "ms_nn_input");
     layers = ms_nn_file_metadata(file, "ms_nn_layers");
     if (version == NULL || input == NULL || layers == NULL)
-        status = ms__fail(error, MS_BAD_DATA, 8, "the file has no ms_nn_version, ms_nn_input or ms_nn_layers in its metadata");
+        status = ms__fail(error, MS_BAD_DATA, 8, "the metadata lack %s; a network has ms_nn_version, ms_nn_input and ms_nn_layers", version == NULL ? "ms_nn_version" : input == NULL ? "ms_nn_input" : "ms_nn_layers");
     else if (strcmp(version, "1"))
         status = ms__fail(error, MS_UNSUPPORTED, 8, "ms_nn_version is '%s'; this release reads 1", version);
     else if (format && strcmp(format, "pt"))
         status = ms__fail(error, MS_UNSUPPORTED, 8, "format is '%s'; weights must have PyTorch's layout, pt", format);
     else if ((status = ms_nn__shape_read(&made->input, input, error)) == MS_OK)
         status = ms_nn__build_all(made, layers, error);
+    else if (error)
+        error->position = ms_nn__byte_of(file, "ms_nn_input", error->position);
     if (status != MS_OK) ms_nn_destroy(made);
     else *nn = made;
     return status;

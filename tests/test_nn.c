@@ -4,6 +4,7 @@
 #include "ms_nn.h"
 #include "json.h"
 #include "test.h"
+#include "stack.h"
 
 /* --- the reference: layers as plain loops in double --- */
 
@@ -615,6 +616,197 @@ static void test_same_bits(void)
     TEST_NOTE("%ld floats equal", compared);
 }
 
+/* Counts that end in the middle of a block: every product agrees with its samples and directions alone, in every type, and the
+   workspace stops growing. */
+static void test_batches(void)
+{
+    enum { MOST = 101 };
+    static const int counts[] = {2, 5, 13, 48, 49, MOST}, nets[] = {0, 2, 6, 8, 12, 14};
+    uint64_t state = test_seed + 21;
+    size_t k, c, t;
+    for (k = 0; k < sizeof nets / sizeof nets[0]; ++k)
+        for (t = 0; t < 5; ++t) {
+            ref_net net;
+            ms_nn *nn;
+            size_t n, m, i;
+            float *x, *g, *dx, *y1, *g1, *d1, *y2, *g2;
+            int p;
+            net_make(&net, nets[k], (ms_nn_dtype)t, &state);
+            nn = net_load(&net, MS_SIMD_AUTO, 0);
+            n = ms_nn_input_size(nn);
+            m = ms_nn_output_size(nn);
+            x = (float *)malloc(MOST * (3 * n + 5 * m) * sizeof(float) + MOST * n * sizeof(float));
+            dx = x + MOST * n; g1 = dx + MOST * n; g2 = g1 + MOST * n; g = g2 + MOST * n; y1 = g + MOST * m; y2 = y1 + MOST * m; d1 = y2 + MOST * m;
+            for (i = 0; i < 2 * MOST * n; ++i) x[i] = (float)test_normal(&state);
+            for (i = 0; i < MOST * m; ++i) g[i] = (float)test_normal(&state);
+            for (i = 0; i < MOST; ++i) {
+                ms_nn_forward(nn, 1, x + i * n, y1 + i * m, NULL);
+                ms_nn_vjp(nn, 1, x + i * n, g + i * m, NULL, g1 + i * n, NULL);
+                ms_nn_jvp(nn, 1, x, dx + i * n, NULL, d1 + i * m, NULL);
+            }
+            for (c = 0; c < sizeof counts / sizeof counts[0]; ++c) {
+                size_t count = (size_t)counts[c];
+                CHECK_INT(ms_nn_forward(nn, counts[c], x, y2, NULL), MS_OK);
+                CHECK_INT(memcmp(y1, y2, count * m * sizeof(float)), 0);
+                CHECK_INT(ms_nn_jvp(nn, counts[c], x, dx, NULL, y2, NULL), MS_OK);
+                CHECK_INT(memcmp(d1, y2, count * m * sizeof(float)), 0);
+                CHECK_INT(ms_nn_vjp(nn, counts[c], x, g, y2, g2, NULL), MS_OK);
+                CHECK_INT(memcmp(y1, y2, count * m * sizeof(float)), 0);
+                CHECK_INT(memcmp(g1, g2, count * n * sizeof(float)), 0);
+            }
+            for (p = MS_NN_FORWARD; p <= MS_NN_JVP; ++p)
+                CHECK_INT(ms_nn_workspace_size(nn, (ms_nn_product)p, 1000000), ms_nn_workspace_size(nn, (ms_nn_product)p, 48));
+            free(x);
+            ms_nn_destroy(nn);
+            net_free(&net);
+        }
+}
+
+/* Half floats are the same where the host flushes subnormal floats to zero, at every level, reading and writing. */
+static void test_flush_to_zero(void)
+{
+#if defined(MS__X64)
+    unsigned h, state = _mm_getcsr();
+    int simd;
+    uint64_t seed = test_seed + 30;
+    ref_net net;
+    float x[100], y[2][7];
+    int i, flush;
+    for (h = 0; h < 65536; ++h) {
+        double exact = (h & 0x7c00) ? ldexp((double)(1024 + (h & 1023)), (int)(h >> 10 & 31) - 25) : ldexp((double)(h & 1023), -24);
+        unsigned char back[2];
+        float value;
+        _mm_setcsr(state | 0x8040);
+        value = ms_nn__half(h);
+        ms_nn__put_element(back, MS_NN_F16, 0, (double)value);
+        _mm_setcsr(state);
+        if ((h & 0x7c00) == 0x7c00) {
+            CHECK((h & 1023) ? value != value : value > 1e38f || value < -1e38f);
+        } else {
+            CHECK((double)value == (h & 0x8000 ? -exact : exact));
+            CHECK_INT(back[0] | back[1] << 8, h);
+        }
+    }
+    { /* halfway cases go to even, also into and out of the subnormals */
+        static const struct { double units; int bits; } cases[] = {{0.5, 0}, {0.75, 1}, {1.5, 2}, {2.5, 2}, {1022.5, 0x3fe}, {1023.5, 0x400}, {1023.75, 0x400},
+                                                                   {16777216 * 1.00048828125, 0x3c00}, {16777216 * 1.00146484375, 0x3c02},
+                                                                   {16777216 * 65519.0, 0x7bff}, {16777216 * 65520.0, 0x7c00}, {1e20, 0x7c00}, {1e-20, 0}};
+        for (i = 0; i < (int)(sizeof cases / sizeof cases[0]); ++i) {
+            unsigned char back[2];
+            ms_nn__put_element(back, MS_NN_F16, 0, -ldexp(cases[i].units, -24));
+            CHECK_INT(back[0] | back[1] << 8, cases[i].bits | 0x8000);
+        }
+    }
+    net_begin(&net, MS_NN_F16, 1, 100, 1, 1); /* weights of 0.1 / 100 and less: many are subnormal */
+    net_dense(&net, 7, 3);
+    net_end(&net, &seed);
+    for (i = 0; i + 1 < 1400; i += 2) net.file[net.size - 28 - 1400 + (size_t)i + 1] &= 0x83; /* exponents 0 */
+    for (i = 0; i < 100; ++i) x[i] = 1000 * (float)test_normal(&seed);
+    for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+        ms_nn *nn = net_load(&net, (ms_simd)simd, 0);
+        for (flush = 0; flush < 2 && nn; ++flush) {
+            if (flush) _mm_setcsr(state | 0x8040);
+            ms_nn_forward(nn, 1, x, y[flush], NULL);
+            _mm_setcsr(state);
+        }
+        CHECK(memcmp(y[0], y[1], sizeof y[0]) == 0);
+        ms_nn_destroy(nn);
+    }
+    net_free(&net);
+#else
+    SKIP("no control of subnormals on this machine");
+#endif
+}
+
+typedef struct stack_job {
+    const ref_net *net;
+    ms_simd simd;
+    float *values;
+} stack_job;
+
+static void every_product(void *context)
+{
+    const stack_job *job = (const stack_job *)context;
+    ms_nn_options o = ms_nn_defaults();
+    ms_nn *nn = NULL;
+    ms_nn_collapse *c = NULL;
+    float *x = job->values, *g = x + 100000, *y = g + 100000, *out = y + 100000;
+    o.simd = job->simd;
+    if (ms_nn_load(job->net->file, job->net->size, &o, &nn, NULL) != MS_OK) return;
+    ms_nn_forward(nn, 5, x, y, NULL);
+    ms_nn_vjp(nn, 5, x, g, NULL, out, NULL);
+    ms_nn_jvp(nn, 5, x, g, NULL, y, NULL);
+    if (ms_nn_input_size(nn) * ms_nn_output_size(nn) < 100000) ms_nn_jacobian(nn, x, NULL, out, NULL);
+    ms_nn_check_weights(nn, NULL);
+    if (ms_nn_collapse_create(nn, NULL, &c, NULL) == MS_OK) {
+        static const size_t index[2] = {0, 1};
+        static const float weight[2] = {0.5f, 2};
+        double value;
+        if (ms_nn_output_size(nn) > 1) ms_nn_collapse_mask(c, 2, index, weight, NULL);
+        ms_nn_collapse_target(c, y, NULL);
+        ms_nn_collapse_value(c, x, &value, NULL);
+        ms_nn_collapse_destroy(c);
+    }
+    ms_nn_destroy(nn);
+}
+
+/* The head comment's bound on the stack, for every call, level, type and build. */
+static void test_stack_use(void)
+{
+    stack_job job;
+    uint64_t state = test_seed + 31;
+    size_t most = 0, used;
+    int which, type, simd;
+    if (TEST_STACK_LIMIT == 0) SKIP("a sanitizer pads the stack");
+    job.values = (float *)malloc(400000 * sizeof(float));
+    for (which = 0; which < 400000; ++which) job.values[which] = 0.5f;
+    for (which = 0; which < NETS; ++which)
+        for (type = 0; type < 5; ++type) {
+            ref_net net;
+            net_make(&net, which, (ms_nn_dtype)type, &state);
+            job.net = &net;
+            for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+                job.simd = (ms_simd)simd;
+                used = test_stack(every_product, &job);
+                if (used > most) most = used;
+            }
+            net_free(&net);
+        }
+    CHECK_LE((double)most, TEST_STACK_LIMIT);
+    TEST_NOTE("%d bytes at most, of %d", (int)most, TEST_STACK_LIMIT);
+    free(job.values);
+}
+
+/* A network that was copied into memory goes on when its file is cut to nothing under it. */
+static void test_copy(void)
+{
+    static const char *const path = "build/test_nn_copy.safetensors";
+    uint64_t state = test_seed + 32;
+    ms_nn_options o = ms_nn_defaults();
+    ref_net net;
+    ms_nn *nn = NULL;
+    float x[50] = {0}, y[2][3000];
+    FILE *f;
+    net_begin(&net, MS_NN_F32, 1, 50, 1, 1);
+    net_dense(&net, 3000, 1);
+    net_end(&net, &state);
+    f = fopen(path, "wb");
+    if (f == NULL) SKIP("cannot write %s", path);
+    fwrite(net.file, 1, net.size, f);
+    fclose(f);
+    x[7] = 1;
+    o.copy = 1;
+    CHECK_INT(ms_nn_load_file(path, &o, &nn, NULL), MS_OK);
+    ms_nn_forward(nn, 1, x, y[0], NULL);
+    f = fopen(path, "wb"); /* as an editor's save begins */
+    fclose(f);
+    ms_nn_forward(nn, 1, x, y[1], NULL);
+    CHECK(memcmp(y[0], y[1], sizeof y[0]) == 0);
+    ms_nn_destroy(nn);
+    remove(path);
+    net_free(&net);
+}
+
 /* Integer sums: an I8 dense layer gives the same bits at every level. */
 static void test_int8_levels(void)
 {
@@ -986,6 +1178,8 @@ static void test_refused(void)
         status = ms_nn_load(net.file, net.size, NULL, &nn, &error);
         if (status != MS_BAD_DATA || nn != NULL || strstr(error.message, list[i][2]) == NULL)
             TEST_FAIL("%s %s: status %d: %s", list[i][0], list[i][1], (int)status, error.message);
+        if (list[i][0][0] == '[' && list[i][0][1] == '5' && list[i][1][0] == '[' && list[i][1][1] == '{' && strncmp(error.message, "layer ", 6) != 0)
+            TEST_FAIL("no layer is named: %s", error.message);
         ms_nn_destroy(nn);
         if (i < 2) { /* versions and formats of others */
             e[0].value = i ? "1" : "2";
@@ -998,6 +1192,49 @@ static void test_refused(void)
     }
     ms_nn_file_close(f);
     TEST_NOTE("%d layer lists", (int)i);
+}
+
+/* The byte of an error is one of the file, where the word that is not known stands, whatever is escaped before it. */
+static void test_positions(void)
+{
+    static const char *const list[][3] = {
+        {"[{\\\"type\\\":\\\"flatten\\\",\\\"name\\\":\\\"\\u00e9\\ud83d\\ude00\\\"},{\\\"type\\\":\\\"gru\\\"}]", "layer 1: unknown type 'gru'", "\\\"gru"},
+        {"[{\\\"type\\\":\\\"flatten\\\",\\\"colour\\\":1}]", "layer 0: unknown field 'colour'", "\\\"colour"},
+        {"[ {\\\"type\\\":\\\"dense\\\",\\\"name\\\":\\\"f\\\"}]", "layer 0, dense 'f': the tensor 'f.weight' is missing", "{\\\"type"},
+        {"[{\\\"type\\\":\\\"activation\\\",\\\"activation\\\":\\\"swish\\\"}]", "layer 0, activation: unknown activation 'swish'", "{\\\"type"}};
+    size_t k, i;
+    for (k = 0; k < sizeof list / sizeof list[0]; ++k) {
+        char file[600];
+        ms_nn *nn = NULL;
+        ms_error error;
+        int n = snprintf(file + 8, sizeof file - 8, "{\"__metadata__\":{\"ms_nn_input\":\"[5]\",\"ms_nn_layers\":\"%s\",\"ms_nn_version\":\"1\"}}", list[k][0]);
+        for (i = 0; i < 8; ++i) file[i] = (char)(n >> (8 * i < 24 ? 8 * i : 24) & (i < 3 ? 255 : 0));
+        CHECK_INT(ms_nn_load(file, (size_t)n + 8, NULL, &nn, &error), MS_BAD_DATA);
+        if (strcmp(error.message, list[k][1]) != 0) TEST_FAIL("%s, expected %s", error.message, list[k][1]);
+        if (error.position > (size_t)n || strncmp(file + error.position, list[k][2], strlen(list[k][2])) != 0)
+            TEST_FAIL("byte %d is '%.20s', expected %s", (int)error.position, file + error.position, list[k][2]);
+    }
+}
+
+/* A tensor's dtype and fields are named with the tensor. */
+static void test_header_words(void)
+{
+    static const char *const list[][2] = {
+        {"{\"hidden1.weight\":{\"dtype\":\"F12\",\"shape\":[0],\"data_offsets\":[0,0]}}", "tensor 'hidden1.weight': unknown dtype 'F12'"},
+        {"{\"a\":{\"dtype\":\"F32\",\"size\":[0],\"data_offsets\":[0,0]}}", "tensor 'a': unknown field 'size'; known are dtype, shape, data_offsets"}};
+    size_t k;
+    for (k = 0; k < 2; ++k) {
+        char file[300];
+        ms_nn_file *f = NULL;
+        ms_error error;
+        size_t n = strlen(list[k][0]);
+        memset(file, 0, 8);
+        file[0] = (char)n;
+        memcpy(file + 8, list[k][0], n);
+        CHECK_INT(ms_nn_file_open(file, n + 8, NULL, &f, &error), MS_BAD_DATA);
+        if (strcmp(error.message, list[k][1]) != 0) TEST_FAIL("%s, expected %s", error.message, list[k][1]);
+        CHECK(file[error.position] == '"');
+    }
 }
 
 /* Slopes as other writers print them; what is no JSON number is refused. */
@@ -1552,6 +1789,10 @@ static void test_queries(void)
 static const test_case cases[] = {{"reference networks", test_reference},
                                   {"random networks", test_random},
                                   {"same bits", test_same_bits},
+                                  {"batches", test_batches},
+                                  {"flush to zero", test_flush_to_zero},
+                                  {"stack", test_stack_use},
+                                  {"copied, not mapped", test_copy},
                                   {"int8 levels", test_int8_levels},
                                   {"products", test_products},
                                   {"activations", test_activations},
@@ -1559,6 +1800,8 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"unaligned", test_unaligned},
                                   {"not finite", test_not_finite},
                                   {"refused", test_refused},
+                                  {"positions of errors", test_positions},
+                                  {"words of a header", test_header_words},
                                   {"numbers", test_numbers},
                                   {"large", test_large},
                                   {"arguments", test_arguments},
