@@ -590,50 +590,120 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
 
 /* -------------------------------------------------------------- GPU TEXT */
 
-/* The language of a shader text. */
+#define MS_SSS_SHADER_PROFILES_MAX 16 /* kernels of one pass */
+
+/* The language of a shader text. Metal: make SPIR-V of the Vulkan text and translate it, with the tools of the Vulkan
+   SDK: glslangValidator -V -S frag -o pass.spv pass.glsl && spirv-cross --msl --output pass.metal pass.spv */
 typedef enum ms_sss_language {
-    MS_SSS_GLSL_330 = 0,    /* desktop OpenGL 3.3; constants: uniform vec4 ms_sss[] */
-    MS_SSS_GLSL_ES_300 = 1, /* OpenGL ES 3.0, WebGL 2; the same */
-    MS_SSS_GLSL_VULKAN = 2, /* GLSL 450 for SPIR-V; constants: uniform block, set 0, binding 0; textures: bindings 1 to 4 */
-    MS_SSS_HLSL = 3         /* shader model 4 and later; constants: cbuffer b0; textures: t0 to t3 */
+    MS_SSS_GLSL_330 = 0,    /* desktop OpenGL 3.3 (compute 4.3); constants: uniform vec4 ms_sss[] */
+    MS_SSS_GLSL_ES_300 = 1, /* OpenGL ES 3.0, WebGL 2; the same; no compute */
+    MS_SSS_GLSL_VULKAN = 2, /* GLSL 450 for SPIR-V; set 0; constants: uniform block, binding 0 */
+    MS_SSS_HLSL = 3,        /* shader model 4 and later (compute 5); constants: cbuffer b0; target of compute: u0 */
+    MS_SSS_WGSL = 4         /* WebGPU; group 0; constants: uniform buffer, binding 0 */
 } ms_sss_language;
 
-/* One pass of the filter as a fragment or pixel shader over a full-screen triangle. Pass 1 (second 0) writes RGB and, in
-   alpha, whether the pixel takes part, to a float or half RGBA target; pass 2 writes the result. Textures, read by
-   texel, no sampler state needed:
-     ms_sss_colour    what the pass blurs: the input in pass 1, pass 1's target in pass 2
-     ms_sss_depth     with_depth: as ms_sss_frame.depth, in red
-     ms_sss_strength  with_strength: in red
-     ms_sss_input     pass 2: the input
-   Albedo, specular light and profiles stay with the shader that composes: run the pass under a stencil per profile. */
+/* Where a pass finds a value of each pixel. */
+typedef enum ms_sss_source {
+    MS_SSS_NONE = 0,
+    MS_SSS_TEXTURE = 1, /* in red of a texture of its own */
+    MS_SSS_ALPHA = 2    /* in alpha of the input, which saves reads */
+} ms_sss_source;
+
+/* One pass of the filter, as a fragment shader for a full-screen triangle or as a compute shader. The first pass writes
+   RGB and, in alpha, what the second needs of depth and profile (0: takes no part) to an RGBA target; the second writes
+   the result, alpha 1. All zero but tap_count: the first pass of a texture-space filter in GLSL 330.
+
+   Textures, of float or half RGBA (but for depth, strength, profile: any with red), read by texel only. Vulkan and WGSL
+   bind them at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST for both filters of each, or no
+   mip levels and a format that may be filtered: with its defaults a float texture is incomplete and reads as black. The
+   others need no sampler.
+     n  name             read by
+     0  ms_sss_colour    the input in the first pass, the first pass's target in the second
+     1  ms_sss_depth     first pass, depth MS_SSS_TEXTURE: as ms_sss_frame.depth
+     2  ms_sss_strength  with_strength: first pass at every tap, second pass once
+     3  ms_sss_input     second pass, once: the input
+     4  ms_sss_profile   profile MS_SSS_TEXTURE: index / 255, so that 8-bit UNORM holds ms_sss_frame.profile as it is
+     5  ms_sss_sum       compute, second pass of terms after the first: the sum of those before
+     7  ms_sss_target    compute: what is written, rgba32f or (half_target) rgba16f
+
+   Light does not cross between profiles, nor to pixels that take no part (see ms_sss_filter): an index from profile_count
+   on is such a mask. Reads a pixel for n taps in both passes: 4 n - 1 with depth and profile in alpha or absent, so 27
+   for 7 taps; a texture of its own costs 2 n - 1 more for each of depth, profile and strength.
+   In alpha: depth as it is, or (without depth) index / 255. Both: a 32-bit float depth whose last four bits hold the
+   index, intBitsToFloat(floatBitsToInt(depth) & ~15 | index), for 16 profiles; depth 0 masks.
+   A target of binary16 between the passes rounds depth to 11 bits: keep that under a tenth of the depth sigma. With
+   profiles and depth in one alpha it would lose the index: half_target then reads ms_sss_profile in both passes. */
 typedef struct ms_sss_shader {
+    int second;             /* 0: along x (or the turned axis), 1: along y */
+    int tap_count;          /* of the kernels */
+    int profile_count;      /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1 */
+    int half_kernel;        /* 0: all taps are constants; 1: the centre and one of each pair */
     ms_sss_language language;
-    int second;         /* 0: along x (or the turned axis), 1: along y */
-    int tap_count;      /* of the kernel */
-    int half_kernel;    /* 0: all taps are uploaded; 1: the centre and one of each pair */
-    int with_depth;     /* perspective needs it */
+    ms_sss_source depth;    /* perspective needs it */
+    ms_sss_source profile;  /* more than one kernel need it */
     int with_strength;
+    int half_target;        /* 1: the target of the first pass (and of compute) is binary16 */
+    int compute;            /* 0: fragment shader, 1: compute shader, its tile of the picture in shared memory */
+    int later;              /* compute: 1 for the second pass of terms after the first, adds ms_sss_sum */
 } ms_sss_shader;
+
+/* Pixels of a compute shader's work group: dispatch the picture's size over them, rounded up. 0: x, 1: y. */
+MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis);
 
 /* The text of a pass for these options, with entry point main.
    text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
-   Returns the length; 0: an argument out of range. */
+   Returns the length; 0 with error filled: MS_INVALID_ARGUMENT or MS_UNSUPPORTED, the message names the field. */
 MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
-                                     size_t capacity);
+                                     size_t capacity, ms_error *error);
 
-/* Float4 constants that a shader of tap_count taps reads: 7 and one a tap. */
-MS_API int ms_sss_shader_constant_count(int tap_count, int half_kernel);
+/* The constants, for callers that fill them without this header; the same for both passes. All float, offsets in bytes:
+   one ms_sss_shader_picture at 0, then for profile i at 48 + i * (64 + 16 taps), taps being tap_count or with half_kernel
+   tap_count / 2 + 1, one ms_sss_shader_profile and its taps {red, green, blue, offset in mm} (ms_sss_kernel_upload).
 
-/* Their values for term `term`. Terms after the first are drawn with additive blending over the first.
-   out    [ms_sss_shader_constant_count()][4]; the same for both passes
+     when                 what changes
+     a pass is drawn      nothing: both passes of a term share the constants
+     another term         first, and scale, total, mixed and taps of each profile
+     resize               width, height, pixels in proportion to height; both targets
+     camera, zoom         pixels; perspective: height / (2 tan(fov / 2) mm_per_unit), else height / (ortho_height mm_per_unit)
+     frame                rotation, where the kernel is made for it; nothing else
+     option, kernel       all: ms_sss_shader_constants; another language, source, depth mode or tap count: the text */
+typedef struct ms_sss_shader_picture {
+    float width, height; /*  0,  4: pixels */
+    float pixels;        /*  8: a mm; in perspective at depth 1 */
+    float gain;          /* 12: 1 - fade */
+    float aspect[2];     /* 16: steps along x and y, 1 but with uv_steps or pixels that are not square */
+    float rotation;      /* 24: radians */
+    float jitter;        /* 28 */
+    float first;         /* 32: 1 for the first term, else 0 */
+    float unused[3];     /* 36 */
+} ms_sss_shader_picture;
+
+typedef struct ms_sss_shader_profile {
+    float total[3];    /*  0: sum of the weights of a pass */
+    float radius_mm;   /* 12 */
+    float scale[3];    /* 16: of the term */
+    float depth_scale; /* 28: 1 / (sqrt(2 ln 2) sigma) or 1 / follow, times the mm of a scene unit */
+    float delta[3];    /* 32: weight of the unblurred input */
+    float cut;         /* 44: square of the scaled depth difference from which on a tap does not count, 120 at most */
+    float unused[3];   /* 48 */
+    float mixed;       /* 60: 1 red, 2 green, 4 blue, added: what is missing goes to the pixel's own colour */
+} ms_sss_shader_profile;
+
+/* Float4 constants that a shader reads: 3, and for each profile 4 and its taps. OpenGL ES 3.0 promises 224. */
+MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
+
+/* Their values for term `term` of kernels[profile_count]. Terms after the first are drawn with additive blending over the
+   first; a kernel with fewer terms adds nothing.
+   out    [ms_sss_shader_constant_count()][4]
    MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
-MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int term, const ms_sss_filter_options *options,
+MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options,
                                              int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                              ms_error *error);
 
 /* The taps alone, for engines with a shader of their own: RGB weight and offset in mm, entry 0 is the centre.
    out    [tap_count][4], or [tap_count / 2 + 1][4] with half_kernel (centre, then one of each pair by growing offset);
           float, or uint16_t that hold binary16 with binary16 = 1
+   NULL: checks only
    MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
 MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
                                           ms_error *error);
@@ -4709,157 +4779,334 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
 
 /* -------------------------------------------------------------- GPU CODE */
 
-/* Written in HLSL's names, which the GLSL heads define. The comments of FILTER KERNELS hold for these lines too. */
+/* The passes in a notation of their own: HLSL's types and operators as far as GLSL and WGSL have them too, one variable a
+   declaration, braces everywhere, no ?: and no assignment to components. ms_sss__say_line turns a line into a language,
+   and lines of #if NAME, #if !NAME, #else and #endif choose by ms_sss__feature. The comments of FILTER KERNELS hold for
+   these lines too. */
 static const char *const ms_sss__shader_body[] = {
-    "#define SIZE ms_sss[0].xy        /* of the picture */\n",
-    "#define PIXELS ms_sss[0].z       /* a mm, times depth in perspective */\n",
-    "#define PIXELS_MAX ms_sss[0].w\n",
-    "#define PIXELS_MIN ms_sss[1].x   /* kernels up to this leave a pixel as it is */\n",
-    "#define DEPTH_SCALE ms_sss[1].y\n",
-    "#define CUT ms_sss[1].z\n",
-    "#define GAIN ms_sss[1].w\n",
-    "#define ASPECT ms_sss[2].xy\n",
-    "#define ROTATION ms_sss[2].z\n",
-    "#define JITTER ms_sss[2].w\n",
-    "#define TOTAL ms_sss[3].rgb      /* sum of the weights */\n",
-    "#define FIRST ms_sss[3].w        /* 1 for the first term */\n",
-    "#define SCALE ms_sss[4].rgb\n",
-    "#define DELTA ms_sss[5].rgb\n",
-    "#define MIXED ms_sss[6].rgb      /* 1: what is missing goes to the pixel's own colour */\n",
-    "#define TAP(k) ms_sss[7 + (k)]   /* weight, offset in mm */\n",
+    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter; 2 first\n",
+    "// at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut; 3 unused, mixed; 4 taps: weight, offset\n",
     "\n",
-    "float depth_at(int2 p)\n",
+    "// By bits: compilers may take it that no number is NaN.\n",
+    "bool finite(float x)\n",
     "{\n",
-    "#if WITH_DEPTH\n",
-    "    return FETCH(ms_sss_depth, p).r;\n",
-    "#else\n",
-    "    return 1.0;\n",
-    "#endif\n",
+    "    return (bits_of(x) & 0x7f800000u) != 0x7f800000u;\n",
     "}\n",
     "\n",
-    "bool takes_part(float4 colour, float depth, int2 p)\n",
+    "#if CODED\n",
+    "float code_of(float depth, float profile)\n",
     "{\n",
-    "    bool part = depth > 0.0 && depth < 3.4e38;\n",
+    "    return float_of((bits_of(depth) & 0xfffffff0u) | uint(profile));\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "#if BOTH_DEPTH_AND_PROFILE\n",
+    "float profile_of(float code)\n",
+    "{\n",
+    "    return float(bits_of(code) & 15u);\n",
+    "}\n",
+    "\n",
+    "#else\n",
+    "#if PROFILE\n",
+    "float profile_of(float code)\n",
+    "{\n",
+    "    return code - 1.0;\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "#endif\n",
+    "#if READS_PROFILE\n",
+    "// Index of the pixel's kernel; PROFILES where it has none.\n",
+    "float profile_at(float value)\n",
+    "{\n",
+    "    float profile = floor(value * 255.0 + 0.5);\n",
+    "    return pick(float(PROFILES), profile, finite(value) && profile >= 0.0 && profile < float(PROFILES));\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "// Colour and the code of depth and profile, 0: takes no part.\n",
+    "float4 source(int2 p)\n",
+    "{\n",
+    "    float4 c = fetch_colour(p);\n",
+    "    float4 none = float4(0.0, 0.0, 0.0, 0.0);\n",
     "#if SECOND\n",
-    "    part = part && colour.a > 0.5;\n",
+    "#if CODED\n",
+    "    if (c.a > 0.0) {\n",
+    "        c = float4(c.rgb, code_of(c.a, profile_at(fetch_profile(p).r)));\n",
+    "    }\n",
+    "#endif\n",
+    "    return pick(none, c, c.a > 0.0);\n",
     "#else\n",
-    "    part = part && abs(colour.r) < 3.4e38 && abs(colour.g) < 3.4e38 && abs(colour.b) < 3.4e38;\n",
+    "    float code = 1.0;\n",
+    "    bool part = finite(c.r) && finite(c.g) && finite(c.b);\n",
+    "#if DEPTH_TEXTURE\n",
+    "    code = fetch_depth(p).r;\n",
+    "#endif\n",
+    "#if DEPTH_ALPHA\n",
+    "    code = c.a;\n",
+    "#endif\n",
+    "    part = part && code > 0.0 && finite(code);\n",
     "#if WITH_STRENGTH\n",
-    "    part = part && FETCH(ms_sss_strength, p).r > 0.0;\n",
+    "    float strength = fetch_strength(p).r;\n",
+    "    part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n",
+    "#endif\n",
+    "#if READS_PROFILE\n",
+    "#if PROFILE_TEXTURE\n",
+    "    float profile = profile_at(fetch_profile(p).r);\n",
+    "#else\n",
+    "    float profile = profile_at(c.a);\n",
+    "#endif\n",
+    "    part = part && profile < float(PROFILES);\n",
+    "#if CODED\n",
+    "    code = code_of(code, profile);\n",
+    "#else\n",
+    "    code = profile + 1.0;\n",
     "#endif\n",
     "#endif\n",
-    "    return part;\n",
+    "#if BOTH_ALPHA\n",
+    "    part = part && profile_of(code) < float(PROFILES);\n",
+    "#endif\n",
+    "    return pick(none, float4(c.rgb, code), part);\n",
+    "#endif\n",
     "}\n",
     "\n",
-    "/* Adds share f (colour, 1) of the pixel p, where f is what its depth leaves. */\n",
-    "void add_pixel(int2 p, float share, float depth, inout float4 sum)\n",
+    "bool inside(int2 p)\n",
     "{\n",
-    "    float4 colour;\n",
-    "    float other, dz, q, f;\n",
-    "    if (!(share > 0.0) || p.x < 0 || p.y < 0 || p.x >= int(SIZE.x) || p.y >= int(SIZE.y)) return;\n",
-    "    colour = FETCH(ms_sss_colour, p);\n",
-    "    other = depth_at(p);\n",
-    "    if (!takes_part(colour, other, p)) return;\n",
-    "    dz = (other - depth) * DEPTH_SCALE;\n",
-    "    q = dz * dz;\n",
-    "    if (!(q < CUT)) return;\n",
+    "    return p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y);\n",
+    "}\n",
+    "\n",
+    "float4 texel(int2 p)\n",
+    "{\n",
+    "    float4 c = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "#if COMPUTE\n",
+    "    int2 t = p - ms_sss_corner;\n",
+    "    if (t.x >= 0 && t.y >= 0 && t.x < TILE_X && t.y < TILE_Y) {\n",
+    "        return ms_sss_tile[t.y * TILE_X + t.x];\n",
+    "    }\n",
+    "#endif\n",
+    "    if (inside(p)) {\n",
+    "        c = source(p);\n",
+    "    }\n",
+    "    return c;\n",
+    "}\n",
+    "\n",
+    "// Adds share f (colour, 1) of the pixel p, where f is what its depth leaves of it.\n",
+    "float4 add_pixel(float4 sum, int2 p, float share, float own, float2 nearness)\n",
+    "{\n",
+    "    if (!(share > 0.0)) {\n",
+    "        return sum;\n",
+    "    }\n",
+    "    float4 c = texel(p);\n",
+    "    float dz = (c.a - own) * nearness.x;\n",
+    "    float q = dz * dz;\n",
+    "#if BOTH_DEPTH_AND_PROFILE\n",
+    "    if (((bits_of(c.a) ^ bits_of(own)) & 15u) != 0u) {\n",
+    "        return sum;\n",
+    "    }\n",
+    "#else\n",
+    "#if PROFILE\n",
+    "    if (abs(c.a - own) > 0.5) {\n",
+    "        return sum;\n",
+    "    }\n",
+    "#endif\n",
+    "#endif\n",
+    "    if (!(c.a > 0.0)) {\n",
+    "        return sum;\n",
+    "    }\n",
+    "    float f = share;\n",
+    "#if DEPTH\n",
+    "    if (!(q < nearness.y)) {\n",
+    "        return sum;\n",
+    "    }\n",
     "#if FOLLOW\n",
     "    f = share * (1.0 - abs(dz));\n",
     "#else\n",
     "    f = share * exp2(-q);\n",
     "#endif\n",
-    "    sum += float4(colour.rgb * f, f);\n",
-    "}\n",
-    "\n",
-    "/* Adds the pixels beside position p + step. */\n",
-    "void add_tap(int2 p, float2 step, float depth, inout float4 sum)\n",
-    "{\n",
-    "    float2 whole = floor(step), part = step - whole;\n",
-    "    int2 at = p + int2(int(whole.x), int(whole.y));\n",
-    "#if TURNED\n",
-    "    add_pixel(at, (1.0 - part.x) * (1.0 - part.y), depth, sum);\n",
-    "    add_pixel(at + int2(1, 0), part.x * (1.0 - part.y), depth, sum);\n",
-    "    add_pixel(at + int2(0, 1), (1.0 - part.x) * part.y, depth, sum);\n",
-    "    add_pixel(at + int2(1, 1), part.x * part.y, depth, sum);\n",
-    "#elif SECOND\n",
-    "    add_pixel(at, 1.0 - part.y, depth, sum);\n",
-    "    add_pixel(at + int2(0, 1), part.y, depth, sum);\n",
-    "#else\n",
-    "    add_pixel(at, 1.0 - part.x, depth, sum);\n",
-    "    add_pixel(at + int2(1, 0), part.x, depth, sum);\n",
     "#endif\n",
+    "    return sum + float4(c.rgb * f, f);\n",
     "}\n",
     "\n",
-    "float restore(float sum, float weight, float own, float total, float mixed)\n",
+    "// Adds the pixels beside position p + offset.\n",
+    "float4 add_tap(float4 before, int2 p, float2 offset, float own, float2 nearness)\n",
     "{\n",
-    "    if (mixed > 0.5) return sum + own * (total - weight);\n",
-    "    return weight > 1e-30 ? sum / weight * total : own * total;\n",
+    "    float2 whole = floor(offset);\n",
+    "    float2 part = offset - whole;\n",
+    "    int2 at = p + int2(int(whole.x), int(whole.y));\n",
+    "    float4 sum = before;\n",
+    "#if TURNED\n",
+    "    sum = add_pixel(sum, at, (1.0 - part.x) * (1.0 - part.y), own, nearness);\n",
+    "    sum = add_pixel(sum, at + int2(1, 0), part.x * (1.0 - part.y), own, nearness);\n",
+    "    sum = add_pixel(sum, at + int2(0, 1), (1.0 - part.x) * part.y, own, nearness);\n",
+    "    sum = add_pixel(sum, at + int2(1, 1), part.x * part.y, own, nearness);\n",
+    "#else\n",
+    "    float t = part.x + part.y;\n", /* one of them is 0 */
+    "    sum = add_pixel(sum, at, 1.0 - t, own, nearness);\n",
+    "    sum = add_pixel(sum, at + int2(1 - SECOND, SECOND), t, own, nearness);\n",
+    "#endif\n",
+    "    return sum;\n",
+    "}\n",
+    "\n",
+    "float restore(float sum, float weight, float own, float total, bool mixed)\n",
+    "{\n",
+    "    if (mixed) {\n",
+    "        return sum + own * (total - weight);\n",
+    "    }\n",
+    "    if (weight > 1e-30) {\n",
+    "        return sum / weight * total;\n",
+    "    }\n",
+    "    return own * total;\n",
     "}\n",
     "\n",
     "float4 filter_pixel(int2 p)\n",
     "{\n",
-    "    float4 own = FETCH(ms_sss_colour, p), sum;\n",
-    "    float depth = depth_at(p), pixels = PIXELS, strength = GAIN;\n",
-    "    bool part = takes_part(own, depth, p), large;\n",
-    "    float3 result = own.rgb * TAP(0).rgb, weight = TAP(0).rgb, total = TOTAL;\n",
-    "    float2 axis;\n",
-    "    int k;\n",
+    "    float4 own = texel(p);\n",
+    "    float4 black = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "    bool part = own.a > 0.0;\n",
     "#if SECOND\n",
-    "    float3 unblurred = FETCH(ms_sss_input, p).rgb;\n",
-    "    if (!part) return float4(unblurred * FIRST, 1.0);\n",
+    "    float first = constant[2].x;\n",
+    "    float3 plain = fetch_input(p).rgb;\n",
+    "    float3 unblurred = pick(black.rgb, plain, first > 0.5);\n",
+    "    if (!part) {\n",
+    "        return float4(unblurred, 1.0);\n",
+    "    }\n",
     "#else\n",
-    "    if (!part) return float4(0.0, 0.0, 0.0, 0.0);\n",
+    "    if (!part) {\n",
+    "        return black;\n",
+    "    }\n",
     "#endif\n",
+    "    int at = 3;\n",
+    "#if PROFILE\n",
+    "    at = 3 + STRIDE * int(profile_of(own.a));\n",
+    "#endif\n",
+    "    float4 total = constant[at];\n",
+    "    float2 nearness = float2(constant[at + 1].w, constant[at + 2].w);\n",
+    "    float2 aspect = constant[1].xy;\n",
+    "    float pixels = constant[0].z;\n",
     "#if PERSPECTIVE\n",
-    "    pixels = min(PIXELS / depth, PIXELS_MAX);\n",
+    "    pixels = pixels / own.a;\n",
     "#endif\n",
-    "    large = pixels > PIXELS_MIN;\n",
-    "    axis = float2(SECOND == 1 ? 0.0 : 1.0, SECOND == 1 ? 1.0 : 0.0);\n",
+    "    bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n",
+    "    pixels = min(pixels, max(constant[0].x, constant[0].y) / total.w);\n",
+    "    float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n",
     "#if TURNED\n",
-    "    float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10) + 0.5;\n",
-    "    float angle = ROTATION + JITTER * turn * (1.57079632679 / 64.0);\n",
-    "    axis = SECOND == 1 ? float2(-sin(angle), cos(angle)) : float2(cos(angle), sin(angle));\n",
+    "    float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n",
+    "    float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n",
+    "    axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n",
     "#endif\n",
-    "    axis *= pixels * ASPECT;\n",
+    "    axis = axis * aspect * pixels;\n",
+    "    float4 tap = constant[at + 4];\n",
+    "    float3 result = own.rgb * tap.rgb;\n",
+    "    float3 weight = tap.rgb;\n",
     "    if (large) {\n",
-    "        for (k = 1; k < TAPS; ++k) {\n",
-    "            float4 tap = TAP(k);\n",
-    "            sum = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "            add_tap(p, axis * tap.w, depth, sum);\n",
+    "        for (int k = 1; k < TAPS; k++) {\n",
+    "            tap = constant[at + 4 + k];\n",
+    "            float4 sum = add_tap(black, p, axis * tap.w, own.a, nearness);\n",
     "#if HALF_KERNEL\n",
-    "            add_tap(p, axis * -tap.w, depth, sum);\n",
+    "            sum = add_tap(sum, p, axis * -tap.w, own.a, nearness);\n",
     "#endif\n",
-    "            result += tap.rgb * sum.rgb;\n",
-    "            weight += tap.rgb * sum.a;\n",
+    "            result = result + tap.rgb * sum.rgb;\n",
+    "            weight = weight + tap.rgb * sum.a;\n",
     "        }\n",
-    "        result = float3(restore(result.r, weight.r, own.r, total.r, MIXED.r), restore(result.g, weight.g, own.g, total.g, MIXED.g),\n",
-    "                        restore(result.b, weight.b, own.b, total.b, MIXED.b));\n",
+    "        int mixed = int(constant[at + 3].w);\n",
+    "        result = float3(restore(result.r, weight.r, own.r, total.r, (mixed & 1) != 0),\n",
+    "                        restore(result.g, weight.g, own.g, total.g, (mixed & 2) != 0),\n",
+    "                        restore(result.b, weight.b, own.b, total.b, (mixed & 4) != 0));\n",
     "    } else {\n",
-    "        result = own.rgb * total;\n",
+    "        result = own.rgb * total.rgb;\n",
     "    }\n",
     "#if SECOND\n",
+    "    float strength = constant[0].w;\n",
     "#if WITH_STRENGTH\n",
-    "    strength *= min(FETCH(ms_sss_strength, p).r, 1.0);\n",
+    "    strength = strength * min(fetch_strength(p).r, 1.0);\n",
     "#endif\n",
-    "    result = SCALE * result + FIRST * DELTA * unblurred;\n",
-    "    if (!large) result = FIRST * unblurred;\n",
-    "    result = strength * result + FIRST * (1.0 - strength) * unblurred;\n",
-    "#endif\n",
+    "    result = constant[at + 1].rgb * result + constant[at + 2].rgb * unblurred;\n",
+    "    result = pick(unblurred, strength * result + (1.0 - strength) * unblurred, large);\n",
     "    return float4(result, 1.0);\n",
-    "}\n"};
+    "#else\n",
+    "    return float4(result, own.a);\n",
+    "#endif\n",
+    "}\n",
+    "#if COMPUTE\n",
+    "\n",
+    "void filter_group(int2 group, int index)\n",
+    "{\n",
+    "    int2 first = int2(group.x * GROUP_X, group.y * GROUP_Y);\n",
+    "    int2 p = first + int2(index % GROUP_X, index / GROUP_X);\n",
+    "    ms_sss_corner = first - int2(APRON_X, APRON_Y);\n",
+    "    for (int i = index; i < TILE_X * TILE_Y; i += GROUP_X * GROUP_Y) {\n",
+    "        int2 q = ms_sss_corner + int2(i % TILE_X, i / TILE_X);\n",
+    "        float4 c = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "        if (inside(q)) {\n",
+    "            c = source(q);\n",
+    "        }\n",
+    "        ms_sss_tile[i] = c;\n",
+    "    }\n",
+    "    tile_ready();\n",
+    "    if (inside(p)) {\n",
+    "#if LATER\n",
+    "        float4 before = fetch_sum(p);\n",
+    "        store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n",
+    "#else\n",
+    "        store(p, filter_pixel(p));\n",
+    "#endif\n",
+    "    }\n",
+    "}\n",
+    "#endif\n"};
+
+/* What lines are chosen by, and what stands as a number in them. */
+#define MS_SSS__FEATURE_LIST(X)                                                                                        \
+    X(SECOND) X(TAPS) X(STRIDE) X(PROFILES) X(HALF_KERNEL) X(WITH_STRENGTH) X(DEPTH) X(DEPTH_TEXTURE) X(DEPTH_ALPHA)   \
+    X(PROFILE) X(PROFILE_TEXTURE) X(READS_PROFILE) X(CODED) X(BOTH_DEPTH_AND_PROFILE) X(BOTH_ALPHA) X(PERSPECTIVE)     \
+    X(FOLLOW) X(TURNED) X(COMPUTE) X(LATER) X(GROUP_X) X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y)
+
+enum {
+#define MS_SSS__FEATURE_ENUM(name) MS_SSS__HAS_##name,
+    MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_ENUM)
+#undef MS_SSS__FEATURE_ENUM
+    MS_SSS__FEATURES
+};
+
+static const char *const ms_sss__feature[] = {
+#define MS_SSS__FEATURE_NAME(name) #name,
+    MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_NAME)
+#undef MS_SSS__FEATURE_NAME
+};
+
+/* Words that differ: here, GLSL, HLSL, WGSL; the types first. */
+enum { MS_SSS__TYPES = 9, MS_SSS__WORDS = 14 };
+
+static const char *const ms_sss__word[MS_SSS__WORDS][4] = {
+    {"void", "void", "void", ""},
+    {"bool", "bool", "bool", "bool"},
+    {"int", "int", "int", "i32"},
+    {"uint", "uint", "uint", "u32"},
+    {"float", "float", "float", "f32"},
+    {"int2", "ivec2", "int2", "vec2<i32>"},
+    {"float2", "vec2", "float2", "vec2<f32>"},
+    {"float3", "vec3", "float3", "vec3<f32>"},
+    {"float4", "vec4", "float4", "vec4<f32>"},
+    {"constant", "ms_sss", "ms_sss", "ms_sss.v"},
+    {"bits_of", "floatBitsToUint", "asuint", "bitcast<u32>"},
+    {"float_of", "uintBitsToFloat", "asfloat", "bitcast<f32>"},
+    {"pick", "pick", "pick", "select"},
+    {"tile_ready", "memoryBarrierShared(); barrier", "GroupMemoryBarrierWithGroupSync", "workgroupBarrier"}};
 
 /* A text that is measured first and written second. */
 typedef struct ms_sss__text {
     char *out; /* NULL: measure */
     size_t length;
+    int column; /* of ms_sss__word */
+    int feature[MS_SSS__FEATURES];
 } ms_sss__text;
 
-static void ms_sss__say(ms_sss__text *text, const char *s)
+static void ms_sss__say_part(ms_sss__text *text, const char *s, size_t n)
 {
-    size_t n = strlen(s);
     if (text->out) memcpy(text->out + text->length, s, n);
     text->length += n;
 }
+
+static void ms_sss__say(ms_sss__text *text, const char *s) { ms_sss__say_part(text, s, strlen(s)); }
 
 static void ms_sss__say_number(ms_sss__text *text, const char *before, int number, const char *after)
 {
@@ -4870,78 +5117,279 @@ static void ms_sss__say_number(ms_sss__text *text, const char *before, int numbe
     ms_sss__say(text, after);
 }
 
-static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
+static size_t ms_sss__name_length(const char *s)
 {
-    static const char *const texture[4] = {"ms_sss_colour", "ms_sss_depth", "ms_sss_strength", "ms_sss_input"};
-    const int used[4] = {1, s->with_depth, s->with_strength, s->second};
-    const int taps = s->half_kernel ? s->tap_count / 2 + 1 : s->tap_count;
-    const int constants = ms_sss_shader_constant_count(s->tap_count, s->half_kernel);
-    size_t i;
-    int t;
-    if (s->language == MS_SSS_GLSL_330) ms_sss__say(text, "#version 330\n");
-    if (s->language == MS_SSS_GLSL_ES_300)
-        ms_sss__say(text, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
-    if (s->language == MS_SSS_GLSL_VULKAN) ms_sss__say(text, "#version 450\n");
-    ms_sss__say_number(text, "#define SECOND ", s->second, "\n");
-    ms_sss__say_number(text, "#define TAPS ", taps, "\n");
-    ms_sss__say_number(text, "#define HALF_KERNEL ", s->half_kernel, "\n");
-    ms_sss__say_number(text, "#define WITH_DEPTH ", s->with_depth, "\n");
-    ms_sss__say_number(text, "#define WITH_STRENGTH ", s->with_strength, "\n");
-    ms_sss__say_number(text, "#define PERSPECTIVE ", o->fov_degrees > 0, "\n");
-    ms_sss__say_number(text, "#define FOLLOW ", o->depth_mode == MS_SSS_DEPTH_FOLLOW, "\n");
-    ms_sss__say_number(text, "#define TURNED ", ms_sss__differ(o->rotation, 0) || o->jitter > 0, "\n");
-    if (s->language == MS_SSS_HLSL) {
-        ms_sss__say(text, "#define FETCH(image, p) image.Load(int3(p, 0))\n");
-        ms_sss__say_number(text, "cbuffer ms_sss_block : register(b0) { float4 ms_sss[", constants, "]; };\n");
-    } else {
-        ms_sss__say(text, "#define float2 vec2\n#define float3 vec3\n#define float4 vec4\n#define int2 ivec2\n"
-                          "#define FETCH(image, p) texelFetch(image, p, 0)\n");
-        if (s->language == MS_SSS_GLSL_VULKAN)
-            ms_sss__say_number(text, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[", constants, "]; };\n"
-                                     "layout(location = 0) out vec4 ms_sss_out;\n");
-        else ms_sss__say_number(text, "uniform vec4 ms_sss[", constants, "];\nout vec4 ms_sss_out;\n");
-    }
-    for (t = 0; t < 4; ++t) {
-        if (!used[t]) continue;
-        if (s->language == MS_SSS_HLSL) {
-            ms_sss__say(text, "Texture2D<float4> ");
-            ms_sss__say(text, texture[t]);
-            ms_sss__say_number(text, " : register(t", t, ");\n");
-        } else {
-            if (s->language == MS_SSS_GLSL_VULKAN) ms_sss__say_number(text, "layout(set = 0, binding = ", t + 1, ") ");
-            ms_sss__say(text, "uniform sampler2D ");
-            ms_sss__say(text, texture[t]);
-            ms_sss__say(text, ";\n");
-        }
-    }
-    ms_sss__say(text, "\n");
-    for (i = 0; i < sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]; ++i)
-        ms_sss__say(text, ms_sss__shader_body[i]);
-    if (s->language == MS_SSS_HLSL)
-        ms_sss__say(text, "\nfloat4 main(float4 position : SV_Position) : SV_Target { return filter_pixel(int2(position.xy)); }\n");
-    else ms_sss__say(text, "\nvoid main() { ms_sss_out = filter_pixel(int2(gl_FragCoord.xy)); }\n");
+    size_t n = 0;
+    while (s[n] == '_' || (s[n] >= 'a' && s[n] <= 'z') || (s[n] >= 'A' && s[n] <= 'Z') || (n && s[n] >= '0' && s[n] <= '9')) ++n;
+    return n;
 }
 
-MS_API int ms_sss_shader_constant_count(int tap_count, int half_kernel)
+static int ms_sss__same_name(const char *s, size_t n, const char *name) { return strlen(name) == n && memcmp(s, name, n) == 0; }
+
+static int ms_sss__find_feature(const char *s, size_t n)
 {
-    return 7 + (half_kernel ? tap_count / 2 + 1 : tap_count);
+    int i;
+    for (i = 0; i < MS_SSS__FEATURES; ++i)
+        if (ms_sss__same_name(s, n, ms_sss__feature[i])) return i;
+    return -1;
+}
+
+static int ms_sss__find_word(const char *s, size_t n)
+{
+    int i;
+    for (i = 0; i < MS_SSS__WORDS; ++i)
+        if (ms_sss__same_name(s, n, ms_sss__word[i][0])) return i;
+    return -1;
+}
+
+/* One word of a line, or one character that is in none. Returns how far it went. */
+static size_t ms_sss__say_word(ms_sss__text *text, const char *s)
+{
+    const size_t n = ms_sss__name_length(s);
+    const int word = ms_sss__find_word(s, n), feature = ms_sss__find_feature(s, n);
+    if (n == 0) {
+        ms_sss__say_part(text, s, 1);
+        return 1;
+    }
+    if (word >= 0) ms_sss__say(text, ms_sss__word[word][text->column]);
+    else if (feature >= 0) ms_sss__say_number(text, "", text->feature[feature], "");
+    else ms_sss__say_part(text, s, n);
+    return n;
+}
+
+/* A declaration "TYPE name" at s in WGSL's order: "var name: TYPE", or of a function "fn name(a: TYPE) -> TYPE". Returns
+   how far it went, 0 where there is none. */
+static size_t ms_sss__say_declaration(ms_sss__text *text, const char *s, int outside)
+{
+    const size_t n = ms_sss__name_length(s), m = n && s[n] == ' ' ? ms_sss__name_length(s + n + 1) : 0;
+    const int type = ms_sss__find_word(s, n);
+    size_t at = n + 1 + m;
+    if (text->column != 3 || type < 0 || type >= MS_SSS__TYPES || m == 0) return 0;
+    ms_sss__say(text, outside ? "fn " : "var ");
+    ms_sss__say_part(text, s + n + 1, m);
+    if (!outside) {
+        ms_sss__say(text, ": ");
+        ms_sss__say(text, ms_sss__word[type][3]);
+        return at;
+    }
+    while (s[at] != ')') { /* "(" or ", ", then TYPE name */
+        const size_t before = s[at] == '(' ? 1 : 2, of = ms_sss__name_length(s + at + before);
+        const size_t name = ms_sss__name_length(s + at + before + of + 1);
+        ms_sss__say_part(text, s + at, before);
+        ms_sss__say_part(text, s + at + before + of + 1, name);
+        ms_sss__say(text, ": ");
+        ms_sss__say_word(text, s + at + before);
+        at += before + of + 1 + name;
+    }
+    ms_sss__say(text, type ? ") -> " : ")");
+    ms_sss__say(text, ms_sss__word[type][3]);
+    return at + 1;
+}
+
+static void ms_sss__say_line(ms_sss__text *text, const char *s)
+{
+    const int outside = *s != ' ';
+    while (*s == ' ') s += ms_sss__say_word(text, s);
+    if (memcmp(s, "for (", 5) == 0) {
+        ms_sss__say(text, "for (");
+        s += 5;
+    }
+    if (s[0] == '/' && s[1] == '/') {
+        ms_sss__say(text, s);
+        return;
+    }
+    s += ms_sss__say_declaration(text, s, outside);
+    while (*s) s += ms_sss__say_word(text, s);
+}
+
+static void ms_sss__say_body(ms_sss__text *text, const char *const *line, size_t count)
+{
+    int skipped = 0, depth = 0; /* skipped: depth of the #if that is not taken, 0: none */
+    size_t i;
+    for (i = 0; i < count; ++i) {
+        const char *s = line[i];
+        if (memcmp(s, "#if ", 4) == 0) {
+            const int not_it = s[4] == '!';
+            const int feature = ms_sss__find_feature(s + 4 + not_it, ms_sss__name_length(s + 4 + not_it));
+            MS_ASSERT(feature >= 0);
+            ++depth;
+            if (!skipped && (text->feature[feature] != 0) == not_it) skipped = depth;
+        } else if (memcmp(s, "#else", 5) == 0) {
+            if (skipped == depth) skipped = 0;
+            else if (!skipped) skipped = depth;
+        } else if (memcmp(s, "#endif", 6) == 0) {
+            if (skipped == depth) skipped = 0;
+            --depth;
+        } else if (!skipped) {
+            ms_sss__say_line(text, s);
+        }
+    }
+}
+
+static int ms_sss__shader_stride(const ms_sss_shader *s) { return 4 + (s->half_kernel ? s->tap_count / 2 + 1 : s->tap_count); }
+
+static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
+
+MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
+{
+    return 3 + ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
+}
+
+MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis)
+{
+    return shader->second ? (axis ? 32 : 8) : (axis ? 4 : 64); /* along the pass, and rows of at least 128 bytes */
+}
+
+/* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register, $f a format, $x and $y the
+   work group, $z texels of the tile. */
+typedef struct ms_sss__dialect {
+    int column; /* of ms_sss__word */
+    const char *version, *constants, *texture, *tile, *fragment;
+} ms_sss__dialect;
+
+#define MS_SSS__PICK "#define pick(b, a, c) ((c) ? (a) : (b))\n"
+#define MS_SSS__GLSL_TEXTURE "uniform sampler2D ms_sss_$s;\nvec4 fetch_$s(ivec2 p) { return texelFetch(ms_sss_$s, p, 0); }\n"
+#define MS_SSS__GLSL_TILE                                                                                              \
+    ") writeonly uniform image2D ms_sss_target;\nlayout(local_size_x = $x, local_size_y = $y) in;\n"                   \
+    "shared vec4 ms_sss_tile[$z];\nivec2 ms_sss_corner = ivec2(0, 0);\nvoid filter_group(ivec2 group, int index);\n"                 \
+    "void store(ivec2 p, vec4 c) { imageStore(ms_sss_target, p, c); }\n"                                               \
+    "void main() { filter_group(ivec2(gl_WorkGroupID.xy), int(gl_LocalInvocationIndex)); }\n"
+#define MS_SSS__GLSL_MAIN "ms_sss_out;\nvec4 filter_pixel(ivec2 p);\nvoid main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }\n"
+
+static const ms_sss__dialect ms_sss__dialects[5] = {
+    {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "layout($f" MS_SSS__GLSL_TILE,
+     "out vec4 " MS_SSS__GLSL_MAIN},
+    {1, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" MS_SSS__PICK,
+     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "", "out vec4 " MS_SSS__GLSL_MAIN},
+    {1, "#version 450\n" MS_SSS__PICK, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[$n]; };\n",
+     "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(set = 0, binding = 8, $f" MS_SSS__GLSL_TILE,
+     "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN},
+    {2, MS_SSS__PICK, "cbuffer ms_sss_block : register(b0) { float4 ms_sss[$n]; };\n",
+     "Texture2D<float4> ms_sss_$s : register(t$t);\nfloat4 fetch_$s(int2 p) { return ms_sss_$s.Load(int3(p, 0)); }\n",
+     "RWTexture2D<float4> ms_sss_target : register(u0);\ngroupshared float4 ms_sss_tile[$z];\nstatic int2 ms_sss_corner;\n"
+     "void filter_group(int2 group, int index);\nvoid store(int2 p, float4 c) { ms_sss_target[p] = c; }\n[numthreads($x, $y, 1)]\n"
+     "void main(uint3 group : SV_GroupID, uint index : SV_GroupIndex) { filter_group(int2(group.xy), int(index)); }\n",
+     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target { return filter_pixel(int2(position.xy)); }\n"},
+    {3, "", "struct ms_sss_block { v: array<vec4<f32>, $n> };\n@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n",
+     "@group(0) @binding($b) var ms_sss_$s: texture_2d<f32>;\n"
+     "fn fetch_$s(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$s, p, 0); }\n",
+     "@group(0) @binding(8) var ms_sss_target: texture_storage_2d<$floatformat, write>;\n"
+     "var<workgroup> ms_sss_tile: array<vec4<f32>, $z>;\nvar<private> ms_sss_corner: vec2<i32>;\n"
+     "fn store(p: vec2<i32>, c: vec4<f32>) { textureStore(ms_sss_target, p, c); }\n@compute @workgroup_size($x, $y)\n"
+     "fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) index: u32) {\n"
+     "    filter_group(vec2<i32>(group.xy), i32(index));\n}\n",
+     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {\n"
+     "    return filter_pixel(vec2<i32>(position.xy));\n}\n"}};
+
+static void ms_sss__say_dialect(ms_sss__text *text, const char *s, const ms_sss_shader *shader, const char *name, int index)
+{
+    for (; *s; ++s) {
+        if (*s != '$') {
+            ms_sss__say_part(text, s, 1);
+            continue;
+        }
+        switch (*++s) {
+        case 's': ms_sss__say(text, name); break;
+        case 't': ms_sss__say_number(text, "", index, ""); break;
+        case 'b': ms_sss__say_number(text, "", index + 1, ""); break;
+        case 'n': ms_sss__say_number(text, "", ms_sss_shader_constant_count(shader), ""); break;
+        case 'x': ms_sss__say_number(text, "", ms_sss_shader_group(shader, 0), ""); break;
+        case 'y': ms_sss__say_number(text, "", ms_sss_shader_group(shader, 1), ""); break;
+        case 'z': ms_sss__say_number(text, "", text->feature[MS_SSS__HAS_TILE_X] * text->feature[MS_SSS__HAS_TILE_Y], ""); break;
+        default: ms_sss__say(text, text->column < 3 ? (shader->half_target ? "rgba16f" : "rgba32f")
+                                                    : (shader->half_target ? "rgba16float" : "rgba32float"));
+        }
+    }
+}
+
+static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
+{
+    static const char *const name[6] = {"colour", "depth", "strength", "input", "profile", "sum"};
+    const ms_sss__dialect *d = &ms_sss__dialects[s->language];
+    const int both = s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE;
+    const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
+    const int again = both && s->second && s->half_target; /* its alpha can't hold the index as well */
+    const int used[6] = {1, s->depth == MS_SSS_TEXTURE && !s->second, s->with_strength, s->second,
+                         s->profile == MS_SSS_TEXTURE && (!s->second || again), s->later};
+    int *f = text->feature, i;
+    text->column = d->column;
+    f[MS_SSS__HAS_SECOND] = s->second;
+    f[MS_SSS__HAS_STRIDE] = ms_sss__shader_stride(s);
+    f[MS_SSS__HAS_TAPS] = f[MS_SSS__HAS_STRIDE] - 4;
+    f[MS_SSS__HAS_PROFILES] = ms_sss__shader_profiles(s);
+    f[MS_SSS__HAS_HALF_KERNEL] = s->half_kernel;
+    f[MS_SSS__HAS_WITH_STRENGTH] = s->with_strength;
+    f[MS_SSS__HAS_DEPTH] = s->depth != MS_SSS_NONE;
+    f[MS_SSS__HAS_DEPTH_TEXTURE] = s->depth == MS_SSS_TEXTURE;
+    f[MS_SSS__HAS_DEPTH_ALPHA] = s->depth == MS_SSS_ALPHA;
+    f[MS_SSS__HAS_PROFILE] = s->profile != MS_SSS_NONE;
+    f[MS_SSS__HAS_PROFILE_TEXTURE] = s->profile == MS_SSS_TEXTURE;
+    f[MS_SSS__HAS_READS_PROFILE] = again || (!s->second && s->profile != MS_SSS_NONE && !both_alpha);
+    f[MS_SSS__HAS_CODED] = f[MS_SSS__HAS_READS_PROFILE] && both;
+    f[MS_SSS__HAS_BOTH_DEPTH_AND_PROFILE] = both;
+    f[MS_SSS__HAS_BOTH_ALPHA] = both_alpha;
+    f[MS_SSS__HAS_PERSPECTIVE] = o->fov_degrees > 0;
+    f[MS_SSS__HAS_FOLLOW] = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
+    f[MS_SSS__HAS_TURNED] = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
+    f[MS_SSS__HAS_COMPUTE] = s->compute;
+    f[MS_SSS__HAS_LATER] = s->later;
+    f[MS_SSS__HAS_GROUP_X] = ms_sss_shader_group(s, 0);
+    f[MS_SSS__HAS_GROUP_Y] = ms_sss_shader_group(s, 1);
+    f[MS_SSS__HAS_APRON_X] = s->second ? 0 : 32;
+    f[MS_SSS__HAS_APRON_Y] = s->second ? 32 : 0;
+    f[MS_SSS__HAS_TILE_X] = f[MS_SSS__HAS_GROUP_X] + 2 * f[MS_SSS__HAS_APRON_X];
+    f[MS_SSS__HAS_TILE_Y] = f[MS_SSS__HAS_GROUP_Y] + 2 * f[MS_SSS__HAS_APRON_Y];
+
+    if (s->compute && s->language == MS_SSS_GLSL_330) ms_sss__say(text, "#version 430\n" MS_SSS__PICK);
+    else ms_sss__say(text, d->version);
+    ms_sss__say_dialect(text, d->constants, s, "", 0);
+    for (i = 0; i < 6; ++i)
+        if (used[i]) ms_sss__say_dialect(text, d->texture, s, name[i], i);
+    ms_sss__say_dialect(text, s->compute ? d->tile : d->fragment, s, "", 0);
+    ms_sss__say(text, "\n");
+    ms_sss__say_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
+}
+
+static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filter_options *o, ms_error *error)
+{
+    ms_status status;
+    if (!s || !o) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "shader or options is NULL");
+    if ((status = ms_sss__check_options(o, error)) != MS_OK) return status;
+    if ((int)s->language < 0 || (int)s->language > (int)MS_SSS_WGSL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "language %d is unknown", (int)s->language);
+    if (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tap_count %d: expected an odd number from 1 to %d", s->tap_count, MS_SSS_TAPS_MAX);
+    if (s->profile_count < 0 || s->profile_count > MS_SSS_SHADER_PROFILES_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile_count %d is not within 0 to %d", s->profile_count, MS_SSS_SHADER_PROFILES_MAX);
+    if ((int)s->depth < 0 || (int)s->depth > (int)MS_SSS_ALPHA || (int)s->profile < 0 || (int)s->profile > (int)MS_SSS_ALPHA)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth %d, profile %d: an unknown source", (int)s->depth, (int)s->profile);
+    if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile_count %d needs profile, the source of the index", s->profile_count);
+    if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fov_degrees %g needs depth", (double)o->fov_degrees);
+    if (s->half_target && s->depth != MS_SSS_NONE && s->profile == MS_SSS_ALPHA)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with depth needs profile MS_SSS_TEXTURE");
+    if (s->later && !(s->compute && s->second))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "later is of second passes in compute shaders; others blend additively");
+    if (s->compute && s->language == MS_SSS_GLSL_ES_300)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "compute: OpenGL ES 3.0 has none");
+    return MS_OK;
 }
 
 MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
-                                     size_t capacity)
+                                     size_t capacity, ms_error *error)
 {
-    ms_sss__text measured = {NULL, 0}, written = {NULL, 0};
-    if (!shader || !options || ms_sss__check_options(options, NULL) != MS_OK || (int)shader->language < 0 ||
-        (int)shader->language > (int)MS_SSS_HLSL || shader->tap_count < 1 || shader->tap_count > MS_SSS_TAPS_MAX ||
-        shader->tap_count % 2 == 0 || (options->fov_degrees > 0 && !shader->with_depth))
-        return 0;
-    ms_sss__say_shader(&measured, shader, options);
-    if (text && capacity > measured.length) {
-        written.out = text;
-        ms_sss__say_shader(&written, shader, options);
-        text[written.length] = 0;
+    ms_sss__text t;
+    memset(&t, 0, sizeof t);
+    if (ms_sss__check_shader(shader, options, error) != MS_OK) return 0;
+    ms_sss__say_shader(&t, shader, options);
+    if (text && capacity > t.length) {
+        t.out = text;
+        t.length = 0;
+        ms_sss__say_shader(&t, shader, options);
+        text[t.length] = 0;
     }
-    return measured.length;
+    return t.length;
 }
 
 MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
@@ -4949,7 +5397,7 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
 {
     ms_status status;
     int i, c;
-    if (!kernel || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel or out is NULL");
+    if (!kernel) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel is NULL");
     if ((status = ms_sss__check_kernel(kernel, 0, error)) != MS_OK) return status;
     if (term < 0 || term >= kernel->term_count)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term %d is not within the kernel's %d", term, kernel->term_count);
@@ -4959,7 +5407,7 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
             if (ms_sss__differ(kernel->weight[term][i][c], kernel->weight[term][i + 1][c])) same = 0;
         if (!same) return ms__fail(error, MS_UNSUPPORTED, 0, "taps %d and %d differ: half a kernel cannot hold both", i, i + 1);
     }
-    for (i = 0; i < kernel->tap_count; ++i) {
+    for (i = 0; out && i < kernel->tap_count; ++i) {
         const int at = half_kernel ? i / 2 : i;
         if (half_kernel && i % 2 == 1) continue;
         for (c = 0; c < 4; ++c) {
@@ -4971,50 +5419,71 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
     return MS_OK;
 }
 
-MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernel, int term, const ms_sss_filter_options *options,
+MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options,
                                              int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                              ms_error *error)
 {
-    ms_sss__job job;
+    ms_sss_shader_picture picture;
     ms_status status;
-    float constant[7][4];
-    const ms_sss__pass *p = &job.pass;
-    int c;
-    if (!kernel || !options || !shader || !out)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel, options, shader or out is NULL");
-    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX || shader->tap_count != kernel->tap_count)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d x %d pixels, %d taps: expected 1 to %d pixels, and the kernel's %d taps",
-                        width, height, shader->tap_count, (int)MS_SSS__SIDE_MAX, kernel->tap_count);
-    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
-    if ((status = ms_sss_kernel_upload(kernel, term, shader->half_kernel, 0, out + 7, error)) != MS_OK) return status;
-    memset(&job, 0, sizeof job);
-    memset(constant, 0, sizeof constant);
-    job.frame.width = width;
-    job.frame.height = height;
-    job.options = *options;
-    ms_sss__set_kernel(&job, kernel, 0);
-    ms_sss__totals(kernel, term, p->follow && shader->with_depth, job.pass.total, job.pass.mixed);
-    constant[0][0] = (float)width;
-    constant[0][1] = (float)height;
-    constant[0][2] = p->perspective ? p->size / job.depth_scale : job.idle ? 0.0f : p->size;
-    constant[0][3] = p->size_max;
-    constant[1][0] = p->size_min;
-    constant[1][1] = job.depth_scale;
-    constant[1][2] = p->cut;
-    constant[1][3] = 1.0f - options->fade;
-    constant[2][0] = p->aspect[0];
-    constant[2][1] = p->aspect[1];
-    constant[2][2] = options->rotation;
-    constant[2][3] = options->jitter;
-    for (c = 0; c < 3; ++c) {
-        constant[3][c] = p->total[c];
-        constant[4][c] = kernel->scale[term][c];
-        constant[5][c] = kernel->delta[c];
-        constant[6][c] = (float)p->mixed[c];
+    int count, stride, terms = 0, i, c;
+    double mm, pixels;
+    if (!kernels || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernels or out is NULL");
+    if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
+    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
+    mm = options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1;
+    count = ms_sss__shader_profiles(shader);
+    stride = ms_sss__shader_stride(shader);
+    for (i = 0; i < count; ++i) { /* all are checked before anything is written */
+        if (kernels[i].tap_count != shader->tap_count)
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i, "kernel %d has %d taps, the shader tap_count %d", i, kernels[i].tap_count, shader->tap_count);
+        status = ms_sss_kernel_upload(&kernels[i], term < kernels[i].term_count ? term : 0, shader->half_kernel, 0, NULL, error);
+        if (status != MS_OK) return status;
+        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
     }
-    constant[3][3] = term == 0 ? 1.0f : 0.0f;
-    constant[6][3] = kernel->radius_mm;
-    memcpy(out, constant, sizeof constant);
+    if (term < 0 || term >= terms)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term %d is not within the kernels' %d", term, terms);
+    memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
+    memset(&picture, 0, sizeof picture);
+    picture.width = (float)width;
+    picture.height = (float)height;
+    pixels = (double)options->pixels_per_mm[0];
+    if (options->fov_degrees > 0) pixels = height / (2 * tan((double)options->fov_degrees * (3.14159265358979323846 / 360)) * mm);
+    if (options->ortho_height > 0) pixels = height / ((double)options->ortho_height * mm);
+    picture.pixels = (float)pixels;
+    picture.gain = 1.0f - options->fade;
+    picture.rotation = options->rotation;
+    picture.jitter = options->jitter;
+    picture.first = term == 0 ? 1.0f : 0.0f;
+    for (i = 0; i < count; ++i) {
+        const ms_sss_kernel *k = &kernels[i];
+        float(*at)[4] = out + 3 + i * stride;
+        ms_sss_shader_profile profile;
+        ms_sss__job job;
+        memset(&job, 0, sizeof job);
+        memset(&profile, 0, sizeof profile);
+        job.frame.width = width;
+        job.frame.height = height;
+        job.options = *options;
+        ms_sss__set_kernel(&job, k, 0);
+        picture.aspect[0] = job.pass.aspect[0];
+        picture.aspect[1] = job.pass.aspect[1];
+        profile.radius_mm = k->radius_mm;
+        profile.depth_scale = job.depth_scale;
+        profile.cut = job.pass.cut;
+        if (term < k->term_count) {
+            ms_sss__totals(k, term, job.pass.follow && shader->depth != MS_SSS_NONE, job.pass.total, job.pass.mixed);
+            ms_sss_kernel_upload(k, term, shader->half_kernel, 0, at + 4, NULL);
+            for (c = 0; c < 3; ++c) {
+                profile.total[c] = job.pass.total[c];
+                profile.scale[c] = k->scale[term][c];
+                profile.delta[c] = k->delta[c];
+                profile.mixed += (float)(job.pass.mixed[c] << c);
+            }
+        }
+        memcpy(at, &profile, sizeof profile);
+    }
+    memcpy(out, &picture, sizeof picture);
     return MS_OK;
 }
 

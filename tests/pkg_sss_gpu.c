@@ -1,8 +1,9 @@
-/* The shader texts of ms_sss.h, both passes on a software rasteriser without a window, against the filter on the CPU;
-   HLSL and Vulkan GLSL through glslangValidator where it is installed.   libraries: -lEGL */
+/* The shader texts of ms_sss.h against the filter on the CPU: GLSL and compute through EGL without a window, on a software
+   rasteriser where there is no GPU; OpenGL ES (as WebGL 2) and WGSL in a headless Chromium where it is installed; every
+   text through glslangValidator where that is.   libraries: -lEGL */
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <GLES3/gl3.h>
+#include <GLES3/gl31.h>
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "test.h"
@@ -13,6 +14,7 @@
     X(void, ActiveTexture, (GLenum))                                                                                   \
     X(void, AttachShader, (GLuint, GLuint))                                                                            \
     X(void, BindFramebuffer, (GLenum, GLuint))                                                                         \
+    X(void, BindImageTexture, (GLuint, GLuint, GLint, GLboolean, GLint, GLenum, GLenum))                               \
     X(void, BindTexture, (GLenum, GLuint))                                                                             \
     X(void, BindVertexArray, (GLuint))                                                                                 \
     X(void, BlendFunc, (GLenum, GLenum))                                                                               \
@@ -23,6 +25,7 @@
     X(void, DeleteProgram, (GLuint))                                                                                   \
     X(void, DeleteTextures, (GLsizei, const GLuint *))                                                                 \
     X(void, Disable, (GLenum))                                                                                         \
+    X(void, DispatchCompute, (GLuint, GLuint, GLuint))                                                                 \
     X(void, DrawArrays, (GLenum, GLint, GLsizei))                                                                      \
     X(void, Enable, (GLenum))                                                                                          \
     X(void, FramebufferTexture2D, (GLenum, GLenum, GLenum, GLuint, GLint))                                             \
@@ -35,6 +38,7 @@
     X(const GLubyte *, GetString, (GLenum))                                                                            \
     X(GLint, GetUniformLocation, (GLuint, const GLchar *))                                                             \
     X(void, LinkProgram, (GLuint))                                                                                     \
+    X(void, MemoryBarrier, (GLbitfield))                                                                               \
     X(void, ReadPixels, (GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *))                                      \
     X(void, ShaderSource, (GLuint, GLsizei, const GLchar *const *, const GLint *))                                     \
     X(void, TexImage2D, (GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void *))                 \
@@ -49,12 +53,15 @@ GL_LIST(GL_POINTER)
 #define GL_ASSIGN(type, name, arguments) gl_##name = (type(*) arguments)eglGetProcAddress("gl" #name);
 #define GL_MISSING(type, name, arguments) || gl_##name == NULL
 
-/* A context of the API without a window: desktop OpenGL 3.3 or OpenGL ES 3.0. */
-static int gl_open(int es)
+typedef enum api { API_GL_33, API_ES_30, API_GL_43 } api;
+
+/* A context of the API without a window. */
+static int gl_open(api which)
 {
-    static const EGLint desktop[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    static const EGLint embedded[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
+    static const EGLint attributes[3][7] = {
+        {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE},
+        {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE, 0, 0, 0, 0},
+        {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE}};
     EGLDisplay display;
     EGLContext context;
     PFNEGLGETPLATFORMDISPLAYEXTPROC get = (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
@@ -62,8 +69,8 @@ static int gl_open(int es)
     if (!get) return 0;
     display = get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, NULL, NULL)) return 0;
-    if (!eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return 0;
-    context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, es ? embedded : desktop);
+    if (!eglBindAPI(which == API_ES_30 ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return 0;
+    context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes[which]);
     if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return 0;
     GL_LIST(GL_ASSIGN)
     if (0 GL_LIST(GL_MISSING)) return 0;
@@ -99,10 +106,12 @@ static GLuint gl_stage(GLuint program, GLenum type, const char *text)
     return shader;
 }
 
-/* --- a small picture --- */
+/* --- a small picture: a bump over a tilted plane; three materials and none; holes, NaN and infinity --- */
 
-enum { WIDTH = 97, HEIGHT = 75, PIXELS = WIDTH * HEIGHT };
-static float input[PIXELS * 4], output[PIXELS * 4], drawn[PIXELS * 4], middle[PIXELS * 4], depth[PIXELS], strength[PIXELS];
+enum { WIDTH = 97, HEIGHT = 75, PIXELS = WIDTH * HEIGHT, PROFILES = 3, NOTHING = 255 };
+static float light[PIXELS * 4], output[PIXELS * 4], drawn[PIXELS * 4], depth[PIXELS], strength[PIXELS], index_of[PIXELS];
+static float input[PIXELS * 4]; /* light with what a case packs in alpha */
+static uint8_t profile[PIXELS];
 
 static void make_picture(void)
 {
@@ -114,33 +123,39 @@ static void make_picture(void)
             const double u = 2.0 * x / WIDTH - 1, v = 2.0 * y / HEIGHT - 1, bump = 0.7 - u * u - v * v;
             depth[i] = (float)(bump > 0 ? 50 - 10 * sqrt(bump) : 60 + u);
             strength[i] = (float)(x % 9 == 0 && y % 5 == 0 ? 0 : 0.2 + 0.9 * test_uniform(&seed));
-            for (c = 0; c < 4; ++c) input[4 * i + c] = (float)((x / 5 + y / 7) % 2 ? test_uniform(&seed) : 0.5);
+            for (c = 0; c < 4; ++c) light[4 * i + c] = (float)((x / 5 + y / 7) % 2 ? test_uniform(&seed) : 0.5);
+            profile[i] = (uint8_t)(x + y < 60 ? 0 : x - y < 20 ? 1 : 2);
+            if (x % 31 < 3 || y > 70) profile[i] = NOTHING;
+            if ((x ^ y) % 23 == 7) profile[i] = (uint8_t)(x % 5);
+            index_of[i] = (float)profile[i] / 255.0f;
         }
     }
     depth[17 * WIDTH + 20] = -1;
     depth[18 * WIDTH + 30] = INFINITY;
-    input[4 * (30 * WIDTH + 40)] = INFINITY;
+    depth[19 * WIDTH + 31] = NAN;
+    light[4 * (30 * WIDTH + 40)] = INFINITY;
+    light[4 * (31 * WIDTH + 50) + 2] = NAN;
 }
 
 /* Terms of 1 (positive weights) to 3 (both signs) and a centre term; pairs equal, so that half kernels can be used. */
-static ms_sss_kernel make_kernel(int taps, int terms)
+static ms_sss_kernel make_kernel(int taps, int terms, double size)
 {
     ms_sss_kernel k;
     int t, i, c;
     memset(&k, 0, sizeof k);
     k.tap_count = taps;
     k.term_count = terms;
-    k.radius_mm = 4;
+    k.radius_mm = (float)(4 * size);
     for (i = 1; i < taps; ++i) {
         double u = (double)((i + 1) / 2) / (double)(taps / 2);
-        k.offset_mm[i] = (float)((i % 2 ? -1 : 1) * 3.7 * u * u);
+        k.offset_mm[i] = (float)((i % 2 ? -1 : 1) * 3.7 * size * u * u);
     }
     for (c = 0; c < 3; ++c) {
         double total = (double)(k.delta[c] = 0.1f);
         for (t = terms - 1; t >= 0; --t) {
             double sum = 0;
             for (i = 0; i < taps; ++i) {
-                double u = (double)k.offset_mm[i] / 4;
+                double u = (double)k.offset_mm[i] / (4 * size);
                 k.weight[t][i][c] = (float)((t ? cos((2 * t + 0.1 * c) * u) : 1.6 * exp(-u * u * (2 + c))) / taps);
                 sum += (double)k.weight[t][i][c];
             }
@@ -151,92 +166,89 @@ static ms_sss_kernel make_kernel(int taps, int terms)
     return k;
 }
 
-/* --- the shader against the filter --- */
+/* --- one case: kernels, options, what the shader reads --- */
 
-static char text[20000];
+typedef struct one_case {
+    ms_sss_kernel kernel[PROFILES];
+    ms_sss_filter_options options;
+    ms_sss_shader shader;
+    int terms;
+} one_case;
 
-/* Draws one pass of a term into target. */
-static void draw(const ms_sss_shader *shader, const ms_sss_filter_options *o, float (*constants)[4], GLuint target, int add)
+/* Case i of those that run: all sources, sizes of a pixel, depth modes, terms, both kinds of kernel constants. */
+static void make_case(one_case *t, int i, ms_sss_language language, int compute, int max_terms)
 {
-    static const char *const name[4] = {"ms_sss_colour", "ms_sss_depth", "ms_sss_strength", "ms_sss_input"};
-    const char *corner = shader->language == MS_SSS_GLSL_330
-                             ? "#version 330\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n"
-                             : "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n";
-    GLuint program = gl_CreateProgram();
-    char log[2000];
-    int linked = 0, i;
-    CHECK(ms_sss_shader_text(shader, o, text, sizeof text) > 1000);
-    gl_stage(program, GL_VERTEX_SHADER, corner);
-    gl_stage(program, GL_FRAGMENT_SHADER, text);
-    gl_LinkProgram(program);
-    gl_GetProgramiv(program, GL_LINK_STATUS, &linked);
-    gl_GetProgramInfoLog(program, sizeof log, NULL, log);
-    if (!linked) TEST_FAIL("%.600s", log);
-    gl_UseProgram(program);
-    for (i = 0; i < 4; ++i) {
-        GLint at = gl_GetUniformLocation(program, name[i]);
-        if (at >= 0) gl_Uniform1i(at, i == 0 && shader->second ? 4 : i);
-    }
-    gl_Uniform4fv(gl_GetUniformLocation(program, "ms_sss"), ms_sss_shader_constant_count(shader->tap_count, shader->half_kernel),
-                  &constants[0][0]);
-    gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
-    CHECK_INT(gl_CheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
-    gl_Viewport(0, 0, WIDTH, HEIGHT);
-    if (add) gl_Enable(GL_BLEND);
-    else gl_Disable(GL_BLEND);
-    gl_BlendFunc(GL_ONE, GL_ONE);
-    gl_DrawArrays(GL_TRIANGLES, 0, 3);
-    gl_DeleteProgram(program);
+    const int taps = i % 2 ? 7 : 11;
+    int k;
+    memset(t, 0, sizeof *t);
+    t->terms = 1 + i % max_terms;
+    t->options = ms_sss_filter_defaults();
+    t->shader.language = language;
+    t->shader.compute = compute;
+    t->shader.tap_count = taps;
+    t->shader.half_kernel = i % 4 < 2;
+    t->shader.depth = (ms_sss_source)(i % 3);
+    t->shader.profile = (ms_sss_source)(i / 3 % 3);
+    t->shader.with_strength = i / 2 % 2;
+    t->shader.profile_count = t->shader.profile ? i % 5 == 4 ? 1 : PROFILES : 0;
+    for (k = 0; k < PROFILES; ++k) t->kernel[k] = make_kernel(taps, k == 1 ? 1 : t->terms, 1 - 0.3 * k);
+    if (t->shader.depth && i % 4 < 2) t->options.fov_degrees = 30;
+    else if (i % 2) t->options.ortho_height = 40;
+    else t->options.pixels_per_mm[0] = 1.7f;
+    if (i % 6 == 1) t->options.pixels_per_mm[1] = t->options.pixels_per_mm[0] > 0 ? 2.1f : 0;
+    t->options.depth_mode = (ms_sss_depth_mode)(i / 3 % 3);
+    t->options.uv_steps = i % 5 == 0;
+    t->options.fade = i % 4 == 1 ? 0.3f : 0.0f;
+    if (i % 7 == 3) t->options.rotation = 0.4f;
+    if (i % 8 == 5) t->options.jitter = 1;
 }
 
-/* Largest difference between the two for one set of options. */
-static double compare(ms_sss_language language, const ms_sss_kernel *k, const ms_sss_filter_options *o, int with_depth,
-                      int with_strength, int half_kernel)
+static float with_bits(float value, unsigned low)
 {
-    static float constants[MS_SSS_TAPS_MAX + 7][4];
-    const size_t size = ms_sss_filter_workspace(WIDTH, HEIGHT, k, 1, o);
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    bits = (bits & ~15u) | low;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* The right result in output, the input as the case packs it. */
+static void make_reference(const one_case *t)
+{
+    const int count = t->shader.profile ? t->shader.profile_count : 1;
+    const size_t size = ms_sss_filter_workspace(WIDTH, HEIGHT, t->kernel, count, &t->options);
     void *workspace = malloc(size);
     ms_sss_frame f;
-    ms_sss_shader shader;
     ms_error error;
-    GLuint texture[6];
-    double worst = 0;
-    int i, c, term;
+    int i;
     memset(&f, 0, sizeof f);
     f.width = WIDTH;
     f.height = HEIGHT;
-    f.input = ms_sss_interleaved(input, 4, 0);
+    f.input = ms_sss_interleaved(light, 4, 0);
     f.output = ms_sss_interleaved(output, 4, 0);
-    if (with_depth) f.depth = ms_sss_map(depth, 1, 0);
-    if (with_strength) f.strength = ms_sss_map(strength, 1, 0);
-    if (ms_sss_filter(&f, k, 1, o, workspace, size, &error) != MS_OK) TEST_FAIL("%s", error.message);
+    if (t->shader.depth) f.depth = ms_sss_map(depth, 1, 0);
+    if (t->shader.with_strength) f.strength = ms_sss_map(strength, 1, 0);
+    if (t->shader.profile) f.profile = profile;
+    if (ms_sss_filter(&f, t->kernel, count, &t->options, workspace, size, &error) != MS_OK) TEST_FAIL("%s", error.message);
     free(workspace);
-    texture[0] = gl_texture(0, WIDTH, HEIGHT, 4, input);
-    texture[1] = gl_texture(1, WIDTH, HEIGHT, 1, depth);
-    texture[2] = gl_texture(2, WIDTH, HEIGHT, 1, strength);
-    texture[3] = gl_texture(3, WIDTH, HEIGHT, 4, input);
-    texture[4] = gl_texture(4, WIDTH, HEIGHT, 4, NULL);
-    texture[5] = gl_texture(5, WIDTH, HEIGHT, 4, NULL);
-    memset(&shader, 0, sizeof shader);
-    shader.language = language;
-    shader.tap_count = k->tap_count;
-    shader.half_kernel = half_kernel;
-    shader.with_depth = with_depth;
-    shader.with_strength = with_strength;
-    for (term = 0; term < k->term_count; ++term) {
-        if (ms_sss_shader_constants(k, term, o, WIDTH, HEIGHT, &shader, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
-        shader.second = 0;
-        draw(&shader, o, constants, texture[4], 0);
-        gl_ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, middle);
-        shader.second = 1;
-        draw(&shader, o, constants, texture[5], term > 0);
+    memcpy(input, light, sizeof input);
+    for (i = 0; i < PIXELS; ++i) {
+        if (t->shader.profile == MS_SSS_ALPHA) input[4 * i + 3] = index_of[i];
+        if (t->shader.depth == MS_SSS_ALPHA) input[4 * i + 3] = depth[i];
+        if (t->shader.depth == MS_SSS_ALPHA && t->shader.profile == MS_SSS_ALPHA)
+            input[4 * i + 3] = profile[i] > 15 || !(depth[i] > 0) || depth[i] > 1e30f ? 0 : with_bits(depth[i], profile[i]);
     }
-    gl_ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, drawn);
-    gl_DeleteTextures(6, texture);
+}
+
+/* Largest difference between output and what was drawn. */
+static double difference(void)
+{
+    double worst = 0;
+    int i, c;
     for (i = 0; i < PIXELS; ++i) {
         for (c = 0; c < 3; ++c) {
             double e = fabs((double)drawn[4 * i + c] - (double)output[4 * i + c]);
-            if (!ms__finite_f(output[4 * i + c]) || !ms__finite_f(input[4 * i])) continue; /* infinity comes back as it may */
+            if (!ms__finite_f(light[4 * i + c])) continue; /* NaN and infinity come back as they may */
             if (!(e <= worst)) worst = e == e ? e : 1e9;
         }
     }
@@ -244,63 +256,225 @@ static double compare(ms_sss_language language, const ms_sss_kernel *k, const ms
 }
 
 /* The same sums in another order, exp2 and division of the rasteriser: about 1e-6 of values up to 1; the depth factor
-   squares differences of depths near 50 whose rounding is 4e-6: 1e-5 covers it. */
+   squares differences of depths near 50 whose rounding is 4e-6. */
 #define GPU_TOLERANCE 1e-5
+/* Depth that gives four of its bits to the profile: 6e-5 mm at 50 mm, in a factor that falls by 0.6 over one sigma of
+   about half a millimetre. */
+#define CODED_TOLERANCE 1e-4
 
-static void compare_all(int es)
+static double tolerance_of(const one_case *t)
 {
-    const ms_sss_language language = es ? MS_SSS_GLSL_ES_300 : MS_SSS_GLSL_330;
-    double worst = 0;
-    int i;
-    if (!gl_open(es)) SKIP("no %s context without a window", es ? "OpenGL ES 3.0" : "OpenGL 3.3");
-    make_picture();
-    for (i = 0; i < 24; ++i) {
-        ms_sss_filter_options o = ms_sss_filter_defaults();
-        ms_sss_kernel k = make_kernel(i % 2 ? 7 : 11, es ? 1 : 1 + i % 3);
-        int with_depth = i % 3 != 2 || i % 4 == 0;
-        double e;
-        if (i % 3 == 0) o.fov_degrees = 30;
-        if (i % 3 == 1) o.ortho_height = 40;
-        if (i % 3 == 2) o.pixels_per_mm[0] = 1.7f;
-        o.depth_mode = (ms_sss_depth_mode)(i / 3 % 3);
-        o.uv_steps = i % 5 == 0;
-        o.fade = i % 4 == 1 ? 0.3f : 0.0f;
-        if (i % 7 == 3) o.rotation = 0.4f;
-        if (i % 8 == 5) o.jitter = 1;
-        e = compare(language, &k, &o, with_depth, i % 2, i % 4 < 2);
-        if (!(e <= GPU_TOLERANCE)) TEST_FAIL("options %d: %g", i, e);
-        if (e > worst) worst = e;
-    }
-    TEST_NOTE("%s: largest difference %.1e", (const char *)gl_GetString(GL_RENDERER), worst);
+    return t->shader.depth && t->shader.profile ? CODED_TOLERANCE : GPU_TOLERANCE;
 }
 
-static void case_desktop(void) { compare_all(0); }
-static void case_es(void) { compare_all(1); }
+/* --- OpenGL against the CPU --- */
 
-/* --- the other languages --- */
+static char text[40000];
+static float constants[1000][4];
+static const char *const texture_name[6] = {"ms_sss_colour", "ms_sss_depth", "ms_sss_strength", "ms_sss_input", "ms_sss_profile", "ms_sss_sum"};
+enum { COLOUR, DEPTH, STRENGTH, INPUT, PROFILE, SUM, MIDDLE, RESULT, TEXTURES };
 
-static void validate(ms_sss_language language, const char *flags, const char *path)
+static GLuint gl_program(const ms_sss_shader *shader, const ms_sss_filter_options *o)
+{
+    static const char *const corner[2] = {
+        "#version 330\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n",
+        "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n"};
+    GLuint program = gl_CreateProgram();
+    char log[2000];
+    int linked = 0, i;
+    ms_error error;
+    if (!ms_sss_shader_text(shader, o, text, sizeof text, &error)) TEST_FAIL("%s", error.message);
+    if (!shader->compute) gl_stage(program, GL_VERTEX_SHADER, corner[shader->language]);
+    gl_stage(program, shader->compute ? GL_COMPUTE_SHADER : GL_FRAGMENT_SHADER, text);
+    gl_LinkProgram(program);
+    gl_GetProgramiv(program, GL_LINK_STATUS, &linked);
+    gl_GetProgramInfoLog(program, sizeof log, NULL, log);
+    if (!linked) TEST_FAIL("%.600s", log);
+    gl_UseProgram(program);
+    for (i = 0; i < 6; ++i) {
+        GLint at = gl_GetUniformLocation(program, texture_name[i]);
+        if (at >= 0) gl_Uniform1i(at, i == COLOUR && shader->second ? MIDDLE : i);
+    }
+    gl_Uniform4fv(gl_GetUniformLocation(program, "ms_sss"), ms_sss_shader_constant_count(shader), &constants[0][0]);
+    return program;
+}
+
+static void gl_draw(GLuint target, int add)
+{
+    gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
+    CHECK_INT(gl_CheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
+    gl_Viewport(0, 0, WIDTH, HEIGHT);
+    if (add) gl_Enable(GL_BLEND);
+    else gl_Disable(GL_BLEND);
+    gl_BlendFunc(GL_ONE, GL_ONE);
+    gl_DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+static void gl_compute(const ms_sss_shader *s, GLuint target)
+{
+    const int x = ms_sss_shader_group(s, 0), y = ms_sss_shader_group(s, 1);
+    gl_BindImageTexture(0, target, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    gl_DispatchCompute((GLuint)((WIDTH + x - 1) / x), (GLuint)((HEIGHT + y - 1) / y), 1);
+    gl_MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+}
+
+/* Largest difference between the two in one case. */
+static double gl_compare(one_case *t)
+{
+    ms_sss_shader *s = &t->shader;
+    GLuint texture[TEXTURES];
+    ms_error error;
+    int term;
+    make_reference(t);
+    texture[COLOUR] = gl_texture(COLOUR, WIDTH, HEIGHT, 4, input);
+    texture[DEPTH] = gl_texture(DEPTH, WIDTH, HEIGHT, 1, depth);
+    texture[STRENGTH] = gl_texture(STRENGTH, WIDTH, HEIGHT, 1, strength);
+    texture[INPUT] = gl_texture(INPUT, WIDTH, HEIGHT, 4, input);
+    texture[PROFILE] = gl_texture(PROFILE, WIDTH, HEIGHT, 1, index_of);
+    texture[SUM] = gl_texture(SUM, WIDTH, HEIGHT, 4, NULL);
+    texture[MIDDLE] = gl_texture(MIDDLE, WIDTH, HEIGHT, 4, NULL);
+    texture[RESULT] = gl_texture(RESULT, WIDTH, HEIGHT, 4, NULL);
+    for (term = 0; term < t->terms; ++term) {
+        if (ms_sss_shader_constants(t->kernel, term, &t->options, WIDTH, HEIGHT, s, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
+        for (s->second = 0; s->second < 2; ++s->second) {
+            GLuint program, target;
+            s->later = s->compute && s->second && term > 0;
+            program = gl_program(s, &t->options);
+            target = texture[!s->second ? MIDDLE : s->compute && term % 2 ? SUM : RESULT];
+            if (s->compute && s->second) gl_Uniform1i(gl_GetUniformLocation(program, texture_name[SUM]), term % 2 ? RESULT : SUM);
+            if (s->compute) gl_compute(s, target);
+            else gl_draw(target, s->second && term > 0);
+            if (s->compute) gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
+            gl_DeleteProgram(program);
+        }
+    }
+    s->second = s->later = 0;
+    gl_ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, drawn);
+    gl_DeleteTextures(TEXTURES, texture);
+    return difference();
+}
+
+static void compare_all(api which, int count)
+{
+    double worst = 0, worst_coded = 0;
+    int i;
+    if (!gl_open(which)) SKIP("no %s context without a window", which == API_ES_30 ? "OpenGL ES 3.0" : which == API_GL_33 ? "OpenGL 3.3" : "OpenGL 4.3");
+    make_picture();
+    for (i = 0; i < count; ++i) {
+        one_case t;
+        double e, *w;
+        make_case(&t, i, which == API_ES_30 ? MS_SSS_GLSL_ES_300 : MS_SSS_GLSL_330, which == API_GL_43, which == API_ES_30 ? 1 : 3);
+        e = gl_compare(&t);
+        w = tolerance_of(&t) > GPU_TOLERANCE ? &worst_coded : &worst;
+        if (!(e <= tolerance_of(&t))) TEST_FAIL("case %d (depth %d, profile %d, depth mode %d): %g", i, (int)t.shader.depth, (int)t.shader.profile, (int)t.options.depth_mode, e);
+        if (e > *w) *w = e;
+    }
+    TEST_NOTE("%s: largest difference %.1e, with depth and profile in one number %.1e", (const char *)gl_GetString(GL_RENDERER), worst, worst_coded);
+}
+
+static void case_desktop(void) { compare_all(API_GL_33, test_full ? 360 : 36); }
+static void case_es(void) { compare_all(API_ES_30, test_full ? 360 : 12); }
+static void case_compute(void) { compare_all(API_GL_43, test_full ? 360 : 24); }
+
+/* Nothing crosses between materials: each is lit in one colour of its own, which must come back unchanged. */
+static void case_bleeding(void)
+{
+    one_case t;
+    int i, c;
+    double worst = 0;
+    if (!gl_open(API_GL_33)) SKIP("no OpenGL 3.3 context without a window");
+    make_picture();
+    make_case(&t, 4, MS_SSS_GLSL_330, 0, 1);
+    t.shader.depth = MS_SSS_NONE;
+    t.shader.profile = MS_SSS_ALPHA;
+    t.shader.profile_count = PROFILES;
+    t.options = ms_sss_filter_defaults();
+    t.options.pixels_per_mm[0] = 4;
+    for (i = 0; i < PIXELS; ++i)
+        for (c = 0; c < 3; ++c) light[4 * i + c] = profile[i] == c ? 1 : profile[i] >= PROFILES ? 9 : 0;
+    gl_compare(&t);
+    for (i = 0; i < PIXELS; ++i) {
+        for (c = 0; c < 3; ++c) {
+            const double e = fabs((double)drawn[4 * i + c] - (double)light[4 * i + c]);
+            if (!(e <= worst)) worst = e;
+        }
+    }
+    CHECK_NEAR(worst, 0, 1e-6); /* as the filter promises for what is constant */
+}
+
+/* The constants lie where the structs say, and change at a resize as the table says. */
+static void case_constants(void)
+{
+    static float from_struct[200][4];
+    ms_sss_shader_picture picture;
+    ms_sss_shader_profile first;
+    one_case t;
+    ms_error error;
+    int i;
+    CHECK_INT(sizeof picture, 48);
+    CHECK_INT(sizeof first, 64);
+    CHECK_INT(offsetof(ms_sss_shader_picture, aspect), 16);
+    CHECK_INT(offsetof(ms_sss_shader_picture, first), 32);
+    CHECK_INT(offsetof(ms_sss_shader_profile, radius_mm), 12);
+    CHECK_INT(offsetof(ms_sss_shader_profile, depth_scale), 28);
+    CHECK_INT(offsetof(ms_sss_shader_profile, cut), 44);
+    CHECK_INT(offsetof(ms_sss_shader_profile, mixed), 60);
+    make_case(&t, 4, MS_SSS_GLSL_330, 0, 1);
+    t.shader.profile_count = PROFILES;
+    t.shader.profile = MS_SSS_TEXTURE;
+    t.shader.depth = MS_SSS_TEXTURE;
+    t.options = ms_sss_filter_defaults();
+    t.options.fov_degrees = 40;
+    t.options.mm_per_unit = 10;
+    if (ms_sss_shader_constants(t.kernel, 0, &t.options, 640, 360, &t.shader, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
+    /* a resize changes what the table of the header names, as it says */
+    memcpy(from_struct, constants, sizeof(float[4]) * (size_t)ms_sss_shader_constant_count(&t.shader));
+    memcpy(&picture, from_struct, sizeof picture);
+    CHECK_NEAR((double)picture.pixels, 360 / (2 * tan(20 * 3.14159265358979 / 180) * 10), 1e-4);
+    picture.pixels *= 720.0f / 360.0f;
+    picture.width = 1280;
+    picture.height = 720;
+    memcpy(from_struct, &picture, sizeof picture);
+    if (ms_sss_shader_constants(t.kernel, 0, &t.options, 1280, 720, &t.shader, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
+    for (i = 0; i < 4 * ms_sss_shader_constant_count(&t.shader); ++i)
+        CHECK_NEAR((double)(&from_struct[0][0])[i], (double)(&constants[0][0])[i], 1e-6 * fabs((double)(&constants[0][0])[i]));
+    memcpy(&first, constants[3], sizeof first);
+    CHECK_NEAR((double)first.radius_mm, (double)t.kernel[0].radius_mm, 0);
+}
+
+/* --- every text is valid --- */
+
+static void validate(ms_sss_language language, int compute, const char *flags, const char *path)
 {
     char command[300];
     int i, count = 0;
     if (system("glslangValidator --version >build/glslang.txt 2>&1") != 0) SKIP("no glslangValidator on this machine");
-    for (i = 0; i < 64; ++i) {
+    for (i = 0; i < 3 * 3 * 3 * 128; ++i) {
         ms_sss_filter_options o = ms_sss_filter_defaults();
-        ms_sss_shader shader;
+        ms_sss_shader s;
         FILE *f;
-        o.depth_mode = i & 16 ? MS_SSS_DEPTH_FOLLOW : MS_SSS_DEPTH_AWARE;
-        if (i & 8) o.fov_degrees = 40;
+        const int bits = i / 27;
+        memset(&s, 0, sizeof s);
+        s.tap_count = 7;
+        s.language = language;
+        s.compute = compute;
+        s.depth = (ms_sss_source)(i % 3);
+        s.profile = (ms_sss_source)(i / 3 % 3);
+        o.depth_mode = (ms_sss_depth_mode)(i / 9 % 3);
+        s.second = bits & 1;
+        s.half_kernel = bits >> 1 & 1;
+        s.with_strength = bits >> 2 & 1;
+        if (bits & 8) o.fov_degrees = 40;
         else o.ortho_height = 100;
-        if (i & 32) o.rotation = 1;
-        memset(&shader, 0, sizeof shader);
-        shader.language = language;
-        shader.second = i & 1;
-        shader.half_kernel = (i & 2) != 0;
-        shader.with_depth = 1;
-        shader.with_strength = (i & 4) != 0;
-        shader.tap_count = 7;
-        if (!test_full && i % 5) continue;
-        CHECK(ms_sss_shader_text(&shader, &o, text, sizeof text) > 0);
+        o.rotation = (float)(bits >> 4 & 1);
+        s.half_target = bits >> 5 & 1;
+        s.profile_count = s.profile ? 1 + (bits >> 6 & 1) * 15 : 0;
+        s.later = compute && s.second && s.half_kernel;
+        if (i % (test_full ? 7 : 143)) continue; /* no choice above repeats with it */
+        if (!ms_sss_shader_text(&s, &o, text, sizeof text, NULL)) {
+            CHECK((o.fov_degrees > 0 && !s.depth) || (s.half_target && s.depth && s.profile == MS_SSS_ALPHA));
+            continue;
+        }
         f = fopen(path, "w");
         if (!f) SKIP("cannot write %s", path);
         fputs(text, f);
@@ -308,7 +482,7 @@ static void validate(ms_sss_language language, const char *flags, const char *pa
         snprintf(command, sizeof command, "glslangValidator %s %s >build/glslang.txt 2>&1", flags, path);
         if (system(command) != 0) {
             char *log = test_read_file("build/glslang.txt", NULL);
-            TEST_FAIL("variant %d: %.600s", i, log ? log : "no log");
+            TEST_FAIL("text %d: %.600s", i, log ? log : "no log");
             free(log);
         }
         ++count;
@@ -316,13 +490,26 @@ static void validate(ms_sss_language language, const char *flags, const char *pa
     TEST_NOTE("%d texts", count);
 }
 
-static void case_hlsl(void) { validate(MS_SSS_HLSL, "-D -V -S frag -e main -o build/sss.spv", "build/sss_hlsl.frag"); }
-static void case_vulkan(void) { validate(MS_SSS_GLSL_VULKAN, "-V -S frag -o build/sss.spv", "build/sss_vulkan.frag"); }
+static void case_glsl(void) { validate(MS_SSS_GLSL_330, 0, "", "build/sss_330.frag"); }
+static void case_glsl_es(void) { validate(MS_SSS_GLSL_ES_300, 0, "", "build/sss_300.frag"); }
+static void case_glsl_compute(void) { validate(MS_SSS_GLSL_330, 1, "", "build/sss_430.comp"); }
+static void case_hlsl(void) { validate(MS_SSS_HLSL, 0, "-D -V -S frag -e main -o build/sss.spv", "build/sss_hlsl.frag"); }
+static void case_hlsl_compute(void) { validate(MS_SSS_HLSL, 1, "-D -V -S comp -e main -o build/sss.spv", "build/sss_hlsl.comp"); }
+static void case_vulkan(void) { validate(MS_SSS_GLSL_VULKAN, 0, "-V -S frag -o build/sss.spv", "build/sss_vulkan.frag"); }
+static void case_vulkan_compute(void) { validate(MS_SSS_GLSL_VULKAN, 1, "-V -S comp -o build/sss.spv", "build/sss_vulkan.comp"); }
 
 static const test_case cases[] = {
     {"OpenGL 3.3 against the CPU", case_desktop},
     {"OpenGL ES 3.0 against the CPU", case_es},
+    {"OpenGL 4.3 compute against the CPU", case_compute},
+    {"nothing crosses between materials", case_bleeding},
+    {"layout of the constants", case_constants},
+    {"GLSL 330 is valid", case_glsl},
+    {"GLSL ES 300 is valid", case_glsl_es},
+    {"GLSL 430 compute is valid", case_glsl_compute},
     {"HLSL is valid", case_hlsl},
+    {"HLSL compute is valid", case_hlsl_compute},
     {"Vulkan GLSL is valid", case_vulkan},
+    {"Vulkan GLSL compute is valid", case_vulkan_compute},
 };
 TEST_MAIN(cases)
