@@ -124,18 +124,22 @@ extern "C" {
 
 /* ms-common begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON
-#define MS_COMMON 1 /* raised whenever the text between the marks changes after a release */
+#define MS_COMMON 2 /* raised whenever the text between the marks changes after a release */
 
 /* Linkage of every public function of every header: nothing, static, __declspec(dllexport), or
    __attribute__((visibility("default"))). Define it before the #include. */
 #ifndef MS_DEF
 #define MS_DEF
 #endif
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
 #define MS_API MS_DEF __attribute__((unused)) /* static copies that call only a part do not warn */
 #else
 #define MS_API MS_DEF
 #endif
+
+/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that returns a
+   status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or NULL.
+   destroy and free do nothing with NULL. */
 
 /* What went wrong; each code asks for another remedy. code, value, sentence */
 #define MS_STATUS_LIST(X)                                                  \
@@ -215,7 +219,7 @@ static inline const char *ms_simd_string(ms_simd level)
     return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
 }
 #endif /* MS_COMMON */
-#if MS_COMMON != 1 /* outside the guard: catches two vendored releases in one file */
+#if MS_COMMON != 2 /* outside the guard: catches two vendored releases in one file */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
 /* ms-common end */
@@ -511,25 +515,11 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
 #include <stdlib.h>
 #include <string.h>
 
-/* MS_NO_SIMD leaves the scalar text of every header. 32-bit x86 has no baseline that can be relied on. */
-#if !defined(MS_NO_SIMD) && (defined(__x86_64__) || (defined(_M_X64) && !defined(_M_ARM64EC)))
-#define MS__X64 1
-#include <immintrin.h>
-#if defined(_MSC_VER)
-#include <intrin.h>
-#else
-#include <cpuid.h>
-#endif
-#elif !defined(MS_NO_SIMD) && (defined(__aarch64__) || defined(_M_ARM64))
-#define MS__NEON 1
-#include <arm_neon.h>
-#endif
-
 #ifndef MS_ASSERT /* checks of the library's own invariants, never of the caller's data */
 #define MS_ASSERT(condition) ((void)0)
 #endif
 
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
 #define MS__UNUSED __attribute__((unused))
 #else
 #define MS__UNUSED
@@ -756,10 +746,83 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
     return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
+/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of subnormals. */
+static MS__UNUSED float ms__half_to_float(uint16_t h)
+{
+    uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
+    float value;
+    if (exponent == 31u) {
+        bits |= 0x7f800000u | mantissa << 13;
+    } else if (exponent != 0 || mantissa != 0) {
+        if (exponent == 0) /* a subnormal half is a normal float */
+            for (exponent = 1; !(mantissa & 1024u); mantissa <<= 1) --exponent;
+        bits |= ((exponent + 112u) << 23) + ((mantissa & 1023u) << 13);
+    }
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* Rounded to nearest even; a finite value stays finite: at most 65504. */
+static MS__UNUSED uint16_t ms__half_from_float(float value)
+{
+    uint32_t bits, sign, a, shift = 13;
+    memcpy(&bits, &value, sizeof bits);
+    sign = (bits >> 16) & 0x8000u;
+    a = bits & 0x7fffffffu;
+    if (a >= 0x7f800000u) return (uint16_t)(sign | 0x7c00u | (a > 0x7f800000u ? 0x200u : 0u));
+    if (a >= 0x477fe000u) return (uint16_t)(sign | 0x7bffu);
+    if (a < 0x33000000u) return (uint16_t)sign; /* under 2^-25 */
+    if (a < 0x38800000u) {                      /* under 2^-14: whole steps of 2^-24 */
+        shift = 126u - (a >> 23);
+        a = (a & 0x7fffffu) | 0x800000u;
+    } else {
+        a -= 0x38000000u;
+    }
+    a += (1u << (shift - 1u)) - 1u + ((a >> shift) & 1u);
+    return (uint16_t)(sign | (a >> shift));
+}
+#endif /* MS_COMMON_PRIVATE */
+/* ms-common-private end */
+
+/* ms-common-simd begin (the same text wherever it stands; `make common` copies it from ms_mcml.h) */
+#ifndef MS_COMMON_SIMD
+#define MS_COMMON_SIMD
+/* MS_NO_SIMD leaves the scalar text of every header. 32-bit x86 has no baseline that can be relied on. */
+#if !defined(MS_NO_SIMD) && (defined(__x86_64__) || (defined(_M_X64) && !defined(_M_ARM64EC)))
+#define MS__X64 1
+#include <immintrin.h>
+#if defined(_MSC_VER) && !defined(__clang__)
+#include <intrin.h>
+#else
+#include <cpuid.h>
+#endif
+#if defined(_MSC_VER) && defined(__clang__) /* its immintrin.h leaves out what the command line's target lacks */
+#include <pmmintrin.h>
+#include <tmmintrin.h>
+#include <smmintrin.h>
+#include <popcntintrin.h>
+#include <avxintrin.h>
+#include <avx2intrin.h>
+#include <f16cintrin.h>
+#include <fmaintrin.h>
+#include <avx512fintrin.h>
+#include <avx512vlintrin.h>
+#include <avx512bwintrin.h>
+#include <avx512dqintrin.h>
+#include <avx512vlbwintrin.h>
+#include <avx512vldqintrin.h>
+#include <avx512vnniintrin.h>
+#include <avx512vlvnniintrin.h>
+#endif
+#elif !defined(MS_NO_SIMD) && (defined(__aarch64__) || defined(_M_ARM64))
+#define MS__NEON 1
+#include <arm_neon.h>
+#endif
+
 #if defined(MS__X64)
 static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
 {
-#if defined(_MSC_VER)
+#if defined(_MSC_VER) && !defined(__clang__)
     int v[4];
     __cpuidex(v, (int)leaf, (int)subleaf);
     r[0] = (uint32_t)v[0]; r[1] = (uint32_t)v[1]; r[2] = (uint32_t)v[2]; r[3] = (uint32_t)v[3];
@@ -777,7 +840,7 @@ static MS__UNUSED int ms__simd_detect(void)
     ms__cpuid(1, 0, r);
     leaf1 = r[2];
     if (!(leaf1 & (1u << 27))) return MS_SIMD_BASE; /* OSXSAVE */
-#if defined(_MSC_VER)
+#if defined(_MSC_VER) && !defined(__clang__)
     xcr0 = (uint32_t)_xgetbv(0);
 #else
     {
@@ -808,8 +871,139 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #endif
     return (ms_simd)(cap != MS_SIMD_AUTO && (int)cap < best ? (int)cap : best);
 }
-#endif /* MS_COMMON_PRIVATE */
-/* ms-common-private end */
+#endif /* MS_COMMON_SIMD */
+/* ms-common-simd end */
+
+#ifndef MS_NN_NO_STDIO
+/* ms-common-files begin (the same text wherever it stands; `make common` copies it from ms_mcml.h) */
+#ifndef MS_COMMON_FILES
+#define MS_COMMON_FILES
+/* A file that takes the old one's place only when it is whole: written beside it, flushed, checked, renamed. Whatever fails, the
+   old file stays and nothing else does. Links are followed. Wants a regular file or none under that name. */
+#include <stdio.h>
+#if defined(_WIN32)
+#include <io.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#ifdef __cplusplus
+extern "C"
+#endif
+__declspec(dllimport) int __stdcall MoveFileExA(const char *from, const char *to, unsigned long flags); /* as windows.h has it */
+#elif defined(__unix__) || defined(__APPLE__)
+#define MS__POSIX 1
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <unistd.h>
+#if defined(__linux__) && defined(__STRICT_ANSI__) && !defined(__cplusplus) /* -std=c99 hides these, not what they do */
+int fileno(FILE *stream);
+int fsync(int file);
+ssize_t readlink(const char *path, char *to, size_t size);
+#endif
+#endif
+
+#define MS__PATH_MAX 4096
+
+typedef struct ms__file {
+    FILE *stream;
+    int failed;                      /* a write did not arrive */
+    char path[MS__PATH_MAX];         /* behind all links */
+    char beside[MS__PATH_MAX + 8];   /* path and a suffix that no other file has */
+} ms__file;
+
+static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_error *error)
+{
+    size_t n = path != NULL ? strlen(path) : 0;
+    int i;
+#if defined(MS__POSIX)
+    struct stat info;
+    ssize_t length;
+#elif defined(_WIN32)
+    struct _stat info;
+#endif
+    f->stream = NULL;
+    f->failed = 0;
+    if (n == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is NULL or empty");
+    if (n >= MS__PATH_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is longer than %d bytes", MS__PATH_MAX - 1);
+    memcpy(f->path, path, n + 1);
+#if defined(MS__POSIX)
+    for (i = 0; i < 32 && (length = readlink(f->path, f->beside, MS__PATH_MAX - 1)) > 0; ++i) {
+        char *name = strrchr(f->path, '/'); /* a relative link starts from its own folder */
+        size_t folder = f->beside[0] == '/' || name == NULL ? 0 : (size_t)(name + 1 - f->path);
+        if (folder + (size_t)length >= MS__PATH_MAX) break;
+        memcpy(f->path + folder, f->beside, (size_t)length);
+        n = folder + (size_t)length;
+        f->path[n] = 0;
+    }
+    if (stat(f->path, &info) == 0) {
+        if (S_ISDIR(info.st_mode)) return ms__fail(error, MS_IO, 0, "'%s' is a directory", path);
+        if (!S_ISREG(info.st_mode)) return ms__fail(error, MS_IO, 0, "'%s' is not a regular file", path);
+        if (access(f->path, W_OK) != 0) return ms__fail(error, MS_IO, 0, "'%s' may not be written", path);
+    } else {
+        info.st_mode = 0;
+    }
+#elif defined(_WIN32)
+    if (_stat(f->path, &info) == 0) {
+        if ((info.st_mode & _S_IFMT) == _S_IFDIR) return ms__fail(error, MS_IO, 0, "'%s' is a directory", path);
+        if ((info.st_mode & _S_IFMT) != _S_IFREG) return ms__fail(error, MS_IO, 0, "'%s' is not a regular file", path);
+        if (!(info.st_mode & _S_IWRITE)) return ms__fail(error, MS_IO, 0, "'%s' may not be written", path);
+    }
+#endif
+    memcpy(f->beside, f->path, n);
+    memcpy(f->beside + n, ".new00", 7);
+    for (i = 0; i < 100 && f->stream == NULL; ++i) {
+        FILE *taken;
+        f->beside[n + 4] = (char)('0' + i / 10);
+        f->beside[n + 5] = (char)('0' + i % 10);
+        taken = fopen(f->beside, "rb");
+        if (taken != NULL) fclose(taken);
+#if defined(_WIN32) && !defined(_UCRT)
+        else f->stream = fopen(f->beside, "wb");
+#else
+        else f->stream = fopen(f->beside, "wbx"); /* x: only if there is none yet (C11, in POSIX libraries long before) */
+#endif
+    }
+    if (f->stream == NULL)
+        return ms__fail(error, MS_IO, 0, "no file can be made beside '%s': its folder is missing, read-only or full", path);
+#if defined(MS__POSIX)
+    if (info.st_mode != 0) chmod(f->beside, info.st_mode & 0777); /* who could not read the old one cannot read the new one */
+#endif
+    return MS_OK;
+}
+
+/* 0, or 1 if it was not written; ms__file_close() knows it too. */
+static MS__UNUSED int ms__file_write(void *file, const void *bytes, size_t size)
+{
+    ms__file *f = (ms__file *)file;
+    if (size != 0 && fwrite(bytes, 1, size, f->stream) != size) f->failed = 1;
+    return f->failed;
+}
+
+/* MS_OK if status is MS_OK and the file now stands under its name; otherwise it is gone. */
+static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_error *error)
+{
+    int failed = f->failed;
+    if (status == MS_OK && !failed) {
+        failed = fflush(f->stream) != 0;
+#if defined(MS__POSIX)
+        failed = failed || fsync(fileno(f->stream)) != 0;
+#elif defined(_WIN32)
+        failed = failed || _commit(_fileno(f->stream)) != 0;
+#endif
+    }
+    failed = fclose(f->stream) != 0 || failed;
+    if (status == MS_OK && failed) status = ms__fail(error, MS_IO, 0, "'%s' cannot be written: the disk is full or failed", f->path);
+    if (status == MS_OK && rename(f->beside, f->path) != 0) {
+#if defined(_WIN32) /* where rename() refuses to replace; 1: replace, 8: return when it is done */
+        if (!MoveFileExA(f->beside, f->path, 1 | 8))
+#endif
+            status = ms__fail(error, MS_IO, 0, "'%s' cannot be replaced", f->path);
+    }
+    if (status != MS_OK) remove(f->beside);
+    return status;
+}
+#endif /* MS_COMMON_FILES */
+/* ms-common-files end */
+#endif
 
 #if !defined(MS_NN_NO_STDIO)
 #include <stdio.h>
@@ -864,16 +1058,6 @@ static float ms_nn__float_at(const unsigned char *v, size_t i)
     return x;
 }
 
-/* IEEE binary16 with subnormals, infinities and NaN. No float on the way is subnormal: hosts that flush those to zero get
-   the same. */
-static float ms_nn__half(uint32_t h)
-{
-    uint32_t sign = (h & 0x8000u) << 16, magnitude = h & 0x7fffu;
-    float small = (float)(int32_t)magnitude * 5.9604644775390625e-8f; /* 2^-24 */
-    if (magnitude < 0x400u) return sign ? -small : small;
-    return ms_nn__float_of(sign | ((magnitude << 13) + (magnitude < 0x7c00u ? 0x38000000u : 0x70000000u)));
-}
-
 static int ms_nn__bits(ms_nn_dtype dtype)
 {
     static const int bits[] = {
@@ -905,7 +1089,7 @@ static double ms_nn__element(const void *data, ms_nn_dtype dtype, size_t i)
         return x;
     }
     if (dtype == MS_NN_F32) return (double)ms_nn__float_of(ms_nn__u32(p));
-    if (dtype == MS_NN_F16) return (double)ms_nn__half(ms_nn__u16(p));
+    if (dtype == MS_NN_F16) return (double)ms__half_to_float((uint16_t)ms_nn__u16(p));
     if (dtype == MS_NN_BF16) return (double)ms_nn__float_of(ms_nn__u16(p) << 16);
     return *p < 128 ? (double)*p : (double)*p - 256.0; /* I8 */
 }
@@ -3652,20 +3836,17 @@ MS_NN_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *optio
     return status == MS_OK ? ms_nn__make(file, &o, nn, error) : status;
 }
 
-static int ms_nn__to_stream(void *user, const void *bytes, size_t size) { return fwrite(bytes, 1, size, (FILE *)user) != size; }
-
 MS_NN_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
                                     size_t entries, const ms_allocator *allocator, ms_error *error)
 {
     ms_nn_sink sink;
-    ms_status status;
-    FILE *f = path ? fopen(path, "wb") : NULL;
-    if (f == NULL) return ms__fail(error, path ? MS_IO : MS_INVALID_ARGUMENT, 0, "cannot write '%s'", path ? path : "");
-    sink.user = f;
-    sink.write = ms_nn__to_stream;
+    ms__file file;
+    ms_status status = ms__file_open(&file, path, error);
+    if (status != MS_OK) return status;
+    sink.user = &file;
+    sink.write = ms__file_write;
     status = ms_nn_file_write(tensors, count, metadata, entries, allocator, sink, error);
-    if (fclose(f) != 0 && status == MS_OK) status = ms__fail(error, MS_IO, 0, "cannot write '%s'", path);
-    return status;
+    return ms__file_close(&file, status, error);
 }
 #endif /* MS_NN_NO_STDIO */
 
@@ -4409,15 +4590,7 @@ static void ms_nn__put_element(unsigned char *out, ms_nn_dtype dtype, size_t i, 
     if (dtype == MS_NN_BF16) {
         bits = (bits + 0x7fffu + (bits >> 16 & 1)) >> 16;
     } else if (dtype == MS_NN_F16) {
-        uint32_t sign = bits >> 16 & 0x8000u, magnitude = bits & 0x7fffffffu, shift, kept;
-        if (magnitude >= 0x38800000u) {
-            magnitude = (magnitude - 0x38000000u + 0x0fffu + (magnitude >> 13 & 1)) >> 13;
-        } else { /* a subnormal of 2^-24 units; below half of the smallest it is 0 */
-            shift = 126 - (magnitude >> 23);
-            kept = (magnitude & 0x7fffffu) | 0x800000u;
-            magnitude = shift > 25 ? 0 : (kept + (1u << (shift - 1)) - 1 + (kept >> shift & 1)) >> shift;
-        }
-        bits = sign | (magnitude > 0x7c00u ? 0x7c00u : magnitude);
+        bits = ms__half_from_float(f);
     }
     for (k = 0; k < n; ++k) out[i * n + k] = (unsigned char)(bits >> (8 * k) & 0xff);
 }
@@ -4710,7 +4883,7 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define MS_NN__V_ROUND(a) ((a) < 0 ? (int32_t)((a) - 0.5f) : (a) >= 0 ? (int32_t)((a) + 0.5f) : 0)
 #define MS_NN__V_FROM_INT(i) ((float)(i))
 #define MS_NN__V_POW2(i) ms_nn__float_of((uint32_t)((i) + 127) << 23)
-#define MS_NN__W_HALF(p) ms_nn__half(ms_nn__u16(p))
+#define MS_NN__W_HALF(p) ms__half_to_float((uint16_t)ms_nn__u16(p))
 #define MS_NN__W_BRAIN(p) ms_nn__float_of(ms_nn__u16(p) << 16)
 #define MS_NN__W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p) - 256))
 #elif MS_NN__ISA == 2 && defined(MS__X64)
@@ -4757,8 +4930,8 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(max_nan)(MS_NN__V_FLOATS a, MS_NN__V_FLO
     MS_NN__V_FLOATS nan = _mm_cmpunord_ps(a, a);
     return _mm_or_ps(_mm_and_ps(nan, a), _mm_andnot_ps(nan, _mm_max_ps(a, b)));
 }
-/* As ms_nn__half, both cases at once. */
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(half)(const unsigned char *p)
+/* As ms__half_to_float: the magnitude moves to the float's place and is scaled by 2^112; the top exponent stays special. */
+MS_NN__INLINE V_FLOATS MS_NN__FN(half)(const unsigned char *p)
 {
     __m128i h = _mm_unpacklo_epi16(_mm_loadl_epi64((const __m128i *)(const void *)p), _mm_setzero_si128());
     __m128i magnitude = _mm_and_si128(h, _mm_set1_epi32(0x7fff)), sign = _mm_slli_epi32(_mm_xor_si128(h, magnitude), 16);

@@ -88,18 +88,22 @@ extern "C" {
 
 /* ms-common begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON
-#define MS_COMMON 1 /* raised whenever the text between the marks changes after a release */
+#define MS_COMMON 2 /* raised whenever the text between the marks changes after a release */
 
 /* Linkage of every public function of every header: nothing, static, __declspec(dllexport), or
    __attribute__((visibility("default"))). Define it before the #include. */
 #ifndef MS_DEF
 #define MS_DEF
 #endif
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
 #define MS_API MS_DEF __attribute__((unused)) /* static copies that call only a part do not warn */
 #else
 #define MS_API MS_DEF
 #endif
+
+/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that returns a
+   status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or NULL.
+   destroy and free do nothing with NULL. */
 
 /* What went wrong; each code asks for another remedy. code, value, sentence */
 #define MS_STATUS_LIST(X)                                                  \
@@ -179,7 +183,7 @@ static inline const char *ms_simd_string(ms_simd level)
     return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
 }
 #endif /* MS_COMMON */
-#if MS_COMMON != 1 /* outside the guard: catches two vendored releases in one file */
+#if MS_COMMON != 2 /* outside the guard: catches two vendored releases in one file */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
 /* ms-common end */
@@ -357,25 +361,11 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
 #include <stdlib.h>
 #include <string.h>
 
-/* MS_NO_SIMD leaves the scalar text of every header. 32-bit x86 has no baseline that can be relied on. */
-#if !defined(MS_NO_SIMD) && (defined(__x86_64__) || (defined(_M_X64) && !defined(_M_ARM64EC)))
-#define MS__X64 1
-#include <immintrin.h>
-#if defined(_MSC_VER)
-#include <intrin.h>
-#else
-#include <cpuid.h>
-#endif
-#elif !defined(MS_NO_SIMD) && (defined(__aarch64__) || defined(_M_ARM64))
-#define MS__NEON 1
-#include <arm_neon.h>
-#endif
-
 #ifndef MS_ASSERT /* checks of the library's own invariants, never of the caller's data */
 #define MS_ASSERT(condition) ((void)0)
 #endif
 
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
 #define MS__UNUSED __attribute__((unused))
 #else
 #define MS__UNUSED
@@ -602,57 +592,40 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
     return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
-#if defined(MS__X64)
-static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
+/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of subnormals. */
+static MS__UNUSED float ms__half_to_float(uint16_t h)
 {
-#if defined(_MSC_VER)
-    int v[4];
-    __cpuidex(v, (int)leaf, (int)subleaf);
-    r[0] = (uint32_t)v[0]; r[1] = (uint32_t)v[1]; r[2] = (uint32_t)v[2]; r[3] = (uint32_t)v[3];
-#else
-    __cpuid_count(leaf, subleaf, r[0], r[1], r[2], r[3]);
-#endif
-}
-
-/* What both the processor and the operating system (OSXSAVE, XCR0) support. */
-static MS__UNUSED int ms__simd_detect(void)
-{
-    uint32_t r[4], xcr0, leaf1;
-    ms__cpuid(0, 0, r);
-    if (r[0] < 7) return MS_SIMD_BASE;
-    ms__cpuid(1, 0, r);
-    leaf1 = r[2];
-    if (!(leaf1 & (1u << 27))) return MS_SIMD_BASE; /* OSXSAVE */
-#if defined(_MSC_VER)
-    xcr0 = (uint32_t)_xgetbv(0);
-#else
-    {
-        uint32_t high;
-        __asm__ volatile("xgetbv" : "=a"(xcr0), "=d"(high) : "c"(0));
-        (void)high;
+    uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
+    float value;
+    if (exponent == 31u) {
+        bits |= 0x7f800000u | mantissa << 13;
+    } else if (exponent != 0 || mantissa != 0) {
+        if (exponent == 0) /* a subnormal half is a normal float */
+            for (exponent = 1; !(mantissa & 1024u); mantissa <<= 1) --exponent;
+        bits |= ((exponent + 112u) << 23) + ((mantissa & 1023u) << 13);
     }
-#endif
-    ms__cpuid(7, 0, r);
-    if ((xcr0 & 0x6u) != 0x6u || !(leaf1 & (1u << 12)) || !(leaf1 & (1u << 29)) || !(r[1] & (1u << 5)))
-        return MS_SIMD_BASE; /* YMM state, FMA, F16C, AVX2 */
-    if ((xcr0 & 0xe6u) != 0xe6u || (r[1] & 0xC0030000u) != 0xC0030000u)
-        return MS_SIMD_AVX2; /* ZMM state, AVX-512 F, DQ, BW, VL */
-    return MS_SIMD_AVX512;
+    memcpy(&value, &bits, sizeof value);
+    return value;
 }
-#endif
 
-/* The level to use under a cap. cpuid takes microseconds under a hypervisor: ask once when an object is made
-   or at the start of a long call, never in a loop. Nothing is kept in a global. */
-static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
+/* Rounded to nearest even; a finite value stays finite: at most 65504. */
+static MS__UNUSED uint16_t ms__half_from_float(float value)
 {
-    int best = MS_SIMD_SCALAR;
-    if (cap == MS_SIMD_SCALAR) return cap;
-#if defined(MS__X64)
-    best = cap == MS_SIMD_BASE ? MS_SIMD_BASE : ms__simd_detect();
-#elif defined(MS__NEON)
-    best = MS_SIMD_BASE;
-#endif
-    return (ms_simd)(cap != MS_SIMD_AUTO && (int)cap < best ? (int)cap : best);
+    uint32_t bits, sign, a, shift = 13;
+    memcpy(&bits, &value, sizeof bits);
+    sign = (bits >> 16) & 0x8000u;
+    a = bits & 0x7fffffffu;
+    if (a >= 0x7f800000u) return (uint16_t)(sign | 0x7c00u | (a > 0x7f800000u ? 0x200u : 0u));
+    if (a >= 0x477fe000u) return (uint16_t)(sign | 0x7bffu);
+    if (a < 0x33000000u) return (uint16_t)sign; /* under 2^-25 */
+    if (a < 0x38800000u) {                      /* under 2^-14: whole steps of 2^-24 */
+        shift = 126u - (a >> 23);
+        a = (a & 0x7fffffu) | 0x800000u;
+    } else {
+        a -= 0x38000000u;
+    }
+    a += (1u << (shift - 1u)) - 1u + ((a >> shift) & 1u);
+    return (uint16_t)(sign | (a >> shift));
 }
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
@@ -1447,7 +1420,7 @@ static double ms_pme__gradient_method(ms_pme__run *run, double *x, int method, d
 static double ms_pme__nelder_mead(ms_pme__run *run, double *x, int barrier, double *memory)
 {
     int n = run->n, i, j, rounds;
-    double *vertex = memory, *value = vertex + (n + 1) * n, *middle = value + n + 1, *trial = middle + n, *far = trial + n;
+    double *vertex = memory, *value = vertex + (n + 1) * n, *middle = value + n + 1, *trial = middle + n, *farther = trial + n;
     double best_before = MS_PME__INF;
     for (rounds = 0; !run->stopped; ++rounds) {
         double edge = run->options->start_step > 0 ? run->options->start_step : 0.1;
@@ -1494,12 +1467,12 @@ static double ms_pme__nelder_mead(ms_pme__run *run, double *x, int barrier, doub
             f_trial = ms_pme__value(run, trial);
             if (f_trial < value[low]) { /* expand */
                 for (j = 0; j < n; ++j) {
-                    far[j] = middle[j] + 2 * (middle[j] - vertex[high * n + j]);
-                    if (!barrier) far[j] = ms_pme__clip(far[j], run->lower[j], run->upper[j]);
+                    farther[j] = middle[j] + 2 * (middle[j] - vertex[high * n + j]);
+                    if (!barrier) farther[j] = ms_pme__clip(farther[j], run->lower[j], run->upper[j]);
                 }
-                f_far = ms_pme__value(run, far);
+                f_far = ms_pme__value(run, farther);
                 c = f_far < f_trial;
-                ms_pme__copy(vertex + high * n, c ? far : trial, n);
+                ms_pme__copy(vertex + high * n, c ? farther : trial, n);
                 value[high] = c ? f_far : f_trial;
                 continue;
             }
@@ -1510,10 +1483,10 @@ static double ms_pme__nelder_mead(ms_pme__run *run, double *x, int barrier, doub
             }
             inside = !(f_trial < value[high]); /* contract towards the better of the two */
             for (j = 0; j < n; ++j)
-                far[j] = middle[j] + 0.5 * ((inside ? vertex[high * n + j] : trial[j]) - middle[j]);
-            f_far = ms_pme__value(run, far);
+                farther[j] = middle[j] + 0.5 * ((inside ? vertex[high * n + j] : trial[j]) - middle[j]);
+            f_far = ms_pme__value(run, farther);
             if (f_far < (inside ? value[high] : f_trial)) {
-                ms_pme__copy(vertex + high * n, far, n);
+                ms_pme__copy(vertex + high * n, farther, n);
                 value[high] = f_far;
                 continue;
             }

@@ -139,18 +139,22 @@ extern "C" {
 
 /* ms-common begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON
-#define MS_COMMON 1 /* raised whenever the text between the marks changes after a release */
+#define MS_COMMON 2 /* raised whenever the text between the marks changes after a release */
 
 /* Linkage of every public function of every header: nothing, static, __declspec(dllexport), or
    __attribute__((visibility("default"))). Define it before the #include. */
 #ifndef MS_DEF
 #define MS_DEF
 #endif
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
 #define MS_API MS_DEF __attribute__((unused)) /* static copies that call only a part do not warn */
 #else
 #define MS_API MS_DEF
 #endif
+
+/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that returns a
+   status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or NULL.
+   destroy and free do nothing with NULL. */
 
 /* What went wrong; each code asks for another remedy. code, value, sentence */
 #define MS_STATUS_LIST(X)                                                  \
@@ -230,7 +234,7 @@ static inline const char *ms_simd_string(ms_simd level)
     return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
 }
 #endif /* MS_COMMON */
-#if MS_COMMON != 1 /* outside the guard: catches two vendored releases in one file */
+#if MS_COMMON != 2 /* outside the guard: catches two vendored releases in one file */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
 /* ms-common end */
@@ -722,25 +726,11 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
 #include <stdlib.h>
 #include <string.h>
 
-/* MS_NO_SIMD leaves the scalar text of every header. 32-bit x86 has no baseline that can be relied on. */
-#if !defined(MS_NO_SIMD) && (defined(__x86_64__) || (defined(_M_X64) && !defined(_M_ARM64EC)))
-#define MS__X64 1
-#include <immintrin.h>
-#if defined(_MSC_VER)
-#include <intrin.h>
-#else
-#include <cpuid.h>
-#endif
-#elif !defined(MS_NO_SIMD) && (defined(__aarch64__) || defined(_M_ARM64))
-#define MS__NEON 1
-#include <arm_neon.h>
-#endif
-
 #ifndef MS_ASSERT /* checks of the library's own invariants, never of the caller's data */
 #define MS_ASSERT(condition) ((void)0)
 #endif
 
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
 #define MS__UNUSED __attribute__((unused))
 #else
 #define MS__UNUSED
@@ -967,10 +957,83 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
     return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
+/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of subnormals. */
+static MS__UNUSED float ms__half_to_float(uint16_t h)
+{
+    uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
+    float value;
+    if (exponent == 31u) {
+        bits |= 0x7f800000u | mantissa << 13;
+    } else if (exponent != 0 || mantissa != 0) {
+        if (exponent == 0) /* a subnormal half is a normal float */
+            for (exponent = 1; !(mantissa & 1024u); mantissa <<= 1) --exponent;
+        bits |= ((exponent + 112u) << 23) + ((mantissa & 1023u) << 13);
+    }
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* Rounded to nearest even; a finite value stays finite: at most 65504. */
+static MS__UNUSED uint16_t ms__half_from_float(float value)
+{
+    uint32_t bits, sign, a, shift = 13;
+    memcpy(&bits, &value, sizeof bits);
+    sign = (bits >> 16) & 0x8000u;
+    a = bits & 0x7fffffffu;
+    if (a >= 0x7f800000u) return (uint16_t)(sign | 0x7c00u | (a > 0x7f800000u ? 0x200u : 0u));
+    if (a >= 0x477fe000u) return (uint16_t)(sign | 0x7bffu);
+    if (a < 0x33000000u) return (uint16_t)sign; /* under 2^-25 */
+    if (a < 0x38800000u) {                      /* under 2^-14: whole steps of 2^-24 */
+        shift = 126u - (a >> 23);
+        a = (a & 0x7fffffu) | 0x800000u;
+    } else {
+        a -= 0x38000000u;
+    }
+    a += (1u << (shift - 1u)) - 1u + ((a >> shift) & 1u);
+    return (uint16_t)(sign | (a >> shift));
+}
+#endif /* MS_COMMON_PRIVATE */
+/* ms-common-private end */
+
+/* ms-common-simd begin (the same text wherever it stands; `make common` copies it from ms_mcml.h) */
+#ifndef MS_COMMON_SIMD
+#define MS_COMMON_SIMD
+/* MS_NO_SIMD leaves the scalar text of every header. 32-bit x86 has no baseline that can be relied on. */
+#if !defined(MS_NO_SIMD) && (defined(__x86_64__) || (defined(_M_X64) && !defined(_M_ARM64EC)))
+#define MS__X64 1
+#include <immintrin.h>
+#if defined(_MSC_VER) && !defined(__clang__)
+#include <intrin.h>
+#else
+#include <cpuid.h>
+#endif
+#if defined(_MSC_VER) && defined(__clang__) /* its immintrin.h leaves out what the command line's target lacks */
+#include <pmmintrin.h>
+#include <tmmintrin.h>
+#include <smmintrin.h>
+#include <popcntintrin.h>
+#include <avxintrin.h>
+#include <avx2intrin.h>
+#include <f16cintrin.h>
+#include <fmaintrin.h>
+#include <avx512fintrin.h>
+#include <avx512vlintrin.h>
+#include <avx512bwintrin.h>
+#include <avx512dqintrin.h>
+#include <avx512vlbwintrin.h>
+#include <avx512vldqintrin.h>
+#include <avx512vnniintrin.h>
+#include <avx512vlvnniintrin.h>
+#endif
+#elif !defined(MS_NO_SIMD) && (defined(__aarch64__) || defined(_M_ARM64))
+#define MS__NEON 1
+#include <arm_neon.h>
+#endif
+
 #if defined(MS__X64)
 static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
 {
-#if defined(_MSC_VER)
+#if defined(_MSC_VER) && !defined(__clang__)
     int v[4];
     __cpuidex(v, (int)leaf, (int)subleaf);
     r[0] = (uint32_t)v[0]; r[1] = (uint32_t)v[1]; r[2] = (uint32_t)v[2]; r[3] = (uint32_t)v[3];
@@ -988,7 +1051,7 @@ static MS__UNUSED int ms__simd_detect(void)
     ms__cpuid(1, 0, r);
     leaf1 = r[2];
     if (!(leaf1 & (1u << 27))) return MS_SIMD_BASE; /* OSXSAVE */
-#if defined(_MSC_VER)
+#if defined(_MSC_VER) && !defined(__clang__)
     xcr0 = (uint32_t)_xgetbv(0);
 #else
     {
@@ -1019,8 +1082,8 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #endif
     return (ms_simd)(cap != MS_SIMD_AUTO && (int)cap < best ? (int)cap : best);
 }
-#endif /* MS_COMMON_PRIVATE */
-/* ms-common-private end */
+#endif /* MS_COMMON_SIMD */
+/* ms-common-simd end */
 
 /* ----------------------------------------------------------- SMALL MATHS */
 #include <float.h>
@@ -2369,7 +2432,7 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
 #define MS_SSS__BLOCK_MAX (MS_SSS_TERMS_MAX + 4)
 static void ms_sss__eigen(const double *A, int n, int count, double *value, double *vector, double *scratch)
 {
-    double *V = scratch, *W = scratch + MS_SSS__BLOCK_MAX * n, small[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
+    double *V = scratch, *W = scratch + MS_SSS__BLOCK_MAX * n, projected[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
     double turn[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
     int block = count + 4 < n ? count + 4 : n, round, i, j, k, a, b;
     ms__rng rng = ms__rng_make(1, 0);
@@ -2400,28 +2463,28 @@ static void ms_sss__eigen(const double *A, int n, int count, double *value, doub
         }
     for (a = 0; a < block; ++a)
         for (b = 0; b < block; ++b) {
-            small[a][b] = 0;
+            projected[a][b] = 0;
             turn[a][b] = a == b;
-            for (i = 0; i < n; ++i) small[a][b] += V[a * n + i] * W[b * n + i];
+            for (i = 0; i < n; ++i) projected[a][b] += V[a * n + i] * W[b * n + i];
         }
     for (round = 0; round < 12; ++round)
         for (a = 0; a < block; ++a)
             for (b = a + 1; b < block; ++b) {
                 double theta, t, c, s;
-                if (!(fabs(small[a][b]) > 1e-300)) continue;
-                theta = (small[b][b] - small[a][a]) / (2 * small[a][b]);
+                if (!(fabs(projected[a][b]) > 1e-300)) continue;
+                theta = (projected[b][b] - projected[a][a]) / (2 * projected[a][b]);
                 t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(1 + theta * theta));
                 c = 1 / sqrt(1 + t * t);
                 s = t * c;
                 for (k = 0; k < block; ++k) {
-                    double x = small[k][a], y = small[k][b];
-                    small[k][a] = c * x - s * y;
-                    small[k][b] = s * x + c * y;
+                    double x = projected[k][a], y = projected[k][b];
+                    projected[k][a] = c * x - s * y;
+                    projected[k][b] = s * x + c * y;
                 }
                 for (k = 0; k < block; ++k) {
-                    double x = small[a][k], y = small[b][k];
-                    small[a][k] = c * x - s * y;
-                    small[b][k] = s * x + c * y;
+                    double x = projected[a][k], y = projected[b][k];
+                    projected[a][k] = c * x - s * y;
+                    projected[b][k] = s * x + c * y;
                     x = turn[k][a];
                     y = turn[k][b];
                     turn[k][a] = c * x - s * y;
@@ -2430,9 +2493,9 @@ static void ms_sss__eigen(const double *A, int n, int count, double *value, doub
             }
     for (j = 0; j < count; ++j) {
         for (a = 0, b = 0; a < block; ++a)
-            if (fabs(small[a][a]) > fabs(small[b][b])) b = a;
-        value[j] = small[b][b];
-        small[b][b] = 0;
+            if (fabs(projected[a][a]) > fabs(projected[b][b])) b = a;
+        value[j] = projected[b][b];
+        projected[b][b] = 0;
         for (i = 0; i < n; ++i) {
             vector[j * n + i] = 0;
             for (a = 0; a < block; ++a) vector[j * n + i] += turn[a][b] * V[a * n + i];
@@ -3395,51 +3458,16 @@ static const ms_sss__kernels *ms_sss__pick(ms_simd cap)
 
 /* --- the caller's pixels --- */
 
-static float ms_sss__from_half(uint16_t h)
-{
-    uint32_t sign = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u, bits;
-    float value;
-    if (exponent == 0) { /* zero and subnormal: mantissa 2^-24, exact in float */
-        value = (float)mantissa * 5.9604644775390625e-8f;
-        memcpy(&bits, &value, sizeof bits);
-        bits |= sign;
-    } else {
-        bits = sign | (exponent == 31u ? 0x7f800000u : (exponent + 112u) << 23) | mantissa << 13;
-    }
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-/* Rounded to nearest even; finite values stay finite: at most 65504. */
-static uint16_t ms_sss__to_half(float value)
-{
-    uint32_t bits, sign, a;
-    memcpy(&bits, &value, sizeof bits);
-    sign = (bits >> 16) & 0x8000u;
-    a = bits & 0x7fffffffu;
-    if (a >= 0x7f800000u) return (uint16_t)(sign | 0x7c00u | (a > 0x7f800000u ? 0x200u : 0u));
-    if (a >= 0x477fe000u) return (uint16_t)(sign | 0x7bffu);
-    if (a < 0x38800000u) { /* under 2^-14: adding 0.5 rounds the float to whole 2^-24 */
-        float magnitude;
-        memcpy(&magnitude, &a, sizeof magnitude);
-        magnitude += 0.5f;
-        memcpy(&a, &magnitude, sizeof a);
-        return (uint16_t)(sign | (a - 0x3f000000u));
-    }
-    a += 0xfffu + ((a >> 13) & 1u);
-    return (uint16_t)(sign | ((a - 0x38000000u) >> 13));
-}
-
 static float ms_sss__get(const ms_sss_image *image, int c, int x, int y)
 {
     ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
-    return image->half ? ms_sss__from_half(((const uint16_t *)image->channel[c])[at]) : ((const float *)image->channel[c])[at];
+    return image->half ? ms__half_to_float(((const uint16_t *)image->channel[c])[at]) : ((const float *)image->channel[c])[at];
 }
 
 static void ms_sss__put(const ms_sss_image *image, int c, int x, int y, float value)
 {
     ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
-    if (image->half) ((uint16_t *)image->channel[c])[at] = ms_sss__to_half(value);
+    if (image->half) ((uint16_t *)image->channel[c])[at] = ms__half_from_float(value);
     else ((float *)image->channel[c])[at] = value;
 }
 
@@ -3455,7 +3483,7 @@ static void ms_sss__load(const ms_sss_image *image, int channels, int width, int
         out[c] = to;
         if (image->half) {
             const uint16_t *from = (const uint16_t *)image->channel[c] + at;
-            for (i = 0; i < n; ++i) to[i] = ms_sss__from_half(from[i * step]);
+            for (i = 0; i < n; ++i) to[i] = ms__half_to_float(from[i * step]);
         } else {
             const float *from = (const float *)image->channel[c] + at;
             if (step == 1 && n == count) {
@@ -3482,7 +3510,7 @@ static void ms_sss__store(const ms_sss_image *image, int width, int y, int x, in
         if (image->half) {
             uint16_t *to = (uint16_t *)image->channel[c] + at;
             for (i = begin; i < end; ++i)
-                if (!depth || depth[i] < INFINITY) to[i * step] = ms_sss__to_half(from[i]);
+                if (!depth || depth[i] < INFINITY) to[i * step] = ms__half_from_float(from[i]);
         } else {
             float *to = (float *)image->channel[c] + at;
             if (depth) {
@@ -3766,9 +3794,9 @@ static void ms_sss__first_pass(void *context, int task)
 }
 
 /* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E,
-   fades, multiplies by the albedo, adds the specular light, and writes the pixels that take part. small: a pixel whose
+   fades, multiplies by the albedo, adds the specular light, and writes the pixels that take part. tiny: a pixel whose
    kernel is under half a pixel may have been changed. */
-static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], int small)
+static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], int tiny)
 {
     const ms_sss_frame *f = &job->frame;
     const ms_sss_kernel *k = job->kernel;
@@ -3776,7 +3804,7 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
     const float *in[3], *albedo[3], *specular[3], *strength = NULL, *const *factor, *result[3];
     const int last_term = job->term + 1 == k->term_count;
     const float *depth = job->depth + ms_sss__ring(job, y) + x;
-    int c, i, need_own = small || job->gain < 1.0f || !job->whole[y];
+    int c, i, need_own = tiny || job->gain < 1.0f || !job->whole[y];
     int solid_first = job->solid_first[y] > x ? job->solid_first[y] - x : 0;
     int solid_last = job->solid_last[y] < x + count ? job->solid_last[y] - x : count;
     for (c = 0; c < 3; ++c) {
@@ -4649,7 +4677,7 @@ static void ms_sss__tower_grow(void *context, int task)
         const float *from[3][7], *soft[4];
         const float *const *near_by[3] = {NULL, NULL, NULL};
         float *out[2][6], *blur[3];
-        int small = 0;
+        int tiny = 0;
         if (tower->at == 0 && job->first[y] == job->last[y]) continue;
         growth.lower = y % 2;
         for (i = 0; i < 3 && tower->at + 1 < tower->levels; ++i) {
@@ -4663,7 +4691,7 @@ static void ms_sss__tower_grow(void *context, int task)
         for (side = 0; side < 2; ++side) {
             for (i = 0; i < 4; ++i) soft[i] = v->soft[side][i] + y * v->half;
             for (i = 0; i < 6; ++i) out[side][i] = ms_sss__tower_row(tower, task, side * 6 + i);
-            small |= job->simd->grow(&growth, row.plane[side], soft, near_by, side, half, out[side]);
+            tiny |= job->simd->grow(&growth, row.plane[side], soft, near_by, side, half, out[side]);
         }
         if (tower->at > 0) {
             for (i = 0; i < 6; ++i) {
@@ -4679,7 +4707,7 @@ static void ms_sss__tower_grow(void *context, int task)
                 job->simd->merge(out[0][c], out[1][c], half, blur[c]);
                 blur[c] += first;
             }
-            ms_sss__finish(job, task, y, first, job->last[y] - first, blur, small);
+            ms_sss__finish(job, task, y, first, job->last[y] - first, blur, tiny);
         }
     }
 }
@@ -5412,7 +5440,7 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
         if (half_kernel && i % 2 == 1) continue;
         for (c = 0; c < 4; ++c) {
             const float value = c < 3 ? kernel->weight[term][i][c] : kernel->offset_mm[i];
-            if (binary16) ((uint16_t *)out)[4 * at + c] = ms_sss__to_half(value);
+            if (binary16) ((uint16_t *)out)[4 * at + c] = ms__half_from_float(value);
             else ((float *)out)[4 * at + c] = value;
         }
     }
@@ -6031,7 +6059,7 @@ static int MS_SSS__NAME(grow)(const ms_sss__growth *s, const float *const fine[5
 {
     static const float side[2][3] = {{0.3125f, 0.625f, 0.0625f}, {0.0625f, 0.625f, 0.3125f}};
     const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
-    int i, c, k, small = 0;
+    int i, c, k, tiny = 0;
     for (i = 0; i < count; i += MS_SSS__LANES) {
         const V depth = V_LOAD(fine[3] + i), share = V_LOAD(fine[4] + i);
         V_MASK part = V_LESS(depth, infinity);
@@ -6069,7 +6097,7 @@ static int MS_SSS__NAME(grow)(const ms_sss__growth *s, const float *const fine[5
                     blurred[c] = V_LOAD(lerped[c + 3]);
                 }
             }
-            small |= (V_BITS(V_LESS(size, V_SET(0.5f))) & V_BITS(part)) != 0;
+            tiny |= (V_BITS(V_LESS(size, V_SET(0.5f))) & V_BITS(part)) != 0;
         } else {
             for (c = 0; c < 3; ++c) {
                 own[c] = V_SET(s->weight[0][c]);
@@ -6116,7 +6144,7 @@ static int MS_SSS__NAME(grow)(const ms_sss__growth *s, const float *const fine[5
         V_STORE(out[4] + i, V_SELECT(part, ng, zero));
         V_STORE(out[5] + i, V_SELECT(part, nb, zero));
     }
-    return small;
+    return tiny;
 }
 
 /* Columns 2 i to even[i], 2 i + 1 to odd[i]; and back. */

@@ -692,7 +692,7 @@ static void case_energy(void)
 
 /* --- layouts --- */
 
-static uint16_t test_half(float v) { return ms_sss__to_half(v); }
+static uint16_t test_half(float v) { return ms__half_from_float(v); }
 
 static void case_layouts(void)
 {
@@ -704,7 +704,7 @@ static void case_layouts(void)
     ms_sss_kernel k = test_kernel(7, 5.0, 0.1);
     int layout, level, i, c, kind;
     for (i = 0; i < n; ++i) /* values that are exact in binary16 */
-        for (c = 0; c < 3; ++c) s.rgb[c][i] = ms_sss__from_half(test_half(s.rgb[c][i]));
+        for (c = 0; c < 3; ++c) s.rgb[c][i] = ms__half_to_float(test_half(s.rgb[c][i]));
     for (kind = 0; kind < 3; ++kind) {
         for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
             ms_sss_filter_options o = test_options(kind);
@@ -791,23 +791,23 @@ static void case_half(void)
     int h, wrong = 0;
     for (h = 0; h < 65536; ++h) {
         const int sign = h >> 15, exponent = (h >> 10) & 31, mantissa = h & 1023;
-        const float value = ms_sss__from_half((uint16_t)h);
+        const float value = ms__half_to_float((uint16_t)h);
         double expected = exponent ? ldexp(1024 + mantissa, exponent - 25) : ldexp(mantissa, -24);
         if (exponent == 31) {
-            wrong += mantissa ? ms__finite_f(value) || ms_sss__to_half(value) != (uint16_t)(h & 0x8000) + 0x7e00
-                              : !(fabsf(value) > 3e38f) || ms_sss__to_half(value) != h;
+            wrong += mantissa ? ms__finite_f(value) || ms__half_from_float(value) != (uint16_t)(h & 0x8000) + 0x7e00
+                              : !(fabsf(value) > 3e38f) || ms__half_from_float(value) != h;
             continue;
         }
         wrong += fabs((double)value - (sign ? -expected : expected)) > 0;
-        wrong += ms_sss__to_half(value) != h;
+        wrong += ms__half_from_float(value) != h;
     }
     CHECK_INT(wrong, 0);
-    CHECK_INT(ms_sss__to_half(65505.0f), 0x7bff); /* finite stays finite */
-    CHECK_INT(ms_sss__to_half(1e9f), 0x7bff);
-    CHECK_INT(ms_sss__to_half(1.00048828125f), 0x3c00);  /* halfway to the next: to even */
-    CHECK_INT(ms_sss__to_half(1.00146484375f), 0x3c02);
-    CHECK_INT(ms_sss__to_half(2.9802322387695312e-8f), 0x0000); /* half the smallest: to even */
-    CHECK_INT(ms_sss__to_half(2.99e-8f), 0x0001);
+    CHECK_INT(ms__half_from_float(65505.0f), 0x7bff); /* finite stays finite */
+    CHECK_INT(ms__half_from_float(1e9f), 0x7bff);
+    CHECK_INT(ms__half_from_float(1.00048828125f), 0x3c00);  /* halfway to the next: to even */
+    CHECK_INT(ms__half_from_float(1.00146484375f), 0x3c02);
+    CHECK_INT(ms__half_from_float(2.9802322387695312e-8f), 0x0000); /* half the smallest: to even */
+    CHECK_INT(ms__half_from_float(2.99e-8f), 0x0001);
 }
 
 static void case_threads(void)
@@ -978,7 +978,7 @@ static void case_upload(void)
     for (i = 0; i < 7; ++i) {
         CHECK_NEAR(full[i][3], k.offset_mm[i], 0);
         for (c = 0; c < 3; ++c) CHECK_NEAR(full[i][c], k.weight[0][i][c], 0);
-        for (c = 0; c < 4; ++c) CHECK_NEAR(ms_sss__from_half(packed[i][c]), full[i][c], fabsf(full[i][c]) / 2048);
+        for (c = 0; c < 4; ++c) CHECK_NEAR(ms__half_to_float(packed[i][c]), full[i][c], fabsf(full[i][c]) / 2048);
         if (i % 2 == 0) CHECK(memcmp(half[i / 2], full[i], sizeof full[i]) == 0);
     }
     k.weight[0][2][1] *= 1.5f;

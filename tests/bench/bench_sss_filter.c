@@ -195,7 +195,7 @@ static void make_inputs(void)
                 const float value = (float)(((uint32_t)i * 2654435761u >> (8 + c)) & 255u) / 255 + 0.1f;
                 if (c < 3) in[c][i] = value;
                 packed[4 * i + c] = value;
-                halves[4 * i + c] = ms_sss__to_half(value);
+                halves[4 * i + c] = ms__half_from_float(value);
             }
         }
     }

@@ -1,0 +1,3 @@
+#pragma once
+#include "crt.h"
+CRT int _commit(int);
