@@ -4590,7 +4590,7 @@ static void ms_nn__put_element(unsigned char *out, ms_nn_dtype dtype, size_t i, 
     if (dtype == MS_NN_BF16) {
         bits = (bits + 0x7fffu + (bits >> 16 & 1)) >> 16;
     } else if (dtype == MS_NN_F16) {
-        bits = ms__half_from_float(f);
+        bits = fabs(x) >= 65520 ? (bits >> 16 & 0x8000u) | 0x7c00u : ms__half_from_float(f); /* infinity, as others round it */
     }
     for (k = 0; k < n; ++k) out[i * n + k] = (unsigned char)(bits >> (8 * k) & 0xff);
 }
@@ -4930,16 +4930,16 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(max_nan)(MS_NN__V_FLOATS a, MS_NN__V_FLO
     MS_NN__V_FLOATS nan = _mm_cmpunord_ps(a, a);
     return _mm_or_ps(_mm_and_ps(nan, a), _mm_andnot_ps(nan, _mm_max_ps(a, b)));
 }
-/* As ms__half_to_float: the magnitude moves to the float's place and is scaled by 2^112; the top exponent stays special. */
-MS_NN__INLINE V_FLOATS MS_NN__FN(half)(const unsigned char *p)
+/* As ms__half_to_float, both cases at once. */
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(half)(const unsigned char *p)
 {
     __m128i h = _mm_unpacklo_epi16(_mm_loadl_epi64((const __m128i *)(const void *)p), _mm_setzero_si128());
     __m128i magnitude = _mm_and_si128(h, _mm_set1_epi32(0x7fff)), sign = _mm_slli_epi32(_mm_xor_si128(h, magnitude), 16);
     __m128i special = _mm_and_si128(_mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x7bff)), _mm_set1_epi32(0x38000000));
-    __m128i small = _mm_castps_si128(_mm_mul_ps(_mm_cvtepi32_ps(magnitude), _mm_set1_ps(5.9604644775390625e-8f)));
-    __m128i is_small = _mm_cmpgt_epi32(_mm_set1_epi32(0x400), magnitude);
+    __m128i tiny = _mm_castps_si128(_mm_mul_ps(_mm_cvtepi32_ps(magnitude), _mm_set1_ps(5.9604644775390625e-8f)));
+    __m128i is_tiny = _mm_cmpgt_epi32(_mm_set1_epi32(0x400), magnitude);
     __m128i bits = _mm_add_epi32(_mm_add_epi32(_mm_slli_epi32(magnitude, 13), _mm_set1_epi32(0x38000000)), special);
-    bits = _mm_or_si128(_mm_and_si128(is_small, small), _mm_andnot_si128(is_small, bits));
+    bits = _mm_or_si128(_mm_and_si128(is_tiny, tiny), _mm_andnot_si128(is_tiny, bits));
     return _mm_castsi128_ps(_mm_or_si128(bits, sign));
 }
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)

@@ -677,7 +677,7 @@ static void test_flush_to_zero(void)
         unsigned char back[2];
         float value;
         _mm_setcsr(state | 0x8040);
-        value = ms_nn__half(h);
+        value = ms__half_to_float((uint16_t)h);
         ms_nn__put_element(back, MS_NN_F16, 0, (double)value);
         _mm_setcsr(state);
         if ((h & 0x7c00) == 0x7c00) {
