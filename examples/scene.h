@@ -1,5 +1,5 @@
-/* Two lit objects for the examples, modelled, lit and rendered by this file alone: a life-size bust and a knotted
-   tube, 85 mm wide. Both are distance fields (smooth unions of ellipsoids and capsules, grooves as Gaussian bumps),
+/* Three lit objects for the examples, modelled, lit and rendered by this file alone: a life-size bust, a knotted tube,
+   85 mm wide, and a broken bowl, 66 mm high, with walls of 3 mm. All are distance fields (smooth unions of ellipsoids and capsules, grooves as Gaussian bumps),
    found by sphere tracing; the soft shadows of the round lamps are marched through the same field. C99 and C++11, no
    assets, no dependency but image.h.
 
@@ -15,7 +15,7 @@
 #define EXAMPLES_SCENE_H
 #include "image.h"
 
-typedef enum scene_object { SCENE_BUST, SCENE_KNOT } scene_object;
+typedef enum scene_object { SCENE_BUST, SCENE_KNOT, SCENE_BOWL } scene_object;
 
 /* --- vectors --- */
 
@@ -230,6 +230,15 @@ static inline float scene_knot(scene_vec p)
     return nearest - 7.6f;
 }
 
+/* An ellipsoid's shell, dented, its opening towards the camera and up, with a wavy rim. */
+static inline float scene_bowl(scene_vec p)
+{
+    scene_vec q = scene_mad(p, 0.05f * scene_noise(scene_mul(p, 0.05f)), p);
+    float along = 0.74f * p.z + 0.5f * p.y - 0.45f * p.x, turn = atan2f(0.9f * p.x + 0.4f * p.y, p.y - 0.6f * p.z);
+    float d = fabsf(scene__ellipsoid(q, 0, 0, 0, 24, 32, 24)) - 1.5f;
+    return scene__cut(d, 5 + 3 * sinf(3 * turn) - along, 2);
+}
+
 /* Ground, and a wall behind it, joined by a round corner. */
 static inline float scene__backdrop(scene_object object, scene_vec p)
 {
@@ -238,7 +247,7 @@ static inline float scene__backdrop(scene_object object, scene_vec p)
 
 static inline float scene_distance(scene_object object, scene_vec p)
 {
-    return object == SCENE_BUST ? scene_bust(p) : scene_knot(p);
+    return object == SCENE_BUST ? scene_bust(p) : object == SCENE_KNOT ? scene_knot(p) : scene_bowl(p);
 }
 
 /* The outward normal: differences over the corners of a tetrahedron of size e. */

@@ -32,7 +32,7 @@ static void test_sampler(void)
 static void test_mesh_closed(void)
 {
     int object;
-    for (object = SCENE_BUST; object <= SCENE_KNOT; ++object) {
+    for (object = SCENE_BUST; object <= SCENE_BOWL; ++object) {
         mesh m;
         int i, k, wrong = 0;
         double volume = 0, sum[3] = {0, 0, 0};
@@ -108,7 +108,7 @@ static void test_threads(void)
     truth t;
     int i;
     float mu_s[3] = {0.2f, 0.2f, 0.3f}, mu_a[3] = {0.01f, 0.05f, 0.1f};
-    if (!truth_make(&t, SCENE_KNOT, TRUTH_MARBLE, 48, 27, 1, &problem)) {
+    if (!truth_make(&t, SCENE_KNOT, TRUTH_MARBLE, 48, 27, 1, 1, NULL, &problem)) {
         TEST_FAIL("%s", problem);
         truth_free(&t);
         return;
@@ -118,13 +118,13 @@ static void test_threads(void)
         ms_parallel parallel = test_parallel(&pool, threads[i]);
         t.t->run = parallel.run;
         t.t->run_user = parallel.user;
-        memset(t.half[0].pixels, 0, image_count(&t.half[0]) * sizeof(float));
-        trace_subsurface(t.t, &t.layers, mu_s, mu_a, 8, 3, &t.half[0]);
+        memset(t.lamp[0].half[0].pixels, 0, image_count(&t.lamp[0].half[0]) * sizeof(float));
+        trace_subsurface(t.t, &t.layers, mu_s, mu_a, 8, 3, &t.lamp[0].half[0]);
         if (i == 0) {
             first = image_new(48, 27, 3);
-            memcpy(first.pixels, t.half[0].pixels, image_count(&first) * sizeof(float));
+            memcpy(first.pixels, t.lamp[0].half[0].pixels, image_count(&first) * sizeof(float));
         }
-        CHECK(memcmp(first.pixels, t.half[0].pixels, image_count(&first) * sizeof(float)) == 0);
+        CHECK(memcmp(first.pixels, t.lamp[0].half[0].pixels, image_count(&first) * sizeof(float)) == 0);
     }
     image_free(&first);
     truth_free(&t);
@@ -141,13 +141,13 @@ static void check_order(scene_object object, const char *name, int samples)
     ms_sss_designer *designer = NULL;
     image picture;
     int i;
-    if (!truth_make(&t, object, object == SCENE_BUST ? TRUTH_SKIN : TRUTH_MARBLE, 160, 90, samples, &problem)) {
+    if (!truth_make(&t, object, object == SCENE_BUST ? TRUTH_SKIN : TRUTH_MARBLE, 160, 90, samples, 1, NULL, &problem)) {
         TEST_FAIL("%s", problem);
         truth_free(&t);
         return;
     }
     picture = image_new(t.width, t.height, 3);
-    unfiltered = truth_compare(&t, &t.unfiltered);
+    unfiltered = truth_compare(&t, &t.lamp[0].unfiltered);
     truth_filter_2d(&t, 1, &picture);
     exact = truth_compare(&t, &picture);
     TEST_NOTE("unfiltered %.1f dB, 2D kernel %.1f", unfiltered.psnr, exact.psnr);
@@ -172,7 +172,7 @@ static void check_order(scene_object object, const char *name, int samples)
     }
     snprintf(golden, sizeof golden, "%s_truth", name);
     snprintf(path, sizeof path, "build/%s.png", golden);
-    CHECK(truth_save(&t, &t.half[0], path) == NULL);
+    CHECK(truth_save(&t, &t.lamp[0].half[0], path) == NULL);
     check_golden(golden, 26); /* a walk that meets another triangle first is another walk: noise differs */
     ms_sss_designer_destroy(designer);
     image_free(&picture);

@@ -66,7 +66,7 @@ int main(void)
         ms_sss_designer *designer;
         image picture;
         double start = bench_cpu();
-        if (!truth_make(&t, scenes[object].object, scenes[object].substance, 240, 135, scenes[object].walks, &problem)) {
+        if (!truth_make(&t, scenes[object].object, scenes[object].substance, 240, 135, scenes[object].walks, 1, NULL, &problem)) {
             fprintf(stderr, "%s\n", problem);
             return 1;
         }
@@ -85,7 +85,7 @@ int main(void)
                       : i == ROWS - 1 ? "2D kernel, distances in space"
                                       : truth_models[i - 1].name;
             if (i == 0) {
-                memcpy(picture.pixels, t.unfiltered.pixels, image_count(&picture) * sizeof(float));
+                memcpy(picture.pixels, t.lit->unfiltered.pixels, image_count(&picture) * sizeof(float));
             } else if (i >= ROWS - 2) {
                 truth_filter_2d(&t, i == ROWS - 1, &picture);
             } else {
@@ -97,7 +97,7 @@ int main(void)
             row(&t, path, &picture, &result[object][i]);
         }
         for (i = 0; i < (int)image_count(&picture); ++i)
-            picture.pixels[i] = 0.5f * (t.half[0].pixels[i] + t.half[1].pixels[i]);
+            picture.pixels[i] = 0.5f * (t.lit->half[0].pixels[i] + t.lit->half[1].pixels[i]);
         if (object < 2) {
             snprintf(path, sizeof path, "build/bench/sss_truth_%s.png", object_name[object]);
             truth_save(&t, &picture, path);

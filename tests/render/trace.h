@@ -4,7 +4,7 @@
 
      tracer *t = trace_create(&m, lights, count);      m: tests/render/mesh.h; lights: examples/scene.h
      trace_primary(t, &camera, width, height, layers); the G-buffer: position, normal, depth
-     trace_irradiance, trace_subsurface                what arrives, and what leaves
+     trace_irradiance, trace_subsurface                what arrives, and what leaves, lamp by lamp
      trace_destroy(t);
 
    The mesh is index-matched: light enters with a cosine distribution, scatters isotropically, and leaves where the walk
@@ -213,24 +213,20 @@ static inline int trace_blocked(const tracer *t, scene_vec from, scene_vec direc
     return r.tfar < 0;
 }
 
-/* Irradiance over pi at p by one point on each lamp: uniform in the cone that the lamp fills. */
-static inline void trace__lamps(const tracer *t, trace_sampler *s, scene_vec p, scene_vec n, float out[3])
+/* Irradiance over pi at p from lamp i, added to out, by one point on it: uniform in the cone that the lamp fills. */
+static inline void trace__lamp(const tracer *t, int i, trace_sampler *s, scene_vec p, scene_vec n, float out[3])
 {
-    int i, c;
-    p = scene_mad(n, t->nudge, p);
-    for (c = 0; c < 3; ++c) out[c] = 0;
-    for (i = 0; i < t->lights; ++i) {
-        const scene_light *l = &t->light[i];
-        scene_vec to = scene_sub(l->position, p), direction;
-        float d2 = scene_dot(to, to), d = sqrtf(d2), u, v, least, cosine;
-        trace_sample(s, &u, &v);
-        least = sqrtf(scene__max(0, 1 - l->radius * l->radius / d2));
-        direction = trace__around(scene_mul(to, 1 / d), 1 - u * (1 - least), TRACE_TURN * v);
-        cosine = scene_dot(n, direction);
-        if (cosine <= 0 || trace_blocked(t, p, direction, d - l->radius)) continue;
-        for (c = 0; c < 3; ++c)
-            out[c] += l->power[c] * cosine * scene_dot(l->position, l->position) / (d2 * 3.14159265f);
-    }
+    const scene_light *l = &t->light[i];
+    scene_vec from = scene_mad(n, t->nudge, p), to = scene_sub(l->position, from), direction;
+    float d2 = scene_dot(to, to), d = sqrtf(d2), u, v, least, cosine;
+    int c;
+    trace_sample(s, &u, &v);
+    least = sqrtf(scene__max(0, 1 - l->radius * l->radius / d2));
+    direction = trace__around(scene_mul(to, 1 / d), 1 - u * (1 - least), TRACE_TURN * v);
+    cosine = scene_dot(n, direction);
+    if (cosine <= 0 || trace_blocked(t, from, direction, d - l->radius)) return;
+    for (c = 0; c < 3; ++c)
+        out[c] += l->power[c] * cosine * scene_dot(l->position, l->position) / (d2 * 3.14159265f);
 }
 
 /* --- layers: what is seen through the middle of every pixel --- */
@@ -258,6 +254,7 @@ typedef struct trace__job {
     trace_layers *layers;
     image *out;
     int samples;
+    int lamp;
     uint32_t seed;
     const float *mu_s, *mu_a;
 } trace__job;
@@ -331,22 +328,23 @@ static inline void trace__irradiance_row(void *context, int y)
         if (job->layers->triangle[at] < 0) continue;
         for (i = 0; i < job->samples; ++i) {
             trace_sampler s = trace__sampler(job, at, i);
-            float e[3];
-            trace__lamps(job->t, &s, job->layers->position[at], job->layers->normal[at], e);
+            float e[3] = {0, 0, 0};
+            trace__lamp(job->t, job->lamp, &s, job->layers->position[at], job->layers->normal[at], e);
             for (c = 0; c < 3; ++c) sum[c] += (double)e[c];
         }
         for (c = 0; c < 3; ++c) job->out->pixels[3 * at + c] = (float)(sum[c] / job->samples);
     }
 }
 
-/* out: RGB of the layers' size, irradiance over pi. */
-static inline void trace_irradiance(const tracer *t, const trace_layers *l, int samples, uint32_t seed, image *out)
+/* out: RGB of the layers' size, irradiance over pi from one lamp. */
+static inline void trace_irradiance(const tracer *t, const trace_layers *l, int lamp, int samples, uint32_t seed, image *out)
 {
     trace__job job;
     memset(&job, 0, sizeof job);
     job.t = t;
     job.layers = (trace_layers *)l;
     job.out = out;
+    job.lamp = lamp;
     job.samples = samples;
     job.seed = seed;
     trace__rows(t, l->height, trace__irradiance_row, &job);
@@ -386,22 +384,25 @@ static inline float trace__walk(const tracer *t, trace_sampler *s, float mu_s, f
 static inline void trace__subsurface_row(void *context, int y)
 {
     trace__job *job = (trace__job *)context;
-    int x, i, c, width = job->layers->width;
+    int x, i, c, k, width = job->layers->width;
     for (x = 0; x < width; ++x) {
         int at = y * width + x;
         if (job->layers->triangle[at] < 0) continue;
         for (c = 0; c < 3; ++c) {
-            double sum = 0;
+            double sum[8] = {0, 0, 0, 0, 0, 0, 0, 0};
             for (i = 0; i < job->samples; ++i) {
                 trace_sampler s = trace__sampler(job, at, i);
                 scene_vec p = job->layers->position[at], n = job->layers->normal[at];
-                float weight = trace__walk(job->t, &s, job->mu_s[c], job->mu_a[c], &p, &n), e[3];
+                float weight = trace__walk(job->t, &s, job->mu_s[c], job->mu_a[c], &p, &n);
                 if (weight <= 0) continue;
                 s.pair = TRACE_LAMP_PAIR;
-                trace__lamps(job->t, &s, p, n, e);
-                sum += (double)(weight * e[c]);
+                for (k = 0; k < job->t->lights; ++k) {
+                    float e[3] = {0, 0, 0};
+                    trace__lamp(job->t, k, &s, p, n, e);
+                    sum[k] += (double)(weight * e[c]);
+                }
             }
-            job->out->pixels[3 * at + c] = (float)(sum / job->samples);
+            for (k = 0; k < job->t->lights; ++k) job->out[k].pixels[3 * at + c] = (float)(sum[k] / job->samples);
         }
     }
 }
@@ -445,7 +446,8 @@ static inline double trace_flat_profile(float mu_s, float mu_a, const double *ra
     return total / walks;
 }
 
-/* out: RGB radiance that leaves towards the camera. Coefficients per mm; isotropic scattering. */
+/* out [t->lights]: RGB radiance that leaves towards the camera by each lamp alone. Coefficients per mm; isotropic
+   scattering. */
 static inline void trace_subsurface(const tracer *t, const trace_layers *l, const float mu_s_per_mm[3],
                                     const float mu_a_per_mm[3], int samples, uint32_t seed, image *out)
 {

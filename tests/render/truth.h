@@ -8,16 +8,28 @@
 #define TRUTH_RINGS 96
 #define TRUTH_SIGMA 0.12 /* of the depth weights, in radii of 99% of the energy: the default of ms_sss_filter */
 
+/* Lit by one lamp alone. Light is irradiance over pi, so that times reflectance it is radiance. */
+typedef struct truth_lamp {
+    image irradiance, unfiltered; /* as it arrives; the same times the flat reflectance */
+    image half[2];                /* the random walk's picture, two independent estimates */
+    image back;                   /* as it arrives at the first surface behind */
+    image entry;                  /* as it arrives where the light that points at the pixel first meets the object, */
+    image thickness;              /* mm from there to the pixel; 0 where the pixel itself is first */
+    scene_vec *entry_normal;
+    double peak; /* of unfiltered */
+} truth_lamp;
+
+enum { TRUTH_FRONT, TRUTH_SIDE, TRUTH_BEHIND, TRUTH_LAMPS };
+
 typedef struct truth {
     int width, height, pixels; /* pixels: that show the object */
     scene_camera camera;
-    float mm_per_unit, peak;
+    float mm_per_unit, mu_s[3], mu_a[3]; /* 1/mm */
     mesh m;
     tracer *t;
-    trace_layers layers;
-    image irradiance;        /* over pi */
-    image half[2];           /* the random walk's picture, two independent estimates */
-    image unfiltered;        /* irradiance times reflectance */
+    trace_layers layers, behind; /* what is seen; the first surface behind that */
+    truth_lamp lamp[TRUTH_LAMPS];
+    const truth_lamp *lit;   /* the one in use */
     ms_sss_profile *profile; /* mm */
     double reflectance[3], radius_mm,
         radius_px; /* of the flat profile; of 99% of the widest channel, px at the object's centre */
@@ -25,81 +37,197 @@ typedef struct truth {
 
 static inline void truth_free(truth *t)
 {
-    int i;
+    int i, k;
     trace_destroy(t->t);
     mesh_free(&t->m);
     trace_layers_free(&t->layers);
-    image_free(&t->irradiance);
-    image_free(&t->unfiltered);
-    for (i = 0; i < 2; ++i) image_free(&t->half[i]);
+    trace_layers_free(&t->behind);
+    for (k = 0; k < TRUTH_LAMPS; ++k) {
+        truth_lamp *l = &t->lamp[k];
+        image_free(&l->irradiance);
+        image_free(&l->unfiltered);
+        image_free(&l->back);
+        image_free(&l->entry);
+        image_free(&l->thickness);
+        free(l->entry_normal);
+        for (i = 0; i < 2; ++i) image_free(&l->half[i]);
+    }
     ms_sss_profile_destroy(t->profile);
     memset(t, 0, sizeof *t);
 }
 
-/* Coefficients of thesis 5.9.2 (marble) and 5.9.7 (skin1), 1/mm. The objects shrink to figurines so that the profile
-   spans pixels: busts of 70 mm (skin) and 220 mm, knots of 20 mm (skin) and 50 mm. */
-typedef enum truth_substance { TRUTH_SKIN, TRUTH_MARBLE } truth_substance;
+/* Coefficients in 1/mm: skin1 and marble of thesis 5.9.7 and 5.9.2; cream and ketchup of Jensen, Marschner, Levoy,
+   Hanrahan 2001, A practical model for subsurface light transport (reduced scattering). The objects shrink or grow so
+   that the profile spans pixels. */
+typedef enum truth_substance { TRUTH_SKIN, TRUTH_MARBLE, TRUTH_CREAM, TRUTH_KETCHUP, TRUTH_SUBSTANCES } truth_substance;
 
 static inline void truth_material(scene_object object, truth_substance substance, float mu_s[3], float mu_a[3],
                                   float *mm_per_unit)
 {
-    static const float skin_s[3] = {0.74f, 0.88f, 1.01f}, skin_a[3] = {0.032f, 0.17f, 0.48f};
-    static const float marble_s[3] = {2.19f, 2.62f, 3.00f}, marble_a[3] = {0.0021f, 0.0041f, 0.0071f};
-    int skin = substance == TRUTH_SKIN, c;
+    static const float s[TRUTH_SUBSTANCES][3] = {
+        {0.74f, 0.88f, 1.01f}, {2.19f, 2.62f, 3.00f}, {7.38f, 5.47f, 3.15f}, {0.18f, 0.07f, 0.03f}};
+    static const float a[TRUTH_SUBSTANCES][3] = {
+        {0.032f, 0.17f, 0.48f}, {0.0021f, 0.0041f, 0.0071f}, {0.0002f, 0.0028f, 0.0163f}, {0.061f, 0.97f, 1.45f}};
+    static const float scale[3][TRUTH_SUBSTANCES] = {
+        {0.25f, 0.8f, 0.8f, 0.4f}, {0.25f, 0.6f, 0.6f, 0.4f}, {1, 1, 1, 1}};
+    int c;
     for (c = 0; c < 3; ++c) {
-        mu_s[c] = skin ? skin_s[c] : marble_s[c];
-        mu_a[c] = skin ? skin_a[c] : marble_a[c];
+        mu_s[c] = s[substance][c];
+        mu_a[c] = a[substance][c];
     }
-    *mm_per_unit = skin ? 0.25f : object == SCENE_BUST ? 0.8f : 0.6f;
+    *mm_per_unit = scale[object][substance];
 }
 
-/* One lamp, the key; samples: walks a pixel and estimate. 0: something failed (message in *problem). */
-static inline int truth_make(truth *t, scene_object object, truth_substance substance, int width, int height, int samples,
-                             const char **problem)
+/* Lamps: the scene's key; one at right angle to the view, white; the scene's rim light. */
+static inline void truth_lights(scene_object object, const scene_camera *camera, scene_light light[TRUTH_LAMPS])
 {
-    float mu_s[3], mu_a[3], scene_mu_s[3], scene_mu_a[3];
+    scene_light all[SCENE_LIGHTS];
+    float reach = object == SCENE_BUST ? 650.0f : 270.0f;
+    int c;
+    scene_lights(object, all);
+    light[TRUTH_FRONT] = all[0];
+    light[TRUTH_SIDE].position = scene_add(scene_mul(camera->right, reach), scene_mul(camera->up, 0.2f * reach));
+    light[TRUTH_SIDE].radius = 0.08f * reach;
+    for (c = 0; c < 3; ++c) light[TRUTH_SIDE].power[c] = 3;
+    light[TRUTH_BEHIND] = all[1];
+}
+
+/* The flat profile of the walk, from rings. */
+static inline ms_status truth_profile(const float mu_s[3], const float mu_a[3], int walks, ms_sss_profile **profile)
+{
     double edge[TRUTH_RINGS + 1], energy[TRUTH_RINGS], *value[3];
-    scene_light light[SCENE_LIGHTS];
     const double *rings[3];
     ms_status status;
-    int c, i, k;
-    memset(t, 0, sizeof *t);
-    t->width = width;
-    t->height = height;
-    t->camera = scene_camera_of(object);
-    truth_material(object, substance, mu_s, mu_a, &t->mm_per_unit);
-    scene_lights(object, light);
-    *problem = "the mesh could not be made";
-    if (!mesh_make(&t->m, object, object == SCENE_BUST ? 2.5f : 1.0f)) return 0;
-    *problem = "Embree could not build the scene";
-    t->t = trace_create(&t->m, light, 1);
-    if (t->t == NULL || !trace_primary(t->t, &t->camera, width, height, &t->layers)) return 0;
-    t->irradiance = image_new(width, height, 3);
-    t->unfiltered = image_new(width, height, 3);
-    trace_irradiance(t->t, &t->layers, 64, 1, &t->irradiance);
-    for (c = 0; c < 3; ++c) { /* the scene's unit is not 1 mm */
-        scene_mu_s[c] = mu_s[c] * t->mm_per_unit;
-        scene_mu_a[c] = mu_a[c] * t->mm_per_unit;
-    }
-    for (k = 0; k < 2; ++k) {
-        t->half[k] = image_new(width, height, 3);
-        trace_subsurface(t->t, &t->layers, scene_mu_s, scene_mu_a, samples, 2 + (uint32_t)k, &t->half[k]);
-    }
-
+    int c, i;
     edge[0] = 0;
     for (i = 1; i <= TRUTH_RINGS; ++i) edge[i] = 0.01 * pow(1e4, (i - 1) / (TRUTH_RINGS - 1.0)); /* 10 um to 100 mm */
     for (c = 0; c < 3; ++c) {
         rings[c] = value[c] = (double *)malloc(TRUTH_RINGS * sizeof(double));
         if (value[c] == NULL) abort();
-        trace_flat_profile(mu_s[c], mu_a[c], edge + 1, TRUTH_RINGS, 1 << 18, 4, energy);
+        trace_flat_profile(mu_s[c], mu_a[c], edge + 1, TRUTH_RINGS, walks, 4, energy);
         for (i = 0; i < TRUTH_RINGS; ++i)
             value[c][i] = (energy[i] - (i ? energy[i - 1] : 0)) /
                           (3.14159265358979 * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]));
     }
-    *problem = "the flat profile was refused";
-    status = ms_sss_profile_from_rings(&t->profile, TRUTH_RINGS, edge, rings, 1, NULL, NULL);
+    status = ms_sss_profile_from_rings(profile, TRUTH_RINGS, edge, rings, 1, NULL, NULL);
     for (c = 0; c < 3; ++c) free(value[c]);
-    if (status != MS_OK) return 0;
+    return status;
+}
+
+/* Pictures of floats that took long to make, kept in a file: 1 where they were read. */
+static inline int truth__cached(const char *path, int write, int width, int height, int walks, truth_lamp lamp[TRUTH_LAMPS])
+{
+    FILE *f = path ? fopen(path, write ? "wb" : "rb") : NULL;
+    int head[4] = {0, 0, 0, 0}, want[4], k, h, ok;
+    size_t count = 3 * (size_t)width * (size_t)height;
+    want[0] = 1;
+    want[1] = width;
+    want[2] = height;
+    want[3] = walks;
+    if (f == NULL) return 0;
+    ok = write ? fwrite(want, sizeof want, 1, f) == 1 : fread(head, sizeof head, 1, f) == 1 && memcmp(head, want, sizeof head) == 0;
+    for (k = 0; k < TRUTH_LAMPS; ++k)
+        for (h = 0; h < 2 && ok; ++h)
+            ok = count == (write ? fwrite(lamp[k].half[h].pixels, sizeof(float), count, f)
+                                 : fread(lamp[k].half[h].pixels, sizeof(float), count, f));
+    return (fclose(f) == 0) & ok;
+}
+
+/* What lies behind each pixel along the view, and along each lamp's light. */
+static inline int truth__hidden(truth *t)
+{
+    size_t n = (size_t)t->width * (size_t)t->height, i;
+    int k, c;
+    t->behind.width = t->width;
+    t->behind.height = t->height;
+    t->behind.position = (scene_vec *)calloc(n, sizeof(scene_vec));
+    t->behind.normal = (scene_vec *)calloc(n, sizeof(scene_vec));
+    t->behind.triangle = (int *)calloc(n, sizeof(int));
+    t->behind.depth = image_new(t->width, t->height, 1);
+    if (!t->behind.position || !t->behind.normal || !t->behind.triangle || !t->behind.depth.pixels) return 0;
+    for (i = 0; i < n; ++i) {
+        scene_vec ray = scene_normalize(scene_sub(t->layers.position[i], t->camera.eye));
+        trace_hit hit;
+        t->behind.triangle[i] = -1;
+        if (t->layers.triangle[i] < 0) continue;
+        hit = trace_nearest(t->t, scene_mad(ray, 10 * t->t->nudge, t->layers.position[i]), ray, 1e9f);
+        if (hit.triangle < 0) continue;
+        t->behind.triangle[i] = hit.triangle;
+        t->behind.position[i] = scene_mad(ray, hit.t + 10 * t->t->nudge, t->layers.position[i]);
+        t->behind.normal[i] = hit.normal;
+        t->behind.depth.pixels[i] = -scene_dot(scene_sub(t->behind.position[i], t->camera.eye), t->camera.back);
+    }
+    for (k = 0; k < t->t->lights; ++k) {
+        truth_lamp *l = &t->lamp[k];
+        const scene_light *light = &t->t->light[k];
+        l->entry = image_new(t->width, t->height, 3);
+        l->thickness = image_new(t->width, t->height, 1);
+        l->entry_normal = (scene_vec *)calloc(n, sizeof(scene_vec));
+        if (!l->entry.pixels || !l->thickness.pixels || !l->entry_normal) return 0;
+        for (i = 0; i < n; ++i) {
+            scene_vec to = scene_sub(t->layers.position[i], light->position), ray = scene_normalize(to);
+            trace_hit hit;
+            if (t->layers.triangle[i] < 0) continue;
+            hit = trace_nearest(t->t, light->position, ray, 1e9f);
+            if (hit.triangle < 0) continue;
+            l->thickness.pixels[i] = scene__max(0, scene_length(to) - hit.t - 0.01f) * t->mm_per_unit;
+            l->entry_normal[i] = hit.normal;
+            for (c = 0; c < 3; ++c)
+                l->entry.pixels[3 * i + (size_t)c] = light->power[c] * scene__max(0, -scene_dot(ray, hit.normal)) *
+                                                     scene_dot(light->position, light->position) / (hit.t * hit.t * 3.14159265f);
+        }
+        l->back = image_new(t->width, t->height, 3);
+        if (!l->back.pixels) return 0;
+        trace_irradiance(t->t, &t->behind, k, 16, 9, &l->back);
+    }
+    return 1;
+}
+
+/* The lamp in use; those that truth_make was not asked for are dark. */
+static inline void truth_light(truth *t, int lamp) { t->lit = &t->lamp[lamp]; }
+
+/* All three lamps, or with front_only the key alone. samples: walks a pixel and estimate. cache: a file that keeps the
+   walks' pictures from call to call, NULL: none. 0: something failed (message in *problem). */
+static inline int truth_make(truth *t, scene_object object, truth_substance substance, int width, int height, int samples,
+                             int front_only, const char *cache, const char **problem)
+{
+    float scene_mu_s[3], scene_mu_a[3];
+    scene_light light[TRUTH_LAMPS];
+    int c, i, k, h;
+    memset(t, 0, sizeof *t);
+    t->width = width;
+    t->height = height;
+    t->camera = scene_camera_of(object);
+    truth_light(t, TRUTH_FRONT);
+    truth_material(object, substance, t->mu_s, t->mu_a, &t->mm_per_unit);
+    truth_lights(object, &t->camera, light);
+    *problem = "the mesh could not be made";
+    if (!mesh_make(&t->m, object, object == SCENE_BUST ? 2.5f : object == SCENE_KNOT ? 1.0f : 0.7f)) return 0;
+    *problem = "Embree could not build the scene";
+    t->t = trace_create(&t->m, light, front_only ? 1 : TRUTH_LAMPS);
+    if (t->t == NULL || !trace_primary(t->t, &t->camera, width, height, &t->layers)) return 0;
+    for (k = 0; k < t->t->lights; ++k) {
+        t->lamp[k].irradiance = image_new(width, height, 3);
+        t->lamp[k].unfiltered = image_new(width, height, 3);
+        for (h = 0; h < 2; ++h) t->lamp[k].half[h] = image_new(width, height, 3);
+        trace_irradiance(t->t, &t->layers, k, 64, 1, &t->lamp[k].irradiance);
+    }
+    for (c = 0; c < 3; ++c) { /* the scene's unit is not 1 mm */
+        scene_mu_s[c] = t->mu_s[c] * t->mm_per_unit;
+        scene_mu_a[c] = t->mu_a[c] * t->mm_per_unit;
+    }
+    if (front_only || !truth__cached(cache, 0, width, height, samples, t->lamp)) {
+        for (h = 0; h < 2; ++h) {
+            image out[TRUTH_LAMPS];
+            for (k = 0; k < t->t->lights; ++k) out[k] = t->lamp[k].half[h];
+            trace_subsurface(t->t, &t->layers, scene_mu_s, scene_mu_a, samples, 2 + (uint32_t)h, out);
+        }
+        if (!front_only) truth__cached(cache, 1, width, height, samples, t->lamp);
+    }
+    *problem = "out of memory";
+    if (!truth__hidden(t)) return 0;
+    *problem = "the flat profile was refused";
+    if (truth_profile(t->mu_s, t->mu_a, 1 << 18, &t->profile) != MS_OK) return 0;
     ms_sss_profile_reflectance(t->profile, t->reflectance);
     {
         double radius[3];
@@ -108,13 +236,14 @@ static inline int truth_make(truth *t, scene_object object, truth_substance subs
         t->radius_px = t->radius_mm / (double)t->mm_per_unit * height /
                        (2 * (double)t->camera.tan_half_fov * (double)scene_length(t->camera.eye));
     }
-    for (i = 0; i < width * height; ++i) {
-        t->pixels += t->layers.triangle[i] >= 0;
-        for (c = 0; c < 3; ++c) {
-            t->unfiltered.pixels[3 * i + c] = t->irradiance.pixels[3 * i + c] * (float)t->reflectance[c];
-            t->peak = scene__max(t->peak, t->unfiltered.pixels[3 * i + c]);
-        }
-    }
+    for (i = 0; i < width * height; ++i) t->pixels += t->layers.triangle[i] >= 0;
+    for (k = 0; k < t->t->lights; ++k)
+        for (i = 0; i < width * height; ++i)
+            for (c = 0; c < 3; ++c) {
+                truth_lamp *l = &t->lamp[k];
+                l->unfiltered.pixels[3 * i + c] = l->irradiance.pixels[3 * i + c] * (float)t->reflectance[c];
+                if ((double)l->unfiltered.pixels[3 * i + c] > l->peak) l->peak = (double)l->unfiltered.pixels[3 * i + c];
+            }
     return 1;
 }
 
@@ -131,13 +260,13 @@ static inline truth_error truth_compare(const truth *t, const image *picture)
     int i, c;
     for (i = 0; i < t->width * t->height; ++i)
         for (c = 0; c < 3 && t->layers.triangle[i] >= 0; ++c) {
-            double f = (double)picture->pixels[3 * i + c], a = (double)t->half[0].pixels[3 * i + c],
-                   b = (double)t->half[1].pixels[3 * i + c];
+            double f = (double)picture->pixels[3 * i + c], a = (double)t->lit->half[0].pixels[3 * i + c],
+                   b = (double)t->lit->half[1].pixels[3 * i + c];
             error += (f - a) * (f - b);
             power += a * b;
         }
     e.relative = error > 0 ? sqrt(error / power) : 0;
-    e.psnr = -10 * log10(error / (3.0 * t->pixels * (double)t->peak * (double)t->peak));
+    e.psnr = -10 * log10(error / (3.0 * t->pixels * t->lit->peak * t->lit->peak));
     return e;
 }
 
@@ -154,7 +283,7 @@ static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel
     memset(&frame, 0, sizeof frame);
     frame.width = t->width;
     frame.height = t->height;
-    frame.input = ms_sss_interleaved(t->irradiance.pixels, 3, 0);
+    frame.input = ms_sss_interleaved(t->lit->irradiance.pixels, 3, 0);
     frame.output = ms_sss_interleaved(out->pixels, 3, 0);
     frame.depth = ms_sss_map(t->layers.depth.pixels, 1, 0); /* 0 beside the object: takes no part */
     options.fov_degrees = 2 * atanf(t->camera.tan_half_fov) * (180 / 3.14159265f);
@@ -220,7 +349,7 @@ static inline void truth_filter_2d(const truth *t, int in_space, image *out)
                     for (c = 0; c < 3; ++c) {
                         double w = weight * (disc[outer][c] - disc[inner][c]);
                         weights[c] += w;
-                        sum[c] += w * (double)t->irradiance.pixels[3 * q + c];
+                        sum[c] += w * (double)t->lit->irradiance.pixels[3 * q + c];
                     }
                 }
             for (c = 0; c < 3; ++c) out->pixels[3 * at + c] = (float)(t->reflectance[c] * sum[c] / weights[c]);
@@ -274,7 +403,7 @@ static inline const char *truth_save(const truth *t, const image *picture, const
     image shown = image_new(picture->width, picture->height, 3);
     const char *problem;
     size_t i;
-    for (i = 0; i < image_count(&shown); ++i) shown.pixels[i] = scene_tone(picture->pixels[i] * 1.2f / t->peak);
+    for (i = 0; i < image_count(&shown); ++i) shown.pixels[i] = scene_tone(picture->pixels[i] * 1.2f / (float)t->lit->peak);
     image_to_srgb(&shown);
     problem = image_write(path, &shown);
     image_free(&shown);
