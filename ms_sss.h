@@ -513,11 +513,14 @@ typedef struct ms_sss_frame {
     ms_sss_image specular;   /* optional RGB: added to the output, never filtered */
     const uint8_t *profile;  /* optional: index of each pixel's kernel; an index without a kernel: another material */
     ptrdiff_t profile_pixel_stride, profile_row_stride; /* in elements; 0: 1, and tightly packed */
+    ms_sss_image normal;     /* optional: the surface's normals, without bump maps, of any length, in view space: x to the right, y as
+                                rows grow, z towards the camera; none: from depth, see `flat` */
 } ms_sss_frame;
 
 /* How a tap whose surface lies dz in front of or behind the pixel counts. */
 typedef enum ms_sss_depth_mode {
-    MS_SSS_DEPTH_AWARE = 0,  /* weight * exp(-dz^2 / (2 sigma^2)), 0 beyond the kernel's radius; the rest is renormalised */
+    MS_SSS_DEPTH_AWARE = 0,  /* weight * exp(-dz^2 / (2 sigma^2)), dz from the tangent plane (see `flat`), 0 where the depths differ
+                                by more than the kernel's radius; the rest is renormalised */
     MS_SSS_DEPTH_FOLLOW = 1, /* older engines: the tap's colour fades to the pixel's own over follow_mm */
     MS_SSS_DEPTH_SCALE = 2   /* depth sets the kernel's size in pixels only; light leaks across silhouettes */
 } ms_sss_depth_mode;
@@ -538,7 +541,7 @@ typedef struct ms_sss_filter_options {
     float mm_per_unit;       /* millimetres in a scene unit; 0: 1 (the scene is in mm) */
     int uv_steps;            /* 0: square pixels, kernel round; 1: older engines' steps in uv, wider by width / height along x */
     ms_sss_depth_mode depth_mode;
-    float depth_sigma_mm;    /* sigma of MS_SSS_DEPTH_AWARE; 0: 0.12 times the profile's 99% radius */
+    float depth_sigma_mm;    /* sigma of MS_SSS_DEPTH_AWARE; 0: the profile's 99% radius times 0.25 (flat 1: 0.12, between: between) */
     float follow_mm;         /* of MS_SSS_DEPTH_FOLLOW: |dz| at which nothing of the tap is left; 0: the kernel's radius */
     ms_sss_albedo_mode albedo_mode;
     float fade;              /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
@@ -547,12 +550,14 @@ typedef struct ms_sss_filter_options {
                                 error gets no lower: noise hides structure */
     ms_simd simd;            /* cap of the instruction set */
     ms_parallel parallel;
+    float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
+                                1: not at all, as if every pixel faced the camera; between: slopes are that much less */
 } ms_sss_filter_options;
 
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
-/* Bytes that ms_sss_filter needs for frames of this size: about 20 a pixel, 12 more with kernels of several terms, 12 more
-   with rotation or jitter. Depends on width, height, kernels and options only; SIZE_MAX: more than this machine can address. */
+/* Bytes that ms_sss_filter needs for frames of this size: about 50 a pixel (flat 1: 20), 12 more with kernels of several terms,
+   12 more with rotation or jitter. Depends on width, height, kernels and options only; SIZE_MAX: more than this machine can address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                           const ms_sss_filter_options *options);
 
@@ -566,8 +571,14 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    - Pixels take no part, and are returned as they are (times albedo, plus specular), where a channel is not finite, the
      depth is not finite or not positive, the strength is 0 or NaN, or the profile has no kernel. Their colour never
      reaches another pixel. Nor does light cross between profiles.
-   - What of a kernel falls outside the picture or on such pixels is made up for by the rest: a constant stays constant
-     within 1e-6. A kernel whose terms have weights of both signs gives what is missing to the pixel's own colour instead.
+   - Slope (see `flat`): taps are spaced on the surface's tangent plane, and depth counts against it, so that a plane is
+     filtered alike at any tilt up to 83 degrees. Exact about the screen's axes; diagonal tilts shear the kernel.
+   - Elevation (see ELEVATION): with sin(theta) = half the angle that the normals turn along the axis. The factor is at most
+     reflectance^(-1/2) a pass: reflectance times output is never above the brightest input.
+     Slopes and normals are those of depth, one-sided differences where an edge or crease is on the other side; 0 where edges are
+     on both. Half-precision depth is too coarse for that: give normals, or set flat to 1.
+   - What of a kernel falls outside the picture or on such pixels is made up for by the rest: on planes, and everywhere with
+     flat 1, a constant stays constant within 1e-6 and what the rounding of depth does to slopes. A kernel whose terms have weights of both signs gives what is missing to the pixel's own colour instead.
    - Where the kernel's radius is under half a pixel, and where strength is 0, the input is returned bit for bit (without
      albedo and specular). A radius above the larger side of the picture is reduced to it.
    - Depth edges wider than the kernel's radius let nothing through.
@@ -3324,6 +3335,13 @@ typedef struct ms_sss__pass {
     int perspective, follow, second;
     float cut; /* dz^2 from which on nothing counts */
     const float (*direction)[2];
+    /* With slopes: depths are taken against the tangent plane, and light that enters where the normal is tilted away counts more. */
+    const float *slope[2], *tilt[2]; /* planes as colour's; tilt: angle of the normal to the view axis, times its direction */
+    float focal[2];     /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the farther pixel */
+    float reach;        /* dz^2 of the kernel's radius */
+    float upright;      /* 1 - flat */
+    float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
+    float curve[3], most[3];  /* K / 8 and the bound of 1 + K sin(theta) / 4 */
 } ms_sss__pass;
 
 /* A row of a pyramid level, even and odd columns apart: colour, depth, share of the area that takes part. */
@@ -3352,6 +3370,11 @@ typedef struct ms_sss__kernels {
     void (*taps_x)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
     void (*taps_y)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
     void (*taps_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
+    void (*shaped_x)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
+    void (*shaped_y)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
+    void (*shaped_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
+    void (*shape)(const ms_sss__pass *p, const float *const depth[3], const float *const normal[3], int y, int begin, int end,
+                  float *const slope[2], float *const tilt[2]);
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
@@ -3603,12 +3626,13 @@ typedef struct ms_sss__job {
     int block, padded; /* padded: width in whole blocks */
     int begin, end, band; /* rows of the run at hand, rows a task */
     int ring;             /* rows of the planes between the passes; row y lies at y % ring */
-    int fixed, turned, idle;        /* idle: a kernel under half a pixel */
+    int fixed, turned, shaped, idle; /* idle: a kernel under half a pixel */
+    int whole_first;      /* turned or shaped: all rows are prepared before the passes */
     ptrdiff_t stride;
     float depth_scale, gain;
     int unwritten;        /* pixels that take no part still have to be copied to the output */
     int raw;              /* and their elements can be copied as they are */
-    float *middle[3], *source[3], *depth, *sum[3], *rows;
+    float *middle[3], *source[3], *depth, *sum[3], *slope[2], *tilt[2], *rows;
     float *fresh; /* a row of depths where all pixels take part */
     int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
     int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
@@ -3763,8 +3787,8 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
         low = first + job->taps[0].lowest;
         high = last + job->taps[0].highest + 16;
     }
-    if (job->turned || low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
-    if (job->turned || high > job->padded + MS_SSS__RIGHT) high = job->padded + MS_SSS__RIGHT;
+    if (job->whole_first || low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
+    if (job->whole_first || high > job->padded + MS_SSS__RIGHT) high = job->padded + MS_SSS__RIGHT;
     for (c = 0; c < 3; ++c) {
         for (x = low; x < first; ++x) colour[c][x] = 0;
         for (x = last; x < high; ++x) colour[c][x] = 0;
@@ -3825,24 +3849,33 @@ static void ms_sss__first_pass(void *context, int task)
     int y, x, c, j;
     for (c = 0; c < 3; ++c) {
         in[c] = colour[c] = ms_sss__buffer(job, task, c);
-        pass.colour[c] = job->turned ? job->source[c] : colour[c];
+        pass.colour[c] = job->whole_first ? job->source[c] : colour[c];
     }
-    pass.depth = job->turned ? job->depth : depth;
-    for (c = 0; c < 3 && !job->turned; ++c) ms_sss__clear(job, colour[c], 0.0f);
+    pass.depth = job->whole_first ? job->depth : depth;
+    for (c = 0; c < 3 && !job->whole_first; ++c) ms_sss__clear(job, colour[c], 0.0f);
     for (y = begin; y < end; ++y) {
         const ptrdiff_t row = ms_sss__ring(job, y);
         int first, last, a, b; /* [a, b): all taps are inside and take part */
-        if (!job->turned) ms_sss__prepare(job, y, task, colour, depth);
+        if (!job->whole_first) ms_sss__prepare(job, y, task, colour, depth);
         first = job->first[y];
         last = job->last[y];
         if (first == last) continue;
         for (c = 0; c < 3; ++c) out[c] = job->middle[c] + row;
-        if (!job->turned && !(job->fixed && ms_sss__solid(job, y, first, last)))
+        if (!job->whole_first && !(job->fixed && ms_sss__solid(job, y, first, last)))
             memcpy(job->depth + row + first, depth + first, (size_t)(last - first) * sizeof(float));
         if (!job->fixed) {
             for (c = 0; c < 3; ++c) out[c] += first;
-            if (job->turned) job->simd->taps_turned(&pass, y, first, last, out);
-            else job->simd->taps_x(&pass, y, first, last, out);
+            if (job->turned) (job->shaped ? job->simd->shaped_turned : job->simd->taps_turned)(&pass, y, first, last, out);
+            else if (!job->shaped) job->simd->taps_x(&pass, y, first, last, out);
+            else {
+                for (c = 0; c < 3; ++c) pass.colour[c] = job->source[c] + row;
+                for (c = 0; c < 2; ++c) {
+                    pass.slope[c] = job->slope[c] + row;
+                    pass.tilt[c] = job->tilt[c] + row;
+                }
+                pass.depth = job->depth + row;
+                job->simd->shaped_x(&pass, y, first, last, out);
+            }
             continue;
         }
         a = ms_sss__round_up(job->solid_first[y] - f->lowest, 16);
@@ -3992,14 +4025,14 @@ static void ms_sss__second_pass(void *context, int task)
             for (c = 0; c < 3; ++c)
                 to[c] = direct ? (float *)image->channel[c] + y * image->row_stride + first : ms_sss__buffer(job, task, c);
             if (job->fixed) ms_sss__fixed_row(job, y, to);
-            else if (job->turned) job->simd->taps_turned(&pass, y, first, last, to);
-            else job->simd->taps_y(&pass, y, first, last, to);
+            else if (job->turned) (job->shaped ? job->simd->shaped_turned : job->simd->taps_turned)(&pass, y, first, last, to);
+            else (job->shaped ? job->simd->shaped_y : job->simd->taps_y)(&pass, y, first, last, to);
             if (!direct) ms_sss__finish(job, task, y, first, last - first, to, 0);
         }
     }
 }
 
-/* Turned axes read rows above and below in the first pass too: all rows are prepared before it. */
+/* Turned axes and slopes need rows above and below in the first pass too: all rows are prepared before it. */
 static void ms_sss__prepare_band(void *context, int task)
 {
     const ms_sss__job *job = (const ms_sss__job *)context;
@@ -4016,6 +4049,37 @@ static void ms_sss__prepare_band(void *context, int task)
     }
 }
 
+/* Slopes and tilts of the prepared rows. */
+static void ms_sss__shape_band(void *context, int task)
+{
+    const ms_sss__job *job = (const ms_sss__job *)context;
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    int y, i;
+    for (y = begin; y < end; ++y) {
+        const int first = job->first[y], last = job->last[y];
+        const ptrdiff_t row = (ptrdiff_t)y * job->stride;
+        const float *depth[3], *normal[3];
+        float *slope[2], *tilt[2], *buffer[3];
+        for (i = 0; i < 2; ++i) {
+            slope[i] = job->slope[i] + row;
+            tilt[i] = job->tilt[i] + row;
+            ms_sss__clear(job, slope[i], 0.0f);
+            ms_sss__clear(job, tilt[i], 0.0f);
+        }
+        for (i = 0; i < 3; ++i) {
+            depth[i] = job->depth + row + (i - 1) * job->stride;
+            buffer[i] = ms_sss__buffer(job, task, i);
+        }
+        if (first == last) continue;
+        if (job->frame.normal.channel[0]) {
+            ms_sss__load(&job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
+            for (i = 0; i < 3; ++i) normal[i] -= first;
+        }
+        job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope, tilt);
+    }
+}
+
 /* --- one call --- */
 
 /* Floats of the parts of the workspace, in the order in which they lie there. */
@@ -4023,6 +4087,9 @@ typedef struct ms_sss__layout {
     int padded, block, planes;
     size_t stride, plane, total; /* total: bytes; SIZE_MAX: too many */
 } ms_sss__layout;
+
+/* Slopes count, if there is depth. */
+static int ms_sss__may_shape(const ms_sss_filter_options *o) { return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE; }
 
 static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                    const ms_sss_filter_options *options)
@@ -4037,7 +4104,8 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
     l.plane = ms__size_mul(l.stride, (size_t)height + 2); /* an empty row above and below */
     l.planes = 4;
-    if (ms_sss__differ(options->rotation, 0) || options->jitter > 0) l.planes += 3;
+    if (ms_sss__differ(options->rotation, 0) || options->jitter > 0 || ms_sss__may_shape(options)) l.planes += 3;
+    if (ms_sss__may_shape(options)) l.planes += 4;
     if (terms > 1) l.planes += 3;
     floats = ms__size_mul(l.plane, (size_t)l.planes);
     floats = ms__size_add(floats, ms__size_mul(l.stride, (size_t)MS_SSS__TASKS * MS_SSS__ROWS + 1));
@@ -4156,6 +4224,7 @@ static ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error 
     if (ms_sss__differ(o->follow_mm, 0) && !ms_sss__positive(o->follow_mm))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "follow_mm %g is not positive", (double)o->follow_mm);
     if (!(o->fade >= 0 && o->fade <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fade %g is not within [0, 1]", (double)o->fade);
+    if (!(o->flat >= 0 && o->flat <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "flat %g is not within [0, 1]", (double)o->flat);
     if (!(o->jitter >= 0 && o->jitter <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "jitter %g is not within [0, 1]", (double)o->jitter);
     if (!ms__finite_f(o->rotation)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rotation is not finite");
     if ((int)o->depth_mode < 0 || (int)o->depth_mode > (int)MS_SSS_DEPTH_SCALE)
@@ -4173,6 +4242,7 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1, radius = (double)k->radius_mm;
     double size, widest, kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: differences so small that they count as none */
     ms_sss__pass *p = &job->pass;
+    int c;
     job->kernel = k;
     job->profile = profile;
     p->aspect[0] = p->aspect[1] = 1.0f;
@@ -4191,15 +4261,28 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
         kappa = mm / (o->follow_mm > 0 ? (double)o->follow_mm : radius);
     } else if (o->depth_mode == MS_SSS_DEPTH_AWARE) { /* exp(-(mm dz)^2 / (2 sigma^2)) = 2^-(kappa dz)^2 */
         const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
-        const double unit = 0.84932180028801904 / (o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : 0.12 * extent);
+        const double part = job->shaped ? 0.12 + 0.13 * (1 - (double)o->flat) : 0.12;
+        const double unit = 0.84932180028801904 / (o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : part * extent);
         kappa = mm * unit;
-        p->cut = (float)(radius * unit * radius * unit < 120 ? radius * unit * radius * unit : 120);
+        p->reach = (float)(radius * unit * radius * unit);
+        p->cut = p->reach < 120 && !job->shaped ? p->reach : 120;
     }
     job->depth_scale = (float)kappa;
     widest = (double)(p->aspect[0] > p->aspect[1] ? p->aspect[0] : p->aspect[1]);
     p->size_min = (float)(0.5 / (radius * widest));
     p->size_max = (float)(side / radius);
     job->idle = !p->perspective && size <= (double)p->size_min;
+    p->upright = 1 - o->flat;
+    p->focal[0] = (float)(p->perspective ? size * mm : size * mm / kappa);
+    p->focal[1] = p->focal[0] * (o->pixels_per_mm[0] > 0 ? p->aspect[1] : 1.0f);
+    p->tangent = p->perspective ? 1 / p->focal[0] : 0;
+    p->middle[0] = 0.5f * (float)width;
+    p->middle[1] = 0.5f * (float)height;
+    for (c = 0; c < 3; ++c) { /* 1 + K sin(theta) / 4 to the fourth, at most 1 / reflectance after both passes */
+        p->curve[c] = k->elevation_axis[c] / 8;
+        p->most[c] = k->reflectance[c] > 0 ? (float)pow((double)k->reflectance[c], -0.125) : 1e8f;
+        if (p->most[c] < 1) p->most[c] = 1;
+    }
     if (p->perspective) size *= kappa;
     else if (size > (double)p->size_max) size = (double)p->size_max;
     p->size = (float)size;
@@ -4343,7 +4426,8 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         (status = ms_sss__check_image(&f->depth, "depth", 1, options->fov_degrees > 0, w, h, error)) != MS_OK ||
         (status = ms_sss__check_image(&f->strength, "strength", 1, 0, w, h, error)) != MS_OK ||
         (status = ms_sss__check_image(&f->albedo, "albedo", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->specular, "specular", 3, 0, w, h, error)) != MS_OK)
+        (status = ms_sss__check_image(&f->specular, "specular", 3, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->normal, "normal", 3, 0, w, h, error)) != MS_OK)
         return status;
     if (f->profile_pixel_stride == 0) f->profile_pixel_stride = 1;
     if (f->profile_row_stride == 0) f->profile_row_stride = f->profile_pixel_stride * w;
@@ -4359,6 +4443,8 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     job->ring = h;
     job->gain = 1.0f - options->fade;
     job->turned = ms_sss__differ(options->rotation, 0) || options->jitter > 0;
+    job->shaped = f->depth.channel[0] != NULL && ms_sss__may_shape(options);
+    job->whole_first = job->turned || job->shaped;
     job->raw = !f->albedo.channel[0] && !f->specular.channel[0] && f->input.half == f->output.half;
     job->unwritten = !job->raw || f->input.pixel_stride != f->output.pixel_stride || f->input.row_stride != f->output.row_stride;
     for (c = 0; c < 3; ++c)
@@ -4369,8 +4455,10 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         float *plane = at + layout.stride + MS_SSS__LEFT;
         if (i < 3) job->middle[i] = plane;
         else if (i == 3) job->depth = plane;
-        else if (job->turned && i < 7) job->source[i - 4] = plane;
-        else job->sum[(i - 4) % 3] = plane;
+        else if (i < 7 && i < layout.planes) job->source[i - 4] = plane;
+        if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
+        if (ms_sss__may_shape(options) && i >= 7 && i < 9) job->slope[i - 7] = plane;
+        if (ms_sss__may_shape(options) && i >= 9 && i < 11) job->tilt[i - 9] = plane;
         ms_sss__clear(job, plane - layout.stride, i == 3 ? INFINITY : 0.0f);
         ms_sss__clear(job, plane + layout.stride * (size_t)h, i == 3 ? INFINITY : 0.0f);
         at += layout.plane;
@@ -4391,6 +4479,10 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
         job->direction[i][0] = (float)cos(angle);
         job->direction[i][1] = (float)sin(angle);
+    }
+    for (c = 0; c < 2; ++c) {
+        job->pass.slope[c] = job->slope[c];
+        job->pass.tilt[c] = job->tilt[c];
     }
     job->pass.stride = job->stride;
     job->pass.width = w;
@@ -4422,7 +4514,8 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
         if (!(job.gain > 0)) job.idle = 1;
         for (term = 0; term < (job.idle ? 1 : kernels[i].term_count); ++term) {
             ms_sss__set_term(&job, term);
-            if (job.turned && term == 0) ms_sss__run(&job, 0, frame->height, ms_sss__prepare_band);
+            if (job.whole_first && term == 0) ms_sss__run(&job, 0, frame->height, ms_sss__prepare_band);
+            if (job.shaped && !job.idle && term == 0) ms_sss__run(&job, 0, frame->height, ms_sss__shape_band);
             ms_sss__both_passes(&job);
         }
     }
@@ -4842,6 +4935,7 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
     if (job->turned || options->uv_steps || options->depth_mode == MS_SSS_DEPTH_FOLLOW || frame->profile ||
         (options->pixels_per_mm[1] > 0 && ms_sss__differ(options->pixels_per_mm[0], options->pixels_per_mm[1])))
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW");
+    job->shaped = 0;
     ms_sss__tower_plan(&tower, frame->width, frame->height, &floats);
     at = (float *)(((uintptr_t)at + 63) & ~(uintptr_t)63);
     at += ms_sss__tower_levels(&tower, frame->width, frame->height, at);
@@ -5594,160 +5688,170 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
 
 #if MS_SSS__LANES == 16
-#define V __m512
-#define V_MASK __mmask16
-#define V_LOAD(p) _mm512_loadu_ps(p)
-#define V_STORE(p, a) _mm512_storeu_ps(p, a)
-#define V_SET(s) _mm512_set1_ps(s)
-#define V_ADD(a, b) _mm512_add_ps(a, b)
-#define V_SUB(a, b) _mm512_sub_ps(a, b)
-#define V_MUL(a, b) _mm512_mul_ps(a, b)
-#define V_DIV(a, b) _mm512_div_ps(a, b)
-#define V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define V_MIN(a, b) _mm512_maskz_min_ps(0xffff, a, b) /* maskz: GCC 12 warns about the plain ones in C++ */
-#define V_ABS(a) _mm512_abs_ps(a)
-#define V_FLOOR(a) _mm512_floor_ps(a)
-#define V_TRUNC(a) _mm512_floor_ps(a)
-#define V_SCALE(a, n) _mm512_maskz_scalef_ps(0xffff, a, _mm512_sub_ps(_mm512_setzero_ps(), n))
-#define V_LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
-#define V_SAME(a, b) _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ)
-#define V_BOTH(m, n) ((__mmask16)((m) & (n)))
-#define V_SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
-#define V_BITS(m) ((unsigned)(m))
-#define V_ZIP_LOW(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
-#define V_ZIP_HIGH(a, b) \
+#define MS_SSS__V __m512
+#define MS_SSS__MASK __mmask16
+#define MS_SSS__LOAD(p) _mm512_loadu_ps(p)
+#define MS_SSS__STORE(p, a) _mm512_storeu_ps(p, a)
+#define MS_SSS__SET(s) _mm512_set1_ps(s)
+#define MS_SSS__ADD(a, b) _mm512_add_ps(a, b)
+#define MS_SSS__SUB(a, b) _mm512_sub_ps(a, b)
+#define MS_SSS__MUL(a, b) _mm512_mul_ps(a, b)
+#define MS_SSS__DIV(a, b) _mm512_div_ps(a, b)
+#define MS_SSS__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define MS_SSS__MIN(a, b) _mm512_maskz_min_ps(0xffff, a, b) /* maskz: GCC 12 warns about the plain ones in C++ */
+#define MS_SSS__MAX(a, b) _mm512_maskz_max_ps(0xffff, a, b)
+#define MS_SSS__SQRT(a) _mm512_maskz_sqrt_ps(0xffff, a)
+#define MS_SSS__ABS(a) _mm512_abs_ps(a)
+#define MS_SSS__FLOOR(a) _mm512_floor_ps(a)
+#define MS_SSS__TRUNC(a) _mm512_floor_ps(a)
+#define MS_SSS__SCALE(a, n) _mm512_maskz_scalef_ps(0xffff, a, _mm512_sub_ps(_mm512_setzero_ps(), n))
+#define MS_SSS__LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
+#define MS_SSS__SAME(a, b) _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ)
+#define MS_SSS__BOTH(m, n) ((__mmask16)((m) & (n)))
+#define MS_SSS__SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
+#define MS_SSS__BITS(m) ((unsigned)(m))
+#define MS_SSS__ZIP_LOW(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
+#define MS_SSS__ZIP_HIGH(a, b) \
     _mm512_permutex2var_ps(a, _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31), b)
-#define V_EVEN(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30), b)
-#define V_ODD(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31), b)
+#define MS_SSS__EVEN(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30), b)
+#define MS_SSS__ODD(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31), b)
 #elif MS_SSS__LANES == 8
-#define V __m256
-#define V_MASK __m256
-#define V_LOAD(p) _mm256_loadu_ps(p)
-#define V_STORE(p, a) _mm256_storeu_ps(p, a)
-#define V_SET(s) _mm256_set1_ps(s)
-#define V_ADD(a, b) _mm256_add_ps(a, b)
-#define V_SUB(a, b) _mm256_sub_ps(a, b)
-#define V_MUL(a, b) _mm256_mul_ps(a, b)
-#define V_DIV(a, b) _mm256_div_ps(a, b)
-#define V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define V_MIN(a, b) _mm256_min_ps(a, b)
-#define V_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
-#define V_FLOOR(a) _mm256_floor_ps(a)
-#define V_TRUNC(a) _mm256_floor_ps(a)
-#define V_SCALE(a, n) \
+#define MS_SSS__V __m256
+#define MS_SSS__MASK __m256
+#define MS_SSS__LOAD(p) _mm256_loadu_ps(p)
+#define MS_SSS__STORE(p, a) _mm256_storeu_ps(p, a)
+#define MS_SSS__SET(s) _mm256_set1_ps(s)
+#define MS_SSS__ADD(a, b) _mm256_add_ps(a, b)
+#define MS_SSS__SUB(a, b) _mm256_sub_ps(a, b)
+#define MS_SSS__MUL(a, b) _mm256_mul_ps(a, b)
+#define MS_SSS__DIV(a, b) _mm256_div_ps(a, b)
+#define MS_SSS__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define MS_SSS__MIN(a, b) _mm256_min_ps(a, b)
+#define MS_SSS__MAX(a, b) _mm256_max_ps(a, b)
+#define MS_SSS__SQRT(a) _mm256_sqrt_ps(a)
+#define MS_SSS__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
+#define MS_SSS__FLOOR(a) _mm256_floor_ps(a)
+#define MS_SSS__TRUNC(a) _mm256_floor_ps(a)
+#define MS_SSS__SCALE(a, n) \
     _mm256_castsi256_ps(_mm256_sub_epi32(_mm256_castps_si256(a), _mm256_slli_epi32(_mm256_cvttps_epi32(n), 23)))
-#define V_LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
-#define V_SAME(a, b) _mm256_cmp_ps(a, b, _CMP_EQ_OQ)
-#define V_BOTH(m, n) _mm256_and_ps(m, n)
-#define V_SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
-#define V_BITS(m) ((unsigned)_mm256_movemask_ps(m))
-#define V_ZIP_LOW(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x20)
-#define V_ZIP_HIGH(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x31)
-#define V_EVEN(a, b) _mm256_shuffle_ps(_mm256_permute2f128_ps(a, b, 0x20), _mm256_permute2f128_ps(a, b, 0x31), 0x88)
-#define V_ODD(a, b) _mm256_shuffle_ps(_mm256_permute2f128_ps(a, b, 0x20), _mm256_permute2f128_ps(a, b, 0x31), 0xdd)
+#define MS_SSS__LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
+#define MS_SSS__SAME(a, b) _mm256_cmp_ps(a, b, _CMP_EQ_OQ)
+#define MS_SSS__BOTH(m, n) _mm256_and_ps(m, n)
+#define MS_SSS__SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
+#define MS_SSS__BITS(m) ((unsigned)_mm256_movemask_ps(m))
+#define MS_SSS__ZIP_LOW(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x20)
+#define MS_SSS__ZIP_HIGH(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x31)
+#define MS_SSS__EVEN(a, b) _mm256_shuffle_ps(_mm256_permute2f128_ps(a, b, 0x20), _mm256_permute2f128_ps(a, b, 0x31), 0x88)
+#define MS_SSS__ODD(a, b) _mm256_shuffle_ps(_mm256_permute2f128_ps(a, b, 0x20), _mm256_permute2f128_ps(a, b, 0x31), 0xdd)
 #elif MS_SSS__LANES == 4 && defined(MS__X64)
-#define V __m128
-#define V_MASK __m128
-#define V_LOAD(p) _mm_loadu_ps(p)
-#define V_STORE(p, a) _mm_storeu_ps(p, a)
-#define V_SET(s) _mm_set1_ps(s)
-#define V_ADD(a, b) _mm_add_ps(a, b)
-#define V_SUB(a, b) _mm_sub_ps(a, b)
-#define V_MUL(a, b) _mm_mul_ps(a, b)
-#define V_DIV(a, b) _mm_div_ps(a, b)
-#define V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
-#define V_MIN(a, b) _mm_min_ps(a, b)
-#define V_ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
-#define V_FLOOR(a) ms_sss__floor_sse2(a)
-#define V_TRUNC(a) _mm_cvtepi32_ps(_mm_cvttps_epi32(a))
-#define V_SCALE(a, n) _mm_castsi128_ps(_mm_sub_epi32(_mm_castps_si128(a), _mm_slli_epi32(_mm_cvttps_epi32(n), 23)))
-#define V_LESS(a, b) _mm_cmplt_ps(a, b)
-#define V_SAME(a, b) _mm_cmpeq_ps(a, b)
-#define V_BOTH(m, n) _mm_and_ps(m, n)
-#define V_SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
-#define V_BITS(m) ((unsigned)_mm_movemask_ps(m))
-#define V_ZIP_LOW(a, b) _mm_unpacklo_ps(a, b)
-#define V_ZIP_HIGH(a, b) _mm_unpackhi_ps(a, b)
-#define V_EVEN(a, b) _mm_shuffle_ps(a, b, 0x88)
-#define V_ODD(a, b) _mm_shuffle_ps(a, b, 0xdd)
+#define MS_SSS__V __m128
+#define MS_SSS__MASK __m128
+#define MS_SSS__LOAD(p) _mm_loadu_ps(p)
+#define MS_SSS__STORE(p, a) _mm_storeu_ps(p, a)
+#define MS_SSS__SET(s) _mm_set1_ps(s)
+#define MS_SSS__ADD(a, b) _mm_add_ps(a, b)
+#define MS_SSS__SUB(a, b) _mm_sub_ps(a, b)
+#define MS_SSS__MUL(a, b) _mm_mul_ps(a, b)
+#define MS_SSS__DIV(a, b) _mm_div_ps(a, b)
+#define MS_SSS__MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define MS_SSS__MIN(a, b) _mm_min_ps(a, b)
+#define MS_SSS__MAX(a, b) _mm_max_ps(a, b)
+#define MS_SSS__SQRT(a) _mm_sqrt_ps(a)
+#define MS_SSS__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
+#define MS_SSS__FLOOR(a) ms_sss__floor_sse2(a)
+#define MS_SSS__TRUNC(a) _mm_cvtepi32_ps(_mm_cvttps_epi32(a))
+#define MS_SSS__SCALE(a, n) _mm_castsi128_ps(_mm_sub_epi32(_mm_castps_si128(a), _mm_slli_epi32(_mm_cvttps_epi32(n), 23)))
+#define MS_SSS__LESS(a, b) _mm_cmplt_ps(a, b)
+#define MS_SSS__SAME(a, b) _mm_cmpeq_ps(a, b)
+#define MS_SSS__BOTH(m, n) _mm_and_ps(m, n)
+#define MS_SSS__SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
+#define MS_SSS__BITS(m) ((unsigned)_mm_movemask_ps(m))
+#define MS_SSS__ZIP_LOW(a, b) _mm_unpacklo_ps(a, b)
+#define MS_SSS__ZIP_HIGH(a, b) _mm_unpackhi_ps(a, b)
+#define MS_SSS__EVEN(a, b) _mm_shuffle_ps(a, b, 0x88)
+#define MS_SSS__ODD(a, b) _mm_shuffle_ps(a, b, 0xdd)
 #elif MS_SSS__LANES == 4
-#define V float32x4_t
-#define V_MASK uint32x4_t
-#define V_LOAD(p) vld1q_f32(p)
-#define V_STORE(p, a) vst1q_f32(p, a)
-#define V_SET(s) vdupq_n_f32(s)
-#define V_ADD(a, b) vaddq_f32(a, b)
-#define V_SUB(a, b) vsubq_f32(a, b)
-#define V_MUL(a, b) vmulq_f32(a, b)
-#define V_DIV(a, b) vdivq_f32(a, b)
-#define V_MADD(a, b, c) vfmaq_f32(c, a, b)
-#define V_MIN(a, b) vminq_f32(a, b)
-#define V_ABS(a) vabsq_f32(a)
-#define V_FLOOR(a) vrndmq_f32(a)
-#define V_TRUNC(a) vrndq_f32(a)
-#define V_SCALE(a, n) \
+#define MS_SSS__V float32x4_t
+#define MS_SSS__MASK uint32x4_t
+#define MS_SSS__LOAD(p) vld1q_f32(p)
+#define MS_SSS__STORE(p, a) vst1q_f32(p, a)
+#define MS_SSS__SET(s) vdupq_n_f32(s)
+#define MS_SSS__ADD(a, b) vaddq_f32(a, b)
+#define MS_SSS__SUB(a, b) vsubq_f32(a, b)
+#define MS_SSS__MUL(a, b) vmulq_f32(a, b)
+#define MS_SSS__DIV(a, b) vdivq_f32(a, b)
+#define MS_SSS__MADD(a, b, c) vfmaq_f32(c, a, b)
+#define MS_SSS__MIN(a, b) vminq_f32(a, b)
+#define MS_SSS__MAX(a, b) vmaxq_f32(a, b)
+#define MS_SSS__SQRT(a) vsqrtq_f32(a)
+#define MS_SSS__ABS(a) vabsq_f32(a)
+#define MS_SSS__FLOOR(a) vrndmq_f32(a)
+#define MS_SSS__TRUNC(a) vrndq_f32(a)
+#define MS_SSS__SCALE(a, n) \
     vreinterpretq_f32_s32(vsubq_s32(vreinterpretq_s32_f32(a), vshlq_n_s32(vcvtq_s32_f32(n), 23)))
-#define V_LESS(a, b) vcltq_f32(a, b)
-#define V_SAME(a, b) vceqq_f32(a, b)
-#define V_BOTH(m, n) vandq_u32(m, n)
-#define V_SELECT(m, a, b) vbslq_f32(m, a, b)
-#define V_BITS(m) ms_sss__bits_neon(m)
-#define V_ZIP_LOW(a, b) vzip1q_f32(a, b)
-#define V_ZIP_HIGH(a, b) vzip2q_f32(a, b)
-#define V_EVEN(a, b) vuzp1q_f32(a, b)
-#define V_ODD(a, b) vuzp2q_f32(a, b)
+#define MS_SSS__LESS(a, b) vcltq_f32(a, b)
+#define MS_SSS__SAME(a, b) vceqq_f32(a, b)
+#define MS_SSS__BOTH(m, n) vandq_u32(m, n)
+#define MS_SSS__SELECT(m, a, b) vbslq_f32(m, a, b)
+#define MS_SSS__BITS(m) ms_sss__bits_neon(m)
+#define MS_SSS__ZIP_LOW(a, b) vzip1q_f32(a, b)
+#define MS_SSS__ZIP_HIGH(a, b) vzip2q_f32(a, b)
+#define MS_SSS__EVEN(a, b) vuzp1q_f32(a, b)
+#define MS_SSS__ODD(a, b) vuzp2q_f32(a, b)
 #else
-#define V float
-#define V_MASK int
-#define V_LOAD(p) (*(p))
-#define V_STORE(p, a) (*(p) = (a))
-#define V_SET(s) (s)
-#define V_ADD(a, b) ((a) + (b))
-#define V_SUB(a, b) ((a) - (b))
-#define V_MUL(a, b) ((a) * (b))
-#define V_DIV(a, b) ((a) / (b))
-#define V_MADD(a, b, c) ((a) * (b) + (c))
-#define V_MIN(a, b) ((a) < (b) ? (a) : (b))
-#define V_ABS(a) fabsf(a)
-#define V_FLOOR(a) ms_sss__floor(a)
-#define V_TRUNC(a) ((float)(int)(a))
-#define V_SCALE(a, n) ms_sss__scale(a, n)
-#define V_LESS(a, b) ((a) < (b))
-#define V_SAME(a, b) ((a) >= (b) && (a) <= (b))
-#define V_BOTH(m, n) ((m) & (n))
-#define V_SELECT(m, a, b) ((m) ? (a) : (b))
-#define V_BITS(m) ((unsigned)(m))
-#define V_ZIP_LOW(a, b) (a)
-#define V_ZIP_HIGH(a, b) (b)
-#define V_EVEN(a, b) (a)
-#define V_ODD(a, b) (b)
+#define MS_SSS__V float
+#define MS_SSS__MASK int
+#define MS_SSS__LOAD(p) (*(p))
+#define MS_SSS__STORE(p, a) (*(p) = (a))
+#define MS_SSS__SET(s) (s)
+#define MS_SSS__ADD(a, b) ((a) + (b))
+#define MS_SSS__SUB(a, b) ((a) - (b))
+#define MS_SSS__MUL(a, b) ((a) * (b))
+#define MS_SSS__DIV(a, b) ((a) / (b))
+#define MS_SSS__MADD(a, b, c) ((a) * (b) + (c))
+#define MS_SSS__MIN(a, b) ((a) < (b) ? (a) : (b))
+#define MS_SSS__MAX(a, b) ((a) > (b) ? (a) : (b))
+#define MS_SSS__SQRT(a) sqrtf(a)
+#define MS_SSS__ABS(a) fabsf(a)
+#define MS_SSS__FLOOR(a) ms_sss__floor(a)
+#define MS_SSS__TRUNC(a) ((float)(int)(a))
+#define MS_SSS__SCALE(a, n) ms_sss__scale(a, n)
+#define MS_SSS__LESS(a, b) ((a) < (b))
+#define MS_SSS__SAME(a, b) ((a) >= (b) && (a) <= (b))
+#define MS_SSS__BOTH(m, n) ((m) & (n))
+#define MS_SSS__SELECT(m, a, b) ((m) ? (a) : (b))
+#define MS_SSS__BITS(m) ((unsigned)(m))
+#define MS_SSS__ZIP_LOW(a, b) (a)
+#define MS_SSS__ZIP_HIGH(a, b) (b)
+#define MS_SSS__EVEN(a, b) (a)
+#define MS_SSS__ODD(a, b) (b)
 #endif
 
 /* 2^-q for 0 <= q < 126; relative error 2.5e-7. The polynomial is the minimax one of 2^-d on [0, 1] with 2^0 = 1. */
-static MS_SSS__INLINE V MS_SSS__NAME(exp2_minus)(V q)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(exp2_minus)(MS_SSS__V q)
 {
-    const V n = V_TRUNC(q), d = V_SUB(q, n), d2 = V_MUL(d, d); /* in pairs: a shorter chain than Horner's */
-    V p = V_MADD(V_MADD(V_SET(-9.4490301e-4f), d, V_SET(9.2057967e-3f)), d2, V_MADD(V_SET(-5.5297357e-2f), d, V_SET(2.4018014e-1f)));
-    p = V_MADD(p, d2, V_MADD(V_SET(-6.9314372e-1f), d, V_SET(1.0f)));
-    return V_SCALE(p, n);
+    const MS_SSS__V n = MS_SSS__TRUNC(q), d = MS_SSS__SUB(q, n), d2 = MS_SSS__MUL(d, d); /* in pairs: a shorter chain than Horner's */
+    MS_SSS__V p = MS_SSS__MADD(MS_SSS__MADD(MS_SSS__SET(-9.4490301e-4f), d, MS_SSS__SET(9.2057967e-3f)), d2, MS_SSS__MADD(MS_SSS__SET(-5.5297357e-2f), d, MS_SSS__SET(2.4018014e-1f)));
+    p = MS_SSS__MADD(p, d2, MS_SSS__MADD(MS_SSS__SET(-6.9314372e-1f), d, MS_SSS__SET(1.0f)));
+    return MS_SSS__SCALE(p, n);
 }
 
 /* Where before[i] is finite and value[i] > 0 depth[i] becomes scale * value[i], else INFINITY; before may be depth. span:
    from the first finite one to behind the last. Returns whether all of those values are at least 1. */
 static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const float *before, float *depth, int span[2])
 {
-    const V zero = V_SET(0.0f), one = V_SET(1.0f), infinity = V_SET(INFINITY);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
     unsigned partial = 0;
     int x;
     span[0] = span[1] = 0;
     for (x = 0; x < count; x += MS_SSS__LANES) {
-        V v = V_LOAD(value + x);
-        V_MASK part = V_BOTH(V_LESS(zero, v), V_LESS(V_LOAD(before + x), infinity));
-        V_STORE(depth + x, V_SELECT(part, V_MUL(v, V_SET(scale)), infinity));
-        if (!V_BITS(part)) continue;
-        partial |= V_BITS(V_BOTH(part, V_LESS(v, one)));
-        if (span[1] == 0) span[0] = x + ms_sss__lowest(V_BITS(part));
-        span[1] = x + ms_sss__highest(V_BITS(part)) + 1;
+        MS_SSS__V v = MS_SSS__LOAD(value + x);
+        MS_SSS__MASK part = MS_SSS__BOTH(MS_SSS__LESS(zero, v), MS_SSS__LESS(MS_SSS__LOAD(before + x), infinity));
+        MS_SSS__STORE(depth + x, MS_SSS__SELECT(part, MS_SSS__MUL(v, MS_SSS__SET(scale)), infinity));
+        if (!MS_SSS__BITS(part)) continue;
+        partial |= MS_SSS__BITS(MS_SSS__BOTH(part, MS_SSS__LESS(v, one)));
+        if (span[1] == 0) span[0] = x + ms_sss__lowest(MS_SSS__BITS(part));
+        span[1] = x + ms_sss__highest(MS_SSS__BITS(part)) + 1;
     }
     return !partial;
 }
@@ -5757,25 +5861,25 @@ static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const 
 static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
                                const float *before, float *depth, float *const colour[3])
 {
-    const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
     int x, all = 1;
     for (x = 0; x < count; x += MS_SSS__LANES) {
-        V r = V_LOAD(in[0] + x), g = V_LOAD(in[1] + x), b = V_LOAD(in[2] + x), z = V_LOAD(before + x);
-        V_MASK part = V_LESS(z, infinity);
+        MS_SSS__V r = MS_SSS__LOAD(in[0] + x), g = MS_SSS__LOAD(in[1] + x), b = MS_SSS__LOAD(in[2] + x), z = MS_SSS__LOAD(before + x);
+        MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
         const unsigned inside = ms_sss__lanes(end - x, MS_SSS__LANES) & ~ms_sss__lanes(begin - x, MS_SSS__LANES);
         if (albedo) {
-            r = V_MUL(r, V_LOAD(albedo[0] + x));
-            g = V_MUL(g, V_LOAD(albedo[1] + x));
-            b = V_MUL(b, V_LOAD(albedo[2] + x));
+            r = MS_SSS__MUL(r, MS_SSS__LOAD(albedo[0] + x));
+            g = MS_SSS__MUL(g, MS_SSS__LOAD(albedo[1] + x));
+            b = MS_SSS__MUL(b, MS_SSS__LOAD(albedo[2] + x));
         }
-        part = V_BOTH(part, V_LESS(V_ABS(r), infinity));
-        part = V_BOTH(part, V_LESS(V_ABS(g), infinity));
-        part = V_BOTH(part, V_LESS(V_ABS(b), infinity));
-        if ((V_BITS(part) & inside) != inside) all = 0;
-        V_STORE(colour[0] + x, V_SELECT(part, r, zero));
-        V_STORE(colour[1] + x, V_SELECT(part, g, zero));
-        V_STORE(colour[2] + x, V_SELECT(part, b, zero));
-        V_STORE(depth + x, V_SELECT(part, z, infinity));
+        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(r), infinity));
+        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(g), infinity));
+        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(b), infinity));
+        if ((MS_SSS__BITS(part) & inside) != inside) all = 0;
+        MS_SSS__STORE(colour[0] + x, MS_SSS__SELECT(part, r, zero));
+        MS_SSS__STORE(colour[1] + x, MS_SSS__SELECT(part, g, zero));
+        MS_SSS__STORE(colour[2] + x, MS_SSS__SELECT(part, b, zero));
+        MS_SSS__STORE(depth + x, MS_SSS__SELECT(part, z, infinity));
     }
     return all;
 }
@@ -5786,32 +5890,32 @@ static void MS_SSS__NAME(convolve)(const float *in, const ptrdiff_t *at, const f
 {
     int x = 0, j;
     for (; x + 4 * MS_SSS__LANES <= count; x += 4 * MS_SSS__LANES) {
-        V s0 = V_SET(0.0f), s1 = s0, s2 = s0, s3 = s0;
+        MS_SSS__V s0 = MS_SSS__SET(0.0f), s1 = s0, s2 = s0, s3 = s0;
         for (j = 0; j < taps; ++j) {
             const float *p = in + at[j] + x;
-            V w = V_SET(weight[j]);
-            s0 = V_MADD(w, V_LOAD(p), s0);
-            s1 = V_MADD(w, V_LOAD(p + MS_SSS__LANES), s1);
-            s2 = V_MADD(w, V_LOAD(p + 2 * MS_SSS__LANES), s2);
-            s3 = V_MADD(w, V_LOAD(p + 3 * MS_SSS__LANES), s3);
+            MS_SSS__V w = MS_SSS__SET(weight[j]);
+            s0 = MS_SSS__MADD(w, MS_SSS__LOAD(p), s0);
+            s1 = MS_SSS__MADD(w, MS_SSS__LOAD(p + MS_SSS__LANES), s1);
+            s2 = MS_SSS__MADD(w, MS_SSS__LOAD(p + 2 * MS_SSS__LANES), s2);
+            s3 = MS_SSS__MADD(w, MS_SSS__LOAD(p + 3 * MS_SSS__LANES), s3);
         }
-        V_STORE(out + x, s0);
-        V_STORE(out + x + MS_SSS__LANES, s1);
-        V_STORE(out + x + 2 * MS_SSS__LANES, s2);
-        V_STORE(out + x + 3 * MS_SSS__LANES, s3);
+        MS_SSS__STORE(out + x, s0);
+        MS_SSS__STORE(out + x + MS_SSS__LANES, s1);
+        MS_SSS__STORE(out + x + 2 * MS_SSS__LANES, s2);
+        MS_SSS__STORE(out + x + 3 * MS_SSS__LANES, s3);
     }
     for (; x < count; x += MS_SSS__LANES) {
-        V s = V_SET(0.0f);
-        for (j = 0; j < taps; ++j) s = V_MADD(V_SET(weight[j]), V_LOAD(in + at[j] + x), s);
-        V_STORE(out + x, s);
+        MS_SSS__V s = MS_SSS__SET(0.0f);
+        for (j = 0; j < taps; ++j) s = MS_SSS__MADD(MS_SSS__SET(weight[j]), MS_SSS__LOAD(in + at[j] + x), s);
+        MS_SSS__STORE(out + x, s);
     }
 }
 
 /* What a tap sum s with weights that add up to n stands for once the missing weight, total - n, is made up for. */
-static MS_SSS__INLINE V MS_SSS__NAME(restore)(V s, V n, V own, float total, int mixed)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(restore)(MS_SSS__V s, MS_SSS__V n, MS_SSS__V own, float total, int mixed)
 {
-    if (mixed) return V_MADD(own, V_SUB(V_SET(total), n), s);
-    return V_SELECT(V_LESS(V_SET(1e-30f), n), V_MUL(V_DIV(s, n), V_SET(total)), V_MUL(own, V_SET(total)));
+    if (mixed) return MS_SSS__MADD(own, MS_SSS__SUB(MS_SSS__SET(total), n), s);
+    return MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(1e-30f), n), MS_SSS__MUL(MS_SSS__DIV(s, n), MS_SSS__SET(total)), MS_SSS__MUL(own, MS_SSS__SET(total)));
 }
 
 /* The same for the three channels where only pixels that take part count and are written, the rest as 0. */
@@ -5819,80 +5923,112 @@ static void MS_SSS__NAME(convolve_valid)(const ms_sss__fixed *f, const float *co
                                          const float *const *depth, const int *tap, int taps, int count,
                                          const float *own_depth, float *const out[3])
 {
-    const V zero = V_SET(0.0f), one = V_SET(1.0f), infinity = V_SET(INFINITY);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
     int x, j;
     for (x = 0; x < count; x += MS_SSS__LANES) {
-        const V_MASK part = V_LESS(V_LOAD(own_depth + x), infinity);
-        V r = zero, g = zero, b = zero, nr = zero, ng = zero, nb = zero;
-        for (j = 0; j < taps && V_BITS(part); ++j) {
-            V v = V_SELECT(V_LESS(V_LOAD(depth[j] + x), infinity), one, zero);
-            V wr = V_SET(f->weight[0][tap[j]]), wg = V_SET(f->weight[1][tap[j]]), wb = V_SET(f->weight[2][tap[j]]);
-            r = V_MADD(wr, V_LOAD(in[0] + at[j] + x), r);
-            g = V_MADD(wg, V_LOAD(in[1] + at[j] + x), g);
-            b = V_MADD(wb, V_LOAD(in[2] + at[j] + x), b);
-            nr = V_MADD(wr, v, nr);
-            ng = V_MADD(wg, v, ng);
-            nb = V_MADD(wb, v, nb);
+        const MS_SSS__MASK part = MS_SSS__LESS(MS_SSS__LOAD(own_depth + x), infinity);
+        MS_SSS__V r = zero, g = zero, b = zero, nr = zero, ng = zero, nb = zero;
+        for (j = 0; j < taps && MS_SSS__BITS(part); ++j) {
+            MS_SSS__V v = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__LOAD(depth[j] + x), infinity), one, zero);
+            MS_SSS__V wr = MS_SSS__SET(f->weight[0][tap[j]]), wg = MS_SSS__SET(f->weight[1][tap[j]]), wb = MS_SSS__SET(f->weight[2][tap[j]]);
+            r = MS_SSS__MADD(wr, MS_SSS__LOAD(in[0] + at[j] + x), r);
+            g = MS_SSS__MADD(wg, MS_SSS__LOAD(in[1] + at[j] + x), g);
+            b = MS_SSS__MADD(wb, MS_SSS__LOAD(in[2] + at[j] + x), b);
+            nr = MS_SSS__MADD(wr, v, nr);
+            ng = MS_SSS__MADD(wg, v, ng);
+            nb = MS_SSS__MADD(wb, v, nb);
         }
-        r = MS_SSS__NAME(restore)(r, nr, V_LOAD(in[0] + x), f->total[0], f->mixed[0]);
-        g = MS_SSS__NAME(restore)(g, ng, V_LOAD(in[1] + x), f->total[1], f->mixed[1]);
-        b = MS_SSS__NAME(restore)(b, nb, V_LOAD(in[2] + x), f->total[2], f->mixed[2]);
-        V_STORE(out[0] + x, V_SELECT(part, r, zero));
-        V_STORE(out[1] + x, V_SELECT(part, g, zero));
-        V_STORE(out[2] + x, V_SELECT(part, b, zero));
+        r = MS_SSS__NAME(restore)(r, nr, MS_SSS__LOAD(in[0] + x), f->total[0], f->mixed[0]);
+        g = MS_SSS__NAME(restore)(g, ng, MS_SSS__LOAD(in[1] + x), f->total[1], f->mixed[1]);
+        b = MS_SSS__NAME(restore)(b, nb, MS_SSS__LOAD(in[2] + x), f->total[2], f->mixed[2]);
+        MS_SSS__STORE(out[0] + x, MS_SSS__SELECT(part, r, zero));
+        MS_SSS__STORE(out[1] + x, MS_SSS__SELECT(part, g, zero));
+        MS_SSS__STORE(out[2] + x, MS_SSS__SELECT(part, b, zero));
     }
 }
 
 typedef struct MS_SSS__NAME(sum) {
-    V r, g, b, n; /* sum of h f colour, sum of h f */
+    MS_SSS__V r, g, b, n; /* sum of h f colour, sum of h f */
+    MS_SSS__V turn, h;    /* sums of h and of h times how much the tilt along the axis differs from the pixel's, of what counts */
 } MS_SSS__NAME(sum);
 
-/* One pixel beside a tap's position: h is its share (bilinear), f what its depth leaves of it. */
-static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, ptrdiff_t at, V z, V h, MS_SSS__NAME(sum) *s)
+/* One pixel beside a tap's position: h is its share (bilinear), f what its depth leaves of it, against the plane's there. */
+static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, const int axes, const int shaped, ptrdiff_t at, MS_SSS__V z, MS_SSS__V plane,
+                                              MS_SSS__V h, MS_SSS__V own_tilt, MS_SSS__V dx, MS_SSS__V dy, MS_SSS__NAME(sum) *s)
 {
-    V dz = V_SUB(V_LOAD(p->depth + at), z), q = V_MUL(dz, dz), f;
-    V_MASK near_by = V_LESS(q, V_SET(p->cut));
-    if (!V_BITS(near_by)) return;
-    if (p->follow) f = V_SUB(V_SET(1.0f), V_ABS(dz));
+    MS_SSS__V there = MS_SSS__LOAD(p->depth + at), dz = MS_SSS__SUB(there, plane), q = MS_SSS__MUL(dz, dz), f;
+    MS_SSS__MASK near_by = MS_SSS__LESS(q, MS_SSS__SET(p->cut));
+    if (shaped) {
+        dz = MS_SSS__SUB(there, z);
+        near_by = MS_SSS__BOTH(near_by, MS_SSS__LESS(MS_SSS__MUL(dz, dz), MS_SSS__SET(p->reach)));
+    }
+    if (!MS_SSS__BITS(near_by)) return;
+    if (shaped) {
+        const MS_SSS__V counts = MS_SSS__SELECT(near_by, h, MS_SSS__SET(0.0f));
+        MS_SSS__V tilt = MS_SSS__LOAD(p->tilt[axes == 2] + at);
+        if (axes == 3) tilt = MS_SSS__MADD(dx, tilt, MS_SSS__MUL(dy, MS_SSS__LOAD(p->tilt[1] + at)));
+        s->turn = MS_SSS__MADD(counts, MS_SSS__SUB(tilt, own_tilt), s->turn);
+        s->h = MS_SSS__ADD(s->h, counts);
+    }
+    if (p->follow) f = MS_SSS__SUB(MS_SSS__SET(1.0f), MS_SSS__ABS(dz));
     else f = MS_SSS__NAME(exp2_minus)(q);
-    f = V_SELECT(near_by, V_MUL(h, f), V_SET(0.0f));
-    s->r = V_MADD(f, V_LOAD(p->colour[0] + at), s->r);
-    s->g = V_MADD(f, V_LOAD(p->colour[1] + at), s->g);
-    s->b = V_MADD(f, V_LOAD(p->colour[2] + at), s->b);
-    s->n = V_ADD(s->n, f);
+    f = MS_SSS__SELECT(near_by, MS_SSS__MUL(h, f), MS_SSS__SET(0.0f));
+    s->r = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[0] + at), s->r);
+    s->g = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[1] + at), s->g);
+    s->b = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[2] + at), s->b);
+    s->n = MS_SSS__ADD(s->n, f);
+}
+
+/* (1 + K sin(theta) / 4)^4, which stands for exp(K sin(theta)), from 0 to the bound; turn: sin(theta) 2. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lift)(const ms_sss__pass *p, int channel, MS_SSS__V turn)
+{
+    MS_SSS__V u = MS_SSS__MADD(MS_SSS__SET(p->curve[channel]), turn, MS_SSS__SET(1.0f));
+    u = MS_SSS__MIN(MS_SSS__MAX(u, MS_SSS__SET(0.0f)), MS_SSS__SET(p->most[channel]));
+    u = MS_SSS__MUL(u, u);
+    return MS_SSS__MUL(u, u);
+}
+
+/* Tangents of the rays through pixels from column x on. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(ray)(const ms_sss__pass *p, int x)
+{
+    float at[MS_SSS__LANES];
+    int i;
+    for (i = 0; i < MS_SSS__LANES; ++i) at[i] = ((float)(x + i) + 0.5f - p->middle[0]) * p->tangent;
+    return MS_SSS__LOAD(at);
 }
 
 /* One pass along x (axes 1), y (axes 2) or any direction (axes 3) for pixels [begin, end) of row y, each with its own
-   kernel size: out = sum_k w_k E(x + o_k) f_k, restored. Neighbours mostly share the integer part of a tap's position:
+   kernel size: out = sum_k w_k E(x + o_k) f_k, restored; shaped: on the tangent plane, lifted by the elevation. Neighbours mostly share the integer part of a tap's position:
    each distinct one is handled once for all lanes that have it, with contiguous loads. */
-static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, int axes, int y, int begin, int end,
+static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int axes, const int shaped, int y, int begin, int end,
                                               float *const out[3])
 {
-    const V zero = V_SET(0.0f), one = V_SET(1.0f);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const ptrdiff_t row = axes == 1 ? 0 : (ptrdiff_t)y * p->stride;
     int x, k;
     for (x = begin; x < end; x += MS_SSS__LANES) {
-        V z = V_LOAD(p->depth + row + x), size, dx = one, dy = one;
-        V own_r, own_g, own_b, r, g, b, nr, ng, nb;
-        V_MASK part = V_LESS(z, V_SET(INFINITY)), large;
+        MS_SSS__V z = MS_SSS__LOAD(p->depth + row + x), size, dx = one, dy = one;
+        MS_SSS__V own_r, own_g, own_b, r, g, b, nr, ng, nb;
+        MS_SSS__V plane = zero, plane_x = zero, plane_y = zero, tilt = zero, along_x = zero, along_y = zero; /* of the pixel; plane: a column, a row */
+        MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(INFINITY)), large;
         unsigned pending;
-        if (!V_BITS(part)) {
-            V_STORE(out[0] + x - begin, zero);
-            V_STORE(out[1] + x - begin, zero);
-            V_STORE(out[2] + x - begin, zero);
+        if (!MS_SSS__BITS(part)) {
+            MS_SSS__STORE(out[0] + x - begin, zero);
+            MS_SSS__STORE(out[1] + x - begin, zero);
+            MS_SSS__STORE(out[2] + x - begin, zero);
             continue;
         }
-        size = V_SET(p->size);
-        if (p->perspective) size = V_MIN(V_DIV(size, z), V_SET(p->size_max));
-        large = V_LESS(V_SET(p->size_min), size);
-        pending = V_BITS(V_BOTH(part, large));
-        own_r = V_LOAD(p->colour[0] + row + x);
-        own_g = V_LOAD(p->colour[1] + row + x);
-        own_b = V_LOAD(p->colour[2] + row + x);
+        size = MS_SSS__SET(p->size);
+        if (p->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(p->size_max));
+        large = MS_SSS__LESS(MS_SSS__SET(p->size_min), size);
+        pending = MS_SSS__BITS(MS_SSS__BOTH(part, large));
+        own_r = MS_SSS__LOAD(p->colour[0] + row + x);
+        own_g = MS_SSS__LOAD(p->colour[1] + row + x);
+        own_b = MS_SSS__LOAD(p->colour[2] + row + x);
         if (!pending) {
-            V_STORE(out[0] + x - begin, V_MUL(own_r, V_SET(p->total[0])));
-            V_STORE(out[1] + x - begin, V_MUL(own_g, V_SET(p->total[1])));
-            V_STORE(out[2] + x - begin, V_MUL(own_b, V_SET(p->total[2])));
+            MS_SSS__STORE(out[0] + x - begin, MS_SSS__MUL(own_r, MS_SSS__SET(p->total[0])));
+            MS_SSS__STORE(out[1] + x - begin, MS_SSS__MUL(own_g, MS_SSS__SET(p->total[1])));
+            MS_SSS__STORE(out[2] + x - begin, MS_SSS__MUL(own_b, MS_SSS__SET(p->total[2])));
             continue;
         }
         r = g = b = nr = ng = nb = zero;
@@ -5903,94 +6039,186 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, int axes, i
                 turn_x[k] = p->second ? -d[1] : d[0];
                 turn_y[k] = p->second ? d[0] : d[1];
             }
-            dx = V_LOAD(turn_x);
-            dy = V_LOAD(turn_y);
+            dx = MS_SSS__LOAD(turn_x);
+            dy = MS_SSS__LOAD(turn_y);
         }
-        dx = V_MUL(V_MUL(dx, size), V_SET(p->aspect[0]));
-        dy = V_MUL(V_MUL(dy, size), V_SET(p->aspect[1]));
+        if (shaped) { /* the step along the axis that covers a unit of the tangent plane, and what depth changes on the way */
+            const MS_SSS__V sx = MS_SSS__LOAD(p->slope[0] + row + x), sy = MS_SSS__LOAD(p->slope[1] + row + x);
+            const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x), ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
+            const MS_SSS__V along = axes == 1 ? sx : axes == 2 ? sy : MS_SSS__MADD(dx, sx, MS_SSS__MUL(dy, sy));
+            const MS_SSS__V ray = axes == 1 ? rx : axes == 2 ? ry : MS_SSS__MADD(dx, rx, MS_SSS__MUL(dy, ry));
+            MS_SSS__V square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one));
+            square = MS_SSS__MADD(along, MS_SSS__MADD(along, square, MS_SSS__ADD(ray, ray)), one);
+            size = MS_SSS__DIV(size, MS_SSS__SQRT(square));
+            plane_x = MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0]));
+            plane_y = MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]));
+            if (p->perspective) {
+                plane_x = MS_SSS__MUL(plane_x, z);
+                plane_y = MS_SSS__MUL(plane_y, z);
+            }
+            plane = axes == 2 ? plane_y : plane_x;
+            along_x = dx;
+            along_y = dy;
+            tilt = MS_SSS__LOAD(p->tilt[axes == 2] + row + x);
+            if (axes == 3) tilt = MS_SSS__MADD(dx, tilt, MS_SSS__MUL(dy, MS_SSS__LOAD(p->tilt[1] + row + x)));
+        }
+        dx = MS_SSS__MUL(MS_SSS__MUL(dx, size), MS_SSS__SET(p->aspect[0]));
+        dy = MS_SSS__MUL(MS_SSS__MUL(dy, size), MS_SSS__SET(p->aspect[1]));
         for (k = p->tap_count - 1; k > 0; --k) {
-            const V o = V_SET(p->offset_mm[k]);
-            V tx = V_MUL(o, axes == 2 ? dy : dx), ix = V_FLOOR(tx), ty = zero, iy = zero, wr, wg, wb;
+            const MS_SSS__V o = MS_SSS__SET(p->offset_mm[k]);
+            MS_SSS__V tx = MS_SSS__MUL(o, axes == 2 ? dy : dx), ix = MS_SSS__FLOOR(tx), ty = zero, iy = zero, wr, wg, wb;
             float at_x[MS_SSS__LANES], at_y[MS_SSS__LANES];
-            MS_SSS__NAME(sum) s = {zero, zero, zero, zero};
+            MS_SSS__NAME(sum) s = {zero, zero, zero, zero, zero, zero};
             unsigned left = pending;
-            tx = V_SUB(tx, ix);
-            V_STORE(at_x, ix);
+            tx = MS_SSS__SUB(tx, ix);
+            MS_SSS__STORE(at_x, ix);
             if (axes == 3) {
-                ty = V_MUL(o, dy);
-                iy = V_FLOOR(ty);
-                ty = V_SUB(ty, iy);
-                V_STORE(at_y, iy);
+                ty = MS_SSS__MUL(o, dy);
+                iy = MS_SSS__FLOOR(ty);
+                ty = MS_SSS__SUB(ty, iy);
+                MS_SSS__STORE(at_y, iy);
             }
             do {
 #if MS_SSS__LANES == 1
                 const int lane = 0, i = (int)ix;
-                const V h0 = one - tx, h1 = tx;
+                const MS_SSS__V h0 = one - tx, h1 = tx;
                 left = 0;
 #else
                 const int lane = ms_sss__lowest(left), i = (int)at_x[lane];
-                V_MASK same = V_SAME(ix, V_SET(at_x[lane]));
-                V h0, h1;
-                if (axes == 3) same = V_BOTH(same, V_SAME(iy, V_SET(at_y[lane])));
-                left &= ~V_BITS(same);
-                h1 = V_SELECT(same, tx, zero);
-                h0 = V_SELECT(same, V_SUB(one, tx), zero);
+                MS_SSS__MASK same = MS_SSS__SAME(ix, MS_SSS__SET(at_x[lane]));
+                MS_SSS__V h0, h1;
+                if (axes == 3) same = MS_SSS__BOTH(same, MS_SSS__SAME(iy, MS_SSS__SET(at_y[lane])));
+                left &= ~MS_SSS__BITS(same);
+                h1 = MS_SSS__SELECT(same, tx, zero);
+                h0 = MS_SSS__SELECT(same, MS_SSS__SUB(one, tx), zero);
 #endif
+                MS_SSS__V z0 = z, z1 = z; /* of the plane */
+                if (shaped && axes < 3) {
+                    z0 = MS_SSS__MADD(MS_SSS__SET((float)i), plane, z);
+                    z1 = MS_SSS__ADD(z0, plane);
+                }
                 if (axes == 1) {
-                    MS_SSS__NAME(read)(p, ms_sss__column(p, x + i), z, h0, &s);
-                    MS_SSS__NAME(read)(p, ms_sss__column(p, x + i + 1), z, h1, &s);
+                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__column(p, x + i), z, z0, h0, tilt, zero, zero, &s);
+                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__column(p, x + i + 1), z, z1, h1, tilt, zero, zero, &s);
                 } else if (axes == 2) {
-                    MS_SSS__NAME(read)(p, ms_sss__row(p, y + i, x) + x, z, h0, &s);
-                    MS_SSS__NAME(read)(p, ms_sss__row(p, y + i + 1, x) + x, z, h1, &s);
+                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__row(p, y + i, x) + x, z, z0, h0, tilt, zero, zero, &s);
+                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__row(p, y + i + 1, x) + x, z, z1, h1, tilt, zero, zero, &s);
                 } else {
                     const ptrdiff_t c0 = ms_sss__column(p, x + i), c1 = ms_sss__column(p, x + i + 1);
                     const int j = (int)at_y[lane];
                     const ptrdiff_t r0 = ms_sss__clamp(y + j, -1, p->height) * p->stride;
                     const ptrdiff_t r1 = ms_sss__clamp(y + j + 1, -1, p->height) * p->stride;
-                    MS_SSS__NAME(read)(p, r0 + c0, z, V_MUL(h0, V_SUB(one, ty)), &s);
-                    MS_SSS__NAME(read)(p, r0 + c1, z, V_MUL(h1, V_SUB(one, ty)), &s);
-                    MS_SSS__NAME(read)(p, r1 + c0, z, V_MUL(h0, ty), &s);
-                    MS_SSS__NAME(read)(p, r1 + c1, z, V_MUL(h1, ty), &s);
+                    int corner;
+                    for (corner = 0; corner < 4; ++corner) {
+                        const int right = corner % 2, below = corner / 2;
+                        const MS_SSS__V h = MS_SSS__MUL(right ? h1 : h0, below ? ty : MS_SSS__SUB(one, ty));
+                        if (shaped) z0 = MS_SSS__MADD(MS_SSS__SET((float)(i + right)), plane_x, MS_SSS__MADD(MS_SSS__SET((float)(j + below)), plane_y, z));
+                        MS_SSS__NAME(read)(p, axes, shaped, (below ? r1 : r0) + (right ? c1 : c0), z, z0, h, tilt, along_x, along_y, &s);
+                    }
                 }
             } while (left);
-            wr = V_SET(p->weight[k][0]);
-            wg = V_SET(p->weight[k][1]);
-            wb = V_SET(p->weight[k][2]);
-            r = V_MADD(wr, s.r, r);
-            g = V_MADD(wg, s.g, g);
-            b = V_MADD(wb, s.b, b);
-            nr = V_MADD(wr, s.n, nr);
-            ng = V_MADD(wg, s.n, ng);
-            nb = V_MADD(wb, s.n, nb);
+            if (shaped) {
+                MS_SSS__V turn = MS_SSS__DIV(s.turn, MS_SSS__MAX(s.h, MS_SSS__SET(1e-30f)));
+                if (p->offset_mm[k] < 0) turn = MS_SSS__SUB(zero, turn);
+                s.r = MS_SSS__MUL(s.r, MS_SSS__NAME(lift)(p, 0, turn));
+                s.g = MS_SSS__MUL(s.g, MS_SSS__NAME(lift)(p, 1, turn));
+                s.b = MS_SSS__MUL(s.b, MS_SSS__NAME(lift)(p, 2, turn));
+            }
+            wr = MS_SSS__SET(p->weight[k][0]);
+            wg = MS_SSS__SET(p->weight[k][1]);
+            wb = MS_SSS__SET(p->weight[k][2]);
+            r = MS_SSS__MADD(wr, s.r, r);
+            g = MS_SSS__MADD(wg, s.g, g);
+            b = MS_SSS__MADD(wb, s.b, b);
+            nr = MS_SSS__MADD(wr, s.n, nr);
+            ng = MS_SSS__MADD(wg, s.n, ng);
+            nb = MS_SSS__MADD(wb, s.n, nb);
         }
-        r = V_MADD(own_r, V_SET(p->weight[0][0]), r);
-        g = V_MADD(own_g, V_SET(p->weight[0][1]), g);
-        b = V_MADD(own_b, V_SET(p->weight[0][2]), b);
-        nr = V_ADD(nr, V_SET(p->weight[0][0]));
-        ng = V_ADD(ng, V_SET(p->weight[0][1]));
-        nb = V_ADD(nb, V_SET(p->weight[0][2]));
+        r = MS_SSS__MADD(own_r, MS_SSS__SET(p->weight[0][0]), r);
+        g = MS_SSS__MADD(own_g, MS_SSS__SET(p->weight[0][1]), g);
+        b = MS_SSS__MADD(own_b, MS_SSS__SET(p->weight[0][2]), b);
+        nr = MS_SSS__ADD(nr, MS_SSS__SET(p->weight[0][0]));
+        ng = MS_SSS__ADD(ng, MS_SSS__SET(p->weight[0][1]));
+        nb = MS_SSS__ADD(nb, MS_SSS__SET(p->weight[0][2]));
         r = MS_SSS__NAME(restore)(r, nr, own_r, p->total[0], p->mixed[0]);
         g = MS_SSS__NAME(restore)(g, ng, own_g, p->total[1], p->mixed[1]);
         b = MS_SSS__NAME(restore)(b, nb, own_b, p->total[2], p->mixed[2]);
-        V_STORE(out[0] + x - begin, V_SELECT(large, r, V_MUL(own_r, V_SET(p->total[0]))));
-        V_STORE(out[1] + x - begin, V_SELECT(large, g, V_MUL(own_g, V_SET(p->total[1]))));
-        V_STORE(out[2] + x - begin, V_SELECT(large, b, V_MUL(own_b, V_SET(p->total[2]))));
+        MS_SSS__STORE(out[0] + x - begin, MS_SSS__SELECT(large, r, MS_SSS__MUL(own_r, MS_SSS__SET(p->total[0]))));
+        MS_SSS__STORE(out[1] + x - begin, MS_SSS__SELECT(large, g, MS_SSS__MUL(own_g, MS_SSS__SET(p->total[1]))));
+        MS_SSS__STORE(out[2] + x - begin, MS_SSS__SELECT(large, b, MS_SSS__MUL(own_b, MS_SSS__SET(p->total[2]))));
     }
 }
 
-static void MS_SSS__NAME(taps_x)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3])
+#define MS_SSS__TAPS(name, axes, shaped)                                                                                  \
+    static void MS_SSS__NAME(name)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3])                    \
+    {                                                                                                                        \
+        MS_SSS__NAME(taps)(p, axes, shaped, y, begin, end, out);                                                             \
+    }
+MS_SSS__TAPS(taps_x, 1, 0)
+MS_SSS__TAPS(taps_y, 2, 0)
+MS_SSS__TAPS(taps_turned, 3, 0)
+MS_SSS__TAPS(shaped_x, 1, 1)
+MS_SSS__TAPS(shaped_y, 2, 1)
+MS_SSS__TAPS(shaped_turned, 3, 1)
+#undef MS_SSS__TAPS
+
+/* The slope of two one-sided ones that count where their step in depth is under the kernel's radius: their mean where the
+   surface turns little between them, else the smaller, so that none is taken across an edge or a crease. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float focal, MS_SSS__V before, MS_SSS__V z, MS_SSS__V after)
 {
-    MS_SSS__NAME(taps)(p, 1, y, begin, end, out);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f), reach = MS_SSS__SET(p->reach), f = MS_SSS__SET(focal), limit = MS_SSS__SET(8.0f);
+    const MS_SSS__V da = MS_SSS__SUB(z, before), db = MS_SSS__SUB(after, z);
+    const MS_SSS__MASK on_a = MS_SSS__LESS(MS_SSS__MUL(da, da), reach), on_b = MS_SSS__LESS(MS_SSS__MUL(db, db), reach);
+    MS_SSS__V a = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(da, before) : da), b = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(db, after) : db);
+    MS_SSS__V mean, less, s;
+    a = MS_SSS__SELECT(on_a, a, MS_SSS__SELECT(on_b, b, zero));
+    b = MS_SSS__SELECT(on_b, b, a);
+    mean = MS_SSS__MUL(half, MS_SSS__ADD(a, b));
+    less = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), a, MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a)), b, mean));
+    s = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MUL(half, MS_SSS__MADD(a, b, MS_SSS__SET(1.0f)))), mean, less);
+    return MS_SSS__MIN(MS_SSS__MAX(s, MS_SSS__SUB(zero, limit)), limit);
 }
 
-static void MS_SSS__NAME(taps_y)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3])
+/* Slopes and tilts of row y, columns [begin, end), from the depths of rows y - 1, y and y + 1, or from normals. */
+static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[3], const float *const normal[3], int y, int begin, int end,
+                                float *const slope[2], float *const tilt[2])
 {
-    MS_SSS__NAME(taps)(p, 2, y, begin, end, out);
-}
-
-static void MS_SSS__NAME(taps_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3])
-{
-    MS_SSS__NAME(taps)(p, 3, y, begin, end, out);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
+    const MS_SSS__V ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
+    int x;
+    for (x = begin; x < end; x += MS_SSS__LANES) {
+        const MS_SSS__V z = MS_SSS__LOAD(depth[1] + x), rx = MS_SSS__NAME(ray)(p, x);
+        const MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
+        MS_SSS__V sx, sy, k, m, root, angle;
+        if (normal) {
+            const MS_SSS__V a = MS_SSS__LOAD(normal[0] + x), b = MS_SSS__LOAD(normal[1] + x);
+            const MS_SSS__V facing = MS_SSS__SUB(MS_SSS__LOAD(normal[2] + x), MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b)));
+            const MS_SSS__V most = MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)), eighth = MS_SSS__MUL(most, MS_SSS__SET(0.125f));
+            k = MS_SSS__DIV(one, MS_SSS__SELECT(MS_SSS__LESS(eighth, facing), facing, eighth)); /* at most 8 */
+            sx = MS_SSS__MUL(k, a);
+            sy = MS_SSS__MUL(k, b);
+        } else {
+            sx = MS_SSS__NAME(slope)(p, p->focal[0], MS_SSS__LOAD(depth[1] + x - 1), z, MS_SSS__LOAD(depth[1] + x + 1));
+            sy = MS_SSS__NAME(slope)(p, p->focal[1], MS_SSS__LOAD(depth[0] + x), z, MS_SSS__LOAD(depth[2] + x));
+        }
+        sx = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sx), infinity)), MS_SSS__MUL(sx, MS_SSS__SET(p->upright)), zero);
+        sy = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sy), infinity)), MS_SSS__MUL(sy, MS_SSS__SET(p->upright)), zero);
+        MS_SSS__STORE(slope[0] + x, sx);
+        MS_SSS__STORE(slope[1] + x, sy);
+        /* the normal is (sx, sy, 1 + ray . s): its angle a to the view axis by tan(a / 2), atan by Hastings 1955, sheet 11, to 1e-5 */
+        k = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, one));
+        k = MS_SSS__DIV(one, MS_SSS__MAX(k, MS_SSS__SET(0.125f)));
+        sx = MS_SSS__MUL(sx, k);
+        sy = MS_SSS__MUL(sy, k);
+        m = MS_SSS__MADD(sx, sx, MS_SSS__MUL(sy, sy));
+        root = MS_SSS__DIV(one, MS_SSS__ADD(one, MS_SSS__SQRT(MS_SSS__ADD(one, m)))); /* tan(a / 2) / tan(a) */
+        m = MS_SSS__MUL(m, MS_SSS__MUL(root, root));
+        angle = MS_SSS__MADD(m, MS_SSS__MADD(m, MS_SSS__SET(0.0208351f), MS_SSS__SET(-0.0851330f)), MS_SSS__SET(0.1801410f));
+        angle = MS_SSS__MADD(m, MS_SSS__MADD(m, angle, MS_SSS__SET(-0.3302995f)), MS_SSS__SET(0.9998660f));
+        angle = MS_SSS__MUL(MS_SSS__ADD(root, root), angle);
+        MS_SSS__STORE(tilt[0] + x, MS_SSS__MUL(sx, angle));
+        MS_SSS__STORE(tilt[1] + x, MS_SSS__MUL(sy, angle));
+    }
 }
 
 /* out = a x + b y */
@@ -5998,7 +6226,7 @@ static void MS_SSS__NAME(combine)(float a, const float *x, float b, const float 
 {
     int i;
     for (i = 0; i < count; i += MS_SSS__LANES)
-        V_STORE(out + i, V_MADD(V_SET(a), V_LOAD(x + i), V_MUL(V_SET(b), V_LOAD(y + i))));
+        MS_SSS__STORE(out + i, MS_SSS__MADD(MS_SSS__SET(a), MS_SSS__LOAD(x + i), MS_SSS__MUL(MS_SSS__SET(b), MS_SSS__LOAD(y + i))));
 }
 
 /* blur = (1 - s) own + s blur with s = min(strength, 1) gain; own where the kernel is under half a pixel. */
@@ -6007,14 +6235,14 @@ static void MS_SSS__NAME(fade)(const ms_sss__pass *p, const float *strength, flo
 {
     int x;
     for (x = 0; x < count; x += MS_SSS__LANES) {
-        V e = V_LOAD(own + x), s = V_SET(gain), out;
-        if (strength) s = V_MUL(s, V_MIN(V_LOAD(strength + x), V_SET(1.0f)));
-        out = V_MADD(s, V_LOAD(blur + x), V_MUL(V_SUB(V_SET(1.0f), s), e));
+        MS_SSS__V e = MS_SSS__LOAD(own + x), s = MS_SSS__SET(gain), out;
+        if (strength) s = MS_SSS__MUL(s, MS_SSS__MIN(MS_SSS__LOAD(strength + x), MS_SSS__SET(1.0f)));
+        out = MS_SSS__MADD(s, MS_SSS__LOAD(blur + x), MS_SSS__MUL(MS_SSS__SUB(MS_SSS__SET(1.0f), s), e));
         if (p->perspective) {
-            V size = V_DIV(V_SET(p->size), V_LOAD(depth + x));
-            out = V_SELECT(V_LESS(V_SET(p->size_min), size), out, e);
+            MS_SSS__V size = MS_SSS__DIV(MS_SSS__SET(p->size), MS_SSS__LOAD(depth + x));
+            out = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(p->size_min), size), out, e);
         }
-        V_STORE(blur + x, out);
+        MS_SSS__STORE(blur + x, out);
     }
 }
 
@@ -6022,17 +6250,17 @@ static void MS_SSS__NAME(fade)(const ms_sss__pass *p, const float *strength, flo
 
 /* What the depth of a pixel dz away leaves of it, times h: (1 - q ln 2 / 8)^8 for 2^-q, which it equals within 0.04 and
    which costs less. *some: lanes where that is anything; 0: do not use it. */
-static MS_SSS__INLINE V MS_SSS__NAME(near_by)(const ms_sss__growth *s, V dz, V h, unsigned *some)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(near_by)(const ms_sss__growth *s, MS_SSS__V dz, MS_SSS__V h, unsigned *some)
 {
-    const V q = V_MUL(dz, dz);
-    const V_MASK near_by = V_LESS(q, V_SET(s->cut));
-    V f = V_MADD(V_SET(-0.086643398f), q, V_SET(1.0f));
-    *some = V_BITS(near_by);
+    const MS_SSS__V q = MS_SSS__MUL(dz, dz);
+    const MS_SSS__MASK near_by = MS_SSS__LESS(q, MS_SSS__SET(s->cut));
+    MS_SSS__V f = MS_SSS__MADD(MS_SSS__SET(-0.086643398f), q, MS_SSS__SET(1.0f));
+    *some = MS_SSS__BITS(near_by);
     if (!*some) return h;
-    f = V_MUL(f, f);
-    f = V_MUL(f, f);
-    f = V_MUL(f, f);
-    return V_SELECT(near_by, V_MUL(h, f), V_SET(0.0f));
+    f = MS_SSS__MUL(f, f);
+    f = MS_SSS__MUL(f, f);
+    f = MS_SSS__MUL(f, f);
+    return MS_SSS__SELECT(near_by, MS_SSS__MUL(h, f), MS_SSS__SET(0.0f));
 }
 
 /* One row of the next coarser level. Rows 2j - 1 to 2j + 2 of the finer one (NULL: outside) come split into even and odd
@@ -6041,42 +6269,42 @@ static MS_SSS__INLINE V MS_SSS__NAME(near_by)(const ms_sss__growth *s, V dz, V h
 static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int count, float *const out[5])
 {
     static const float side[4] = {0.125f, 0.375f, 0.375f, 0.125f};
-    const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
     int i, y, x;
     for (i = 0; i < count; i += MS_SSS__LANES) {
-        V depth = infinity, most = zero, r = zero, g = zero, b = zero, n = zero;
-        V_MASK some;
+        MS_SSS__V depth = infinity, most = zero, r = zero, g = zero, b = zero, n = zero;
+        MS_SSS__MASK some;
         for (y = 1; y < 3; ++y) { /* the surface of the best covered of the middle four, the nearest of equals */
             for (x = 0; x < 2 && row[y].plane[0][0]; ++x) {
-                V z = V_LOAD(row[y].plane[x][3] + i), w = V_LOAD(row[y].plane[x][4] + i);
-                V_MASK better = V_LESS(most, w), nearer = V_BOTH(V_SAME(most, w), V_LESS(z, depth));
-                depth = V_SELECT(better, z, V_SELECT(nearer, z, depth));
-                most = V_SELECT(better, w, most);
+                MS_SSS__V z = MS_SSS__LOAD(row[y].plane[x][3] + i), w = MS_SSS__LOAD(row[y].plane[x][4] + i);
+                MS_SSS__MASK better = MS_SSS__LESS(most, w), nearer = MS_SSS__BOTH(MS_SSS__SAME(most, w), MS_SSS__LESS(z, depth));
+                depth = MS_SSS__SELECT(better, z, MS_SSS__SELECT(nearer, z, depth));
+                most = MS_SSS__SELECT(better, w, most);
             }
         }
-        some = V_BOTH(V_LESS(zero, most), V_LESS(depth, infinity));
-        if (V_BITS(some)) {
+        some = MS_SSS__BOTH(MS_SSS__LESS(zero, most), MS_SSS__LESS(depth, infinity));
+        if (MS_SSS__BITS(some)) {
             for (y = 0; y < 4; ++y) {
                 for (x = 0; x < 4 && row[y].plane[0][0]; ++x) {
                     const float *const *p = row[y].plane[x % 2 == 0];
                     const int at = i + (x + 1) / 2 - 1;
                     unsigned any;
-                    V f = MS_SSS__NAME(near_by)(s, V_SUB(V_LOAD(p[3] + at), depth), V_SET(side[x] * side[y]), &any);
+                    MS_SSS__V f = MS_SSS__NAME(near_by)(s, MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), depth), MS_SSS__SET(side[x] * side[y]), &any);
                     if (!any) continue;
-                    f = V_MUL(f, V_LOAD(p[4] + at));
-                    r = V_MADD(f, V_LOAD(p[0] + at), r);
-                    g = V_MADD(f, V_LOAD(p[1] + at), g);
-                    b = V_MADD(f, V_LOAD(p[2] + at), b);
-                    n = V_ADD(n, f);
+                    f = MS_SSS__MUL(f, MS_SSS__LOAD(p[4] + at));
+                    r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
+                    g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
+                    b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
+                    n = MS_SSS__ADD(n, f);
                 }
             }
         }
-        some = V_LESS(V_SET(1e-30f), n);
-        V_STORE(out[0] + i, V_SELECT(some, V_DIV(r, n), zero));
-        V_STORE(out[1] + i, V_SELECT(some, V_DIV(g, n), zero));
-        V_STORE(out[2] + i, V_SELECT(some, V_DIV(b, n), zero));
-        V_STORE(out[3] + i, V_SELECT(some, depth, infinity));
-        V_STORE(out[4] + i, V_SELECT(some, n, zero));
+        some = MS_SSS__LESS(MS_SSS__SET(1e-30f), n);
+        MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(some, MS_SSS__DIV(r, n), zero));
+        MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(some, MS_SSS__DIV(g, n), zero));
+        MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(some, MS_SSS__DIV(b, n), zero));
+        MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(some, depth, infinity));
+        MS_SSS__STORE(out[4] + i, MS_SSS__SELECT(some, n, zero));
     }
 }
 
@@ -6084,34 +6312,34 @@ static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split ro
    and share. row: the rows above, at and below (NULL: outside), as in shrink. */
 static void MS_SSS__NAME(soften)(const ms_sss__growth *s, const ms_sss__split row[3], int odd, int count, float *const out[4])
 {
-    const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
     int i, k;
     for (i = 0; i < count; i += MS_SSS__LANES) {
-        const V depth = V_LOAD(row[1].plane[odd][3] + i);
-        const V_MASK part = V_LESS(depth, infinity);
-        V_MASK any;
-        V r = zero, g = zero, b = zero, n = zero;
+        const MS_SSS__V depth = MS_SSS__LOAD(row[1].plane[odd][3] + i);
+        const MS_SSS__MASK part = MS_SSS__LESS(depth, infinity);
+        MS_SSS__MASK any;
+        MS_SSS__V r = zero, g = zero, b = zero, n = zero;
         unsigned some;
-        for (k = 0; k < 9 && V_BITS(part); ++k) {
+        for (k = 0; k < 9 && MS_SSS__BITS(part); ++k) {
             const int column = odd + k % 3 - 1; /* of the pair 0, 1; -1 and 2 are the neighbours' */
             const float *const *p = row[k / 3].plane[column & 1];
             const int at = i + (column < 0 ? -1 : column > 1 ? 1 : 0);
-            V f;
+            MS_SSS__V f;
             if (!p[0]) continue;
-            f = MS_SSS__NAME(near_by)(s, V_SUB(V_LOAD(p[3] + at), depth),
-                                      V_SET((k / 3 == 1 ? 0.5f : 0.25f) * (k % 3 == 1 ? 0.5f : 0.25f)), &some);
+            f = MS_SSS__NAME(near_by)(s, MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), depth),
+                                      MS_SSS__SET((k / 3 == 1 ? 0.5f : 0.25f) * (k % 3 == 1 ? 0.5f : 0.25f)), &some);
             if (!some) continue;
-            f = V_MUL(f, V_LOAD(p[4] + at));
-            r = V_MADD(f, V_LOAD(p[0] + at), r);
-            g = V_MADD(f, V_LOAD(p[1] + at), g);
-            b = V_MADD(f, V_LOAD(p[2] + at), b);
-            n = V_ADD(n, f);
+            f = MS_SSS__MUL(f, MS_SSS__LOAD(p[4] + at));
+            r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
+            g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
+            b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
+            n = MS_SSS__ADD(n, f);
         }
-        any = V_BOTH(part, V_LESS(V_SET(1e-30f), n));
-        V_STORE(out[0] + i, V_SELECT(any, V_DIV(r, n), zero));
-        V_STORE(out[1] + i, V_SELECT(any, V_DIV(g, n), zero));
-        V_STORE(out[2] + i, V_SELECT(any, V_DIV(b, n), zero));
-        V_STORE(out[3] + i, V_SELECT(any, n, zero));
+        any = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__SET(1e-30f), n));
+        MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(any, MS_SSS__DIV(r, n), zero));
+        MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(any, MS_SSS__DIV(g, n), zero));
+        MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(any, MS_SSS__DIV(b, n), zero));
+        MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(any, n, zero));
     }
 }
 
@@ -6123,32 +6351,32 @@ static int MS_SSS__NAME(grow)(const ms_sss__growth *s, const float *const fine[5
                               const float *const *const coarse[3], int odd, int count, float *const out[6])
 {
     static const float side[2][3] = {{0.3125f, 0.625f, 0.0625f}, {0.0625f, 0.625f, 0.3125f}};
-    const V zero = V_SET(0.0f), infinity = V_SET(INFINITY);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
     int i, c, k, tiny = 0;
     for (i = 0; i < count; i += MS_SSS__LANES) {
-        const V depth = V_LOAD(fine[3] + i), share = V_LOAD(fine[4] + i);
-        V_MASK part = V_LESS(depth, infinity);
-        V own[3], blurred[3], r, g, b, n, nr, ng, nb;
+        const MS_SSS__V depth = MS_SSS__LOAD(fine[3] + i), share = MS_SSS__LOAD(fine[4] + i);
+        MS_SSS__MASK part = MS_SSS__LESS(depth, infinity);
+        MS_SSS__V own[3], blurred[3], r, g, b, n, nr, ng, nb;
         unsigned some;
-        if (!V_BITS(part)) {
-            for (c = 0; c < 6; ++c) V_STORE(out[c] + i, zero);
+        if (!MS_SSS__BITS(part)) {
+            for (c = 0; c < 6; ++c) MS_SSS__STORE(out[c] + i, zero);
             continue;
         }
         if (s->perspective) { /* the weights of the kernel's radius in pixels, linear between the table's sizes */
-            const V size = V_MIN(V_DIV(V_SET(s->size), depth), V_SET(s->size_max));
+            const MS_SSS__V size = MS_SSS__MIN(MS_SSS__DIV(MS_SSS__SET(s->size), depth), MS_SSS__SET(s->size_max));
             const float (*w)[MS_SSS_PYRAMID_LEVELS][2][3];
             float sizes[MS_SSS__LANES];
-            V from, to;
-            V_STORE(sizes, size);
-            w = s->table + ms_sss__size_index(sizes[ms_sss__lowest(V_BITS(part))]);
-            from = V_SET(ms_sss__index_size((int)(w - s->table)));
-            to = V_SET(ms_sss__index_size((int)(w - s->table) + 1));
-            if (!(V_BITS(V_LESS(size, from)) & V_BITS(part)) && !(V_BITS(V_LESS(to, size)) & V_BITS(part))) {
-                const V t = V_DIV(V_SUB(size, from), V_SUB(to, from));
+            MS_SSS__V from, to;
+            MS_SSS__STORE(sizes, size);
+            w = s->table + ms_sss__size_index(sizes[ms_sss__lowest(MS_SSS__BITS(part))]);
+            from = MS_SSS__SET(ms_sss__index_size((int)(w - s->table)));
+            to = MS_SSS__SET(ms_sss__index_size((int)(w - s->table) + 1));
+            if (!(MS_SSS__BITS(MS_SSS__LESS(size, from)) & MS_SSS__BITS(part)) && !(MS_SSS__BITS(MS_SSS__LESS(to, size)) & MS_SSS__BITS(part))) {
+                const MS_SSS__V t = MS_SSS__DIV(MS_SSS__SUB(size, from), MS_SSS__SUB(to, from));
                 for (c = 0; c < 3; ++c) {
                     const float *w0 = w[0][s->level][0] + c, *w1 = w[1][s->level][0] + c;
-                    own[c] = V_MADD(t, V_SET(w1[0] - w0[0]), V_SET(w0[0]));
-                    blurred[c] = V_MADD(t, V_SET(w1[3] - w0[3]), V_SET(w0[3]));
+                    own[c] = MS_SSS__MADD(t, MS_SSS__SET(w1[0] - w0[0]), MS_SSS__SET(w0[0]));
+                    blurred[c] = MS_SSS__MADD(t, MS_SSS__SET(w1[3] - w0[3]), MS_SSS__SET(w0[3]));
                 }
             } else {
                 float lerped[6][MS_SSS__LANES];
@@ -6158,56 +6386,56 @@ static int MS_SSS__NAME(grow)(const ms_sss__growth *s, const float *const fine[5
                     for (c = 0; c < 6; ++c) lerped[c][k] = weight[c / 3][c % 3];
                 }
                 for (c = 0; c < 3; ++c) {
-                    own[c] = V_LOAD(lerped[c]);
-                    blurred[c] = V_LOAD(lerped[c + 3]);
+                    own[c] = MS_SSS__LOAD(lerped[c]);
+                    blurred[c] = MS_SSS__LOAD(lerped[c + 3]);
                 }
             }
-            tiny |= (V_BITS(V_LESS(size, V_SET(0.5f))) & V_BITS(part)) != 0;
+            tiny |= (MS_SSS__BITS(MS_SSS__LESS(size, MS_SSS__SET(0.5f))) & MS_SSS__BITS(part)) != 0;
         } else {
             for (c = 0; c < 3; ++c) {
-                own[c] = V_SET(s->weight[0][c]);
-                blurred[c] = V_SET(s->weight[1][c]);
+                own[c] = MS_SSS__SET(s->weight[0][c]);
+                blurred[c] = MS_SSS__SET(s->weight[1][c]);
             }
         }
-        nr = V_MUL(own[0], share);
-        ng = V_MUL(own[1], share);
-        nb = V_MUL(own[2], share);
-        r = V_MUL(nr, V_LOAD(fine[0] + i));
-        g = V_MUL(ng, V_LOAD(fine[1] + i));
-        b = V_MUL(nb, V_LOAD(fine[2] + i));
-        n = V_LOAD(soft[3] + i);
-        r = V_MADD(V_MUL(blurred[0], n), V_LOAD(soft[0] + i), r);
-        g = V_MADD(V_MUL(blurred[1], n), V_LOAD(soft[1] + i), g);
-        b = V_MADD(V_MUL(blurred[2], n), V_LOAD(soft[2] + i), b);
-        nr = V_MADD(blurred[0], n, nr);
-        ng = V_MADD(blurred[1], n, ng);
-        nb = V_MADD(blurred[2], n, nb);
+        nr = MS_SSS__MUL(own[0], share);
+        ng = MS_SSS__MUL(own[1], share);
+        nb = MS_SSS__MUL(own[2], share);
+        r = MS_SSS__MUL(nr, MS_SSS__LOAD(fine[0] + i));
+        g = MS_SSS__MUL(ng, MS_SSS__LOAD(fine[1] + i));
+        b = MS_SSS__MUL(nb, MS_SSS__LOAD(fine[2] + i));
+        n = MS_SSS__LOAD(soft[3] + i);
+        r = MS_SSS__MADD(MS_SSS__MUL(blurred[0], n), MS_SSS__LOAD(soft[0] + i), r);
+        g = MS_SSS__MADD(MS_SSS__MUL(blurred[1], n), MS_SSS__LOAD(soft[1] + i), g);
+        b = MS_SSS__MADD(MS_SSS__MUL(blurred[2], n), MS_SSS__LOAD(soft[2] + i), b);
+        nr = MS_SSS__MADD(blurred[0], n, nr);
+        ng = MS_SSS__MADD(blurred[1], n, ng);
+        nb = MS_SSS__MADD(blurred[2], n, nb);
         for (k = 0; k < 9; ++k) {
             const float *const *p = coarse[k / 3];
             const int at = i + k % 3 - 1;
-            V f;
+            MS_SSS__V f;
             if (!p) continue;
-            f = MS_SSS__NAME(near_by)(s, V_SUB(V_LOAD(p[6] + at), depth), V_SET(side[s->lower][k / 3] * side[odd][k % 3]), &some);
+            f = MS_SSS__NAME(near_by)(s, MS_SSS__SUB(MS_SSS__LOAD(p[6] + at), depth), MS_SSS__SET(side[s->lower][k / 3] * side[odd][k % 3]), &some);
             if (!some) continue;
-            r = V_MADD(f, V_LOAD(p[0] + at), r);
-            g = V_MADD(f, V_LOAD(p[1] + at), g);
-            b = V_MADD(f, V_LOAD(p[2] + at), b);
-            nr = V_MADD(f, V_LOAD(p[3] + at), nr);
-            ng = V_MADD(f, V_LOAD(p[4] + at), ng);
-            nb = V_MADD(f, V_LOAD(p[5] + at), nb);
+            r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
+            g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
+            b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
+            nr = MS_SSS__MADD(f, MS_SSS__LOAD(p[3] + at), nr);
+            ng = MS_SSS__MADD(f, MS_SSS__LOAD(p[4] + at), ng);
+            nb = MS_SSS__MADD(f, MS_SSS__LOAD(p[5] + at), nb);
         }
         if (s->level == 0) {
-            V_STORE(out[0] + i, MS_SSS__NAME(restore)(r, nr, V_LOAD(fine[0] + i), 1.0f, 0));
-            V_STORE(out[1] + i, MS_SSS__NAME(restore)(g, ng, V_LOAD(fine[1] + i), 1.0f, 0));
-            V_STORE(out[2] + i, MS_SSS__NAME(restore)(b, nb, V_LOAD(fine[2] + i), 1.0f, 0));
+            MS_SSS__STORE(out[0] + i, MS_SSS__NAME(restore)(r, nr, MS_SSS__LOAD(fine[0] + i), 1.0f, 0));
+            MS_SSS__STORE(out[1] + i, MS_SSS__NAME(restore)(g, ng, MS_SSS__LOAD(fine[1] + i), 1.0f, 0));
+            MS_SSS__STORE(out[2] + i, MS_SSS__NAME(restore)(b, nb, MS_SSS__LOAD(fine[2] + i), 1.0f, 0));
             continue;
         }
-        V_STORE(out[0] + i, V_SELECT(part, r, zero));
-        V_STORE(out[1] + i, V_SELECT(part, g, zero));
-        V_STORE(out[2] + i, V_SELECT(part, b, zero));
-        V_STORE(out[3] + i, V_SELECT(part, nr, zero));
-        V_STORE(out[4] + i, V_SELECT(part, ng, zero));
-        V_STORE(out[5] + i, V_SELECT(part, nb, zero));
+        MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(part, r, zero));
+        MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(part, g, zero));
+        MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(part, b, zero));
+        MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(part, nr, zero));
+        MS_SSS__STORE(out[4] + i, MS_SSS__SELECT(part, ng, zero));
+        MS_SSS__STORE(out[5] + i, MS_SSS__SELECT(part, nb, zero));
     }
     return tiny;
 }
@@ -6217,9 +6445,9 @@ static void MS_SSS__NAME(split)(const float *from, int count, float *even, float
 {
     int i;
     for (i = 0; i < count; i += MS_SSS__LANES) {
-        V a = V_LOAD(from + 2 * i), b = V_LOAD(from + 2 * i + MS_SSS__LANES);
-        V_STORE(even + i, V_EVEN(a, b));
-        V_STORE(odd + i, V_ODD(a, b));
+        MS_SSS__V a = MS_SSS__LOAD(from + 2 * i), b = MS_SSS__LOAD(from + 2 * i + MS_SSS__LANES);
+        MS_SSS__STORE(even + i, MS_SSS__EVEN(a, b));
+        MS_SSS__STORE(odd + i, MS_SSS__ODD(a, b));
     }
 }
 
@@ -6227,45 +6455,48 @@ static void MS_SSS__NAME(merge)(const float *even, const float *odd, int count, 
 {
     int i;
     for (i = 0; i < count; i += MS_SSS__LANES) {
-        V a = V_LOAD(even + i), b = V_LOAD(odd + i);
-        V_STORE(to + 2 * i, V_ZIP_LOW(a, b));
-        V_STORE(to + 2 * i + MS_SSS__LANES, V_ZIP_HIGH(a, b));
+        MS_SSS__V a = MS_SSS__LOAD(even + i), b = MS_SSS__LOAD(odd + i);
+        MS_SSS__STORE(to + 2 * i, MS_SSS__ZIP_LOW(a, b));
+        MS_SSS__STORE(to + 2 * i + MS_SSS__LANES, MS_SSS__ZIP_HIGH(a, b));
     }
 }
 
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
     MS_SSS__NAME(gate),    MS_SSS__NAME(admit),  MS_SSS__NAME(convolve),    MS_SSS__NAME(convolve_valid),
-    MS_SSS__NAME(taps_x),  MS_SSS__NAME(taps_y), MS_SSS__NAME(taps_turned), MS_SSS__NAME(combine),
+    MS_SSS__NAME(taps_x),  MS_SSS__NAME(taps_y), MS_SSS__NAME(taps_turned), MS_SSS__NAME(shaped_x),
+    MS_SSS__NAME(shaped_y), MS_SSS__NAME(shaped_turned), MS_SSS__NAME(shape), MS_SSS__NAME(combine),
     MS_SSS__NAME(fade),    MS_SSS__NAME(shrink), MS_SSS__NAME(soften),
     MS_SSS__NAME(grow),    MS_SSS__NAME(split),  MS_SSS__NAME(merge)};
 
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN
 #undef MS_SSS__NAME
-#undef V
-#undef V_MASK
-#undef V_LOAD
-#undef V_STORE
-#undef V_SET
-#undef V_ADD
-#undef V_SUB
-#undef V_MUL
-#undef V_DIV
-#undef V_MADD
-#undef V_MIN
-#undef V_ABS
-#undef V_FLOOR
-#undef V_TRUNC
-#undef V_SCALE
-#undef V_LESS
-#undef V_SAME
-#undef V_BOTH
-#undef V_SELECT
-#undef V_BITS
-#undef V_ZIP_LOW
-#undef V_ZIP_HIGH
-#undef V_EVEN
-#undef V_ODD
+#undef MS_SSS__V
+#undef MS_SSS__MASK
+#undef MS_SSS__LOAD
+#undef MS_SSS__STORE
+#undef MS_SSS__SET
+#undef MS_SSS__ADD
+#undef MS_SSS__SUB
+#undef MS_SSS__MUL
+#undef MS_SSS__DIV
+#undef MS_SSS__MADD
+#undef MS_SSS__MIN
+#undef MS_SSS__MAX
+#undef MS_SSS__SQRT
+#undef MS_SSS__ABS
+#undef MS_SSS__FLOOR
+#undef MS_SSS__TRUNC
+#undef MS_SSS__SCALE
+#undef MS_SSS__LESS
+#undef MS_SSS__SAME
+#undef MS_SSS__BOTH
+#undef MS_SSS__SELECT
+#undef MS_SSS__BITS
+#undef MS_SSS__ZIP_LOW
+#undef MS_SSS__ZIP_HIGH
+#undef MS_SSS__EVEN
+#undef MS_SSS__ODD
 #undef MS_SSS__LEVEL
 #undef MS_SSS__LANES
 
