@@ -244,7 +244,7 @@ typedef struct ms_gpr_options {
    n      >= 0; a model of n = 0 predicts the prior
    m      >= 1
    theta  [m + 2]: log l_k for every dimension, log sf, log sn; l_k in units of x, sf and sn in units of y
-   MS_BAD_DATA: a value of x or y that is not finite (position: its row, from 1). MS_INVALID_ARGUMENT: theta not finite.
+   MS_BAD_DATA: a value of x or y that is not finite or beyond 1e30 (position: its row, from 1). MS_INVALID_ARGUMENT: theta not finite.
    MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter (see ms_gpr_jitter). MS_OUT_OF_MEMORY.
    *out is NULL unless MS_OK. Cost n^3 / 6 multiply-adds; memory n^2 + n m doubles. */
 MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta,
@@ -259,6 +259,9 @@ MS_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *err
 /* One more scored point, x [m], at the cost of n^2; the hyperparameters stay. Equal to a new model of n + 1 points but for
    rounding. The model is unchanged unless MS_OK. */
 MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error);
+
+/* Another score for point `index`, at the cost of n^2: the user thought again. */
+MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error);
 
 /* Forgets point `index`, at the cost of n^2: later points move up by one. */
 MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error);
@@ -278,7 +281,8 @@ MS_API const double *ms_gpr_theta(const ms_gpr *gp);     /* [m + 2]; a dropped d
 MS_API const double *ms_gpr_inputs(const ms_gpr *gp);    /* [n][m], valid until the model changes */
 MS_API const double *ms_gpr_scores(const ms_gpr *gp);    /* [n], as they were given */
 MS_API double ms_gpr_mean(const ms_gpr *gp);             /* the prior mean */
-MS_API double ms_gpr_zero_score(const ms_gpr *gp);       /* what a score of 0 is taken as; see ms_gpr_fit_options */
+MS_API double ms_gpr_floor(const ms_gpr *gp);            /* the least score that can be given; see ms_gpr_fit_options */
+MS_API double ms_gpr_floor_value(const ms_gpr *gp);      /* what scores there are taken as */
 MS_API ms_simd ms_gpr_level(const ms_gpr *gp);           /* instruction set in use */
 
 /* What had to be added to sn^2, in units of sf^2, to make K' positive definite in double precision: 0 nearly always, else a
@@ -299,24 +303,28 @@ MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *va
 /* ------------------------------------------------------------------------------------------------------ FIT */
 
 typedef enum ms_gpr_method {
-    MS_GPR_METHOD_MAP = 0,   /* L-BFGS to the largest posterior: log-normal priors, three starts, probing of every dimension */
-    MS_GPR_METHOD_ML = 1,    /* L-BFGS to the largest likelihood, three starts */
-    MS_GPR_METHOD_RPROP = 2, /* resilient backpropagation, one start, 100 evaluations: the thesis */
-    MS_GPR_METHOD_SCG = 3    /* scaled conjugate gradient (Moller 1993), one start */
+    MS_GPR_METHOD_MAP = 0, /* L-BFGS to the largest posterior: log-normal priors, three starts, probing of every dimension */
+    MS_GPR_METHOD_ML = 1   /* L-BFGS to the largest likelihood, three starts */
 } ms_gpr_method;
 
 /* All zero: the defaults. "Width" is sqrt(12) standard deviations: 1 for a column that is uniform on [0, 1]. */
 typedef struct ms_gpr_fit_options {
-    double floor_offset;    /* If every score is >= 0 and some are 0, zeros are taken as -floor_offset standard deviations, so that
-                               dislike has room below "barely liked". 0: 0.75 for MAP, none otherwise. Negative: none */
+    const double *floor;    /* the least score that can be given, such as 1 of 5 stars. NULL: the least that was given, if two and
+                               an eighth of all share it; else there is none */
+    double floor_offset;    /* Scores at the floor are taken as so many standard deviations below it, so that dislike has room
+                               below "barely liked". 0: 0.75 for MAP, none for ML. Negative: none */
     ms_gpr_method method;
     const double *start;    /* [m + 2] theta where the search starts, alone; NULL: sf = 1 and sn = 0.1 standard deviations, and */
-    double length_start;    /* l_k = so many widths, alone; 0: MAP and ML start at 0.25, 0.5 and 3 sqrt(m), the others at 1 */
+    double length_start;    /* l_k = so many widths, alone; 0: 0.25, 0.5 and 3 sqrt(m) */
     double length_min;      /* bounds of l_k in widths; 0: 0.01 */
     double length_max;      /* 0: 1000 */
     double noise_min;       /* least sn in standard deviations of the scores; 0: 0.001 */
-    int evaluations;        /* of the likelihood at most, a start; 0: 200, RProp 100 */
-    int random_starts;      /* of MAP and ML besides the three */
+    double noise;           /* MAP expects about this sn, in units of the scores; 0: 0.2 standard deviations of them */
+    double noise_spread;    /* and is a factor of e^noise_spread in doubt (a standard deviation of log sn); 0: 0.25 */
+    double length;          /* MAP expects about this l_k, in widths; 0: 2.1 sqrt(m) */
+    double length_spread;   /* doubt about it, as noise_spread; 0: 1.5 */
+    int evaluations;        /* of the likelihood at most, a start; 0: 200 */
+    int random_starts;      /* besides the three */
     uint64_t seed;          /* of those */
     ms_simd simd;
     ms_allocator allocator;
@@ -331,12 +339,15 @@ typedef struct ms_gpr_fit_report {
     int evaluations;        /* of the likelihood, all starts and probes */
     int start;              /* the start that won, from 0 */
     int probes;             /* dimensions that probing switched on or off */
+    int columns;            /* that differ from row to row; the others are left out, as by ms_gpr_simplify */
 } ms_gpr_fit_report;
 
 /* Learns theta, and makes the model with it. The prior mean is the mean of the scores.
-   x, y, n, m  as in ms_gpr_create; n = 0, constant scores and constant columns are fine
+   x, y, n, m  as in ms_gpr_create. Columns whose values differ by rounding only (1e-10 of the largest) are left out: the model is
+               that of the rest. Equal scores, or none, give a flat model
    Several rounds: concatenate materials and scores of all rounds, and fit again (start: the theta of the last round, if speed
-   matters). MS_CANCELLED; the rest as ms_gpr_create. report: or NULL. Bit-equal at one SIMD level. Memory 4 n^2 doubles. */
+   matters). MS_BAD_DATA as ms_gpr_create, and where scores or a column span less than 1e-30 (position: the column, from 1).
+   MS_CANCELLED; the rest as ms_gpr_create. report: or NULL. Bit-equal at one SIMD level. Memory 4 n^2 doubles. */
 MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr **out,
                                 ms_gpr_fit_report *report, ms_error *error);
 
@@ -363,7 +374,8 @@ MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean
 /* ---------------------------------------------------------------------------------------------------- FILES */
 
 /* A model as bytes: the same on every machine, whatever its byte order and locale. Layout, little-endian: "ms_gpr\r\n", u32
-   version 1, u32 n, u32 m, u32 0, then as f64 mean, zero score, theta [m + 2], x [n][m], y [n]; u64 FNV-1a of all before. */
+   version 2, u32 n, u32 m, u32 0, then as f64 mean, floor (-1e300: none), floor value, theta [m + 2], x [n][m], y [n]; u64 FNV-1a
+   of all before. */
 MS_API size_t ms_gpr_save_size(const ms_gpr *gp);
 
 /* Writes ms_gpr_save_size(gp) bytes. */
@@ -384,29 +396,34 @@ MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *option
 
 /* How recommendations are found. */
 typedef enum ms_gpr_search {
-    MS_GPR_SEARCH_AUTO = 0,      /* rejection or the walk, whichever a first 8192 candidates show to be cheaper */
+    MS_GPR_SEARCH_AUTO = 0,      /* rejection or subset simulation, whichever a first 8192 candidates show to be cheaper */
     MS_GPR_SEARCH_REJECTION = 1, /* uniform candidates that reach the threshold: independent and uniform over the region */
-    MS_GPR_SEARCH_WALK = 2,      /* gradient ascent to the threshold, then slice steps inside {u >= threshold} (hit-and-run) */
-    MS_GPR_SEARCH_CLIMB = 3      /* the thesis: rejection with a few stochastic hill-climbing steps; for comparison */
+    MS_GPR_SEARCH_SUBSET = 2     /* subset simulation: a threshold that rises in steps, slice steps inside {u >= threshold} */
 } ms_gpr_search;
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_recommend_options {
     double tau;            /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
-                              to 0.7 (quality). floor: the smallest training score, or 0 if none is negative */
-    double best;           /* the score that tau = 1 means, such as 10; 0: the largest mean over the box, found by ascent */
+                              to 0.7 (quality). floor: ms_gpr_floor */
+    double best;           /* the score that tau = 1 means, such as 10; 0: the largest that was given. Where the model predicts
+                              less all over the box, the largest mean takes its place */
     double caution;        /* accept on mean - caution * sigma, >= 0. 0: on the mean */
     double min_distance;   /* between any two recommendations: root mean square over the dimensions, in widths of the box.
                               0: none. Uniform pairs are 0.4 apart */
-    const double *low;     /* [m] the box of allowed parameters; NULL: 0 */
-    const double *high;    /* [m]; NULL: 1 */
+    double diversity;      /* 0: in proportion to the volume of what is liked. Up to 1: every recommendation is the farthest from
+                              those before it of 1 + 15 diversity */
+    const double *low;     /* [m] the box of allowed parameters, low = high for a fixed one. NULL: in every column 0 to 1 where all */
+    const double *high;    /* [m] scores lie there, else their range, rounded outwards; the one value of a locked column */
+    const double *steps;   /* [m] parameters that come in steps from low on, such as 1 for whole numbers; 0: continuous. NULL: all are */
+    const double *avoid;   /* [avoid_count][m] "not like these": nothing nearer than avoid_distance to any of them */
+    int avoid_count;
+    double avoid_distance; /* as min_distance; 0: 0.15 */
+    int skip;              /* leaves out the first `skip` of the sequence that seed stands for: 20 more of the same */
     uint64_t seed;
     ms_gpr_search search;
-    int rounds;            /* of the walk before its point is taken; more come closer to uniform over the region. 0: 4 */
-    int climb_steps;       /* of a hill climb; 0: 20 */
-    double climb_size;     /* standard deviation of a climbing step in widths of the box; 0: 0.1 */
-    double max_candidates; /* rejection and climb give up after so many predictions; 0: 1e7 */
-    ms_progress progress;  /* asked once every 16384 candidates or 64 walks */
+    int rounds;            /* of slice steps before a recommendation is taken; more come closer to independence. 0: 2 */
+    double max_candidates; /* rejection gives up after so many predictions; 0: 1e7 */
+    ms_progress progress;  /* asked once every 16384 candidates, step of the threshold or 64 recommendations */
 } ms_gpr_recommend_options;
 
 typedef struct ms_gpr_recommend_report {
@@ -414,7 +431,7 @@ typedef struct ms_gpr_recommend_report {
     int found;            /* rows of x that are valid */
     double threshold;     /* in units of the score */
     double best;          /* largest mean that was found over the box */
-    double acceptance;    /* share of the uniform candidates (climb: of all candidates) that were accepted */
+    double acceptance;    /* share of the box whose mean reaches the threshold (subset simulation: estimated) */
     double candidates;    /* means predicted at single points */
     double slices;        /* means predicted along lines, which cost n instead of n m */
     double spread;        /* mean distance of the first 500 to the nearest other one of them, measured as min_distance */
@@ -426,40 +443,48 @@ typedef struct ms_gpr_recommend_report {
    mean    [count] out, or NULL: predicted scores
    sigma   [count] out, or NULL: their standard deviation
    report  or NULL
-   MS_NOT_CONVERGED: the model predicts no score above the floor (all scores equal the floor, or there are none); the threshold
-   is above the largest mean; or the search gave up, MS_CANCELLED: the first report->found rows of x are valid then, and mean and
+   The same seed gives the same sequence: count says how much of it, skip where it begins.
+   MS_NOT_CONVERGED: the model predicts no score above the floor (all scores are equal, or there are none); nothing reaches the
+   threshold with that caution; or the search gave up, MS_CANCELLED: the first report->found rows of x are valid then, and mean and
    sigma of them. MS_INVALID_ARGUMENT: an option out of range, low > high, count < 1. MS_OUT_OF_MEMORY.
    Memory and threads are the model's. gp is only read: calls may overlap. Bit-equal for any thread count at one SIMD level.
-   Thesis 3.4.1; the walk: Neal 2003, "Slice sampling", with shrinkage, along the axes and along random directions. */
+   Thesis 3.4.1; Au & Beck 2001, "Estimation of small failure probabilities in high dimensions by subset simulation"; its steps:
+   Neal 2003, "Slice sampling", with shrinkage, along the axes and along random directions. */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                       double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
 
 /* --------------------------------------------------------------------------------------- ACTIVE LEARNING */
 
-/* What a gallery to be scored next is drawn for (thesis 3.7). */
+/* What a gallery to be scored next is drawn for. The pool of candidates is half uniform, half variants of what was liked: a
+   material drawn in proportion to its score, half of them crossed with a second one, some of the parameters drawn anew. */
 typedef enum ms_gpr_gallery_kind {
-    MS_GPR_GALLERY_PROMISING = 0,    /* largest P(score > 0) sigma: what may be liked and is not known yet */
-    MS_GPR_GALLERY_INTERMEDIATE = 1, /* draws from the distribution learned so far, density in proportion to max(u, 0) */
-    MS_GPR_GALLERY_UNCERTAIN = 2,    /* largest sigma */
-    MS_GPR_GALLERY_NOVEL = 3,        /* novelty search: farthest, in length scales, from everything seen so far */
-    MS_GPR_GALLERY_UNIFORM = 4       /* the thesis's first gallery */
+    MS_GPR_GALLERY_ACTIVE = 0,       /* spread evenly until something is liked; then by turns what recommendations depend on,
+                                        largest 1.96 sigma - |mean - threshold of tau = 0.6|, and what is promising */
+    MS_GPR_GALLERY_PROMISING = 1,    /* largest P(score > floor) sigma: what may be liked and is not known yet */
+    MS_GPR_GALLERY_INTERMEDIATE = 2, /* draws from the distribution learned so far, density in proportion to max(u - floor, 0) */
+    MS_GPR_GALLERY_UNCERTAIN = 3,    /* largest sigma */
+    MS_GPR_GALLERY_NOVEL = 4,        /* novelty search: farthest, in length scales, from everything seen so far */
+    MS_GPR_GALLERY_UNIFORM = 5,      /* the thesis's first gallery */
+    MS_GPR_GALLERY_SPREAD = 6        /* uniform, each parameter evenly over its range (a Latin hypercube) */
 } ms_gpr_gallery_kind;
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_gallery_options {
-    const double *low;  /* [m]; NULL: 0 */
-    const double *high; /* [m]; NULL: 1 */
-    uint64_t seed;
+    const double *low;  /* [m] as in ms_gpr_recommend_options */
+    const double *high; /* [m] */
+    uint64_t seed;      /* the number of scores is part of it: every round gives another gallery */
     ms_gpr_gallery_kind kind;
-    int pool;           /* uniform candidates to choose from; 0: the larger of 4000 and 10 count */
+    int pool;           /* candidates to choose from; 0: the larger of 4000 and 10 count */
+    int uniform;        /* 1: no variants among them */
 } ms_gpr_gallery_options;
 
-/* Materials that the user is to score next. Each choice of the first, third and fourth kind takes those before it as
-   seen: sigma is updated as if they had been scored. A model of n = 0 gives uniform materials.
+/* Materials that the user is to score next, best in batches of 5 to 25. Each choice takes those before it as seen: sigma is updated
+   as if they had been scored. A model of n = 0 gives the first gallery.
    x       [count][m] out
    Then concatenate materials and scores with those of earlier rounds, and fit again.
    Cost: pool * (n^2 / 2 + count (n + count / 2)) multiply-adds; memory pool * (n + count + 2 m) doubles.
-   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Memory and threads are the model's; bit-equal for any thread count at one SIMD level. */
+   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Memory and threads are the model's; bit-equal for any thread count at one SIMD level.
+   Thesis 3.7; straddling: Bryan and others 2005, "Active learning for identifying function threshold boundaries". */
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
                                     ms_error *error);
 
@@ -1115,6 +1140,19 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #define MS_GPR__UPPER 1 /* only c_ij with i <= j is wanted */
 #define MS_GPR__LOWER 2 /* b_kj = 0 for k < j */
 
+/* Means along lines: with d2_i the squared distance of a place from point i, that of place + t step is d2_i + t (slope_i + t c),
+   c = |step|^2. One such table a level and precision; lists are of `size` bytes a number, n a multiple of 8. */
+typedef struct ms_gpr__lines {
+    size_t size;
+    /* d2_i = sum over k of (points[k stride + i] - place_k)^2 */
+    void (*arrive)(void *d2, const void *points, size_t stride, const double *place, int m, int n);
+    /* slope_i = 2 sum over k of step_k (place_k - points[k stride + i]) */
+    void (*face)(void *slope, const void *points, size_t stride, const double *place, const double *step, int m, int n);
+    /* sum of weight_i exp(-(d2_i + t (slope_i + t c)) / 2) */
+    double (*mean)(const void *d2, const void *slope, double t, double c, const void *weight, int n);
+    void (*go)(void *d2, const void *slope, double t, double c, int n); /* d2_i += t (slope_i + t c) */
+} ms_gpr__lines;
+
 /* The inner loops, one table a level. Matrices are row-major with a stride; a is [depth][rows], b is [depth][columns], c is
    [rows][columns]; rows is a multiple of 4, columns of 8; pointers need no alignment. */
 typedef struct ms_gpr__kernels {
@@ -1140,6 +1178,7 @@ typedef struct ms_gpr__kernels {
     void (*slopes)(double *slope, const double *w, const double *points, size_t stride, const double *place, int m, int columns);
     void (*axpy)(double *y, double a, const double *x, int columns); /* y += a x */
     double (*dot)(const double *x, const double *y, int columns);
+    ms_gpr__lines lines, lines_f;
 } ms_gpr__kernels;
 
 static double ms_gpr__pow2_double(double whole)
@@ -1616,12 +1655,14 @@ static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int 
 
 #define MS_GPR__DROPPED 700.0 /* log l_k of a dimension that is dropped: no exp of it overflows */
 #define MS_GPR__N_MAX 30000   /* the matrix has 7 GB then */
+#define MS_GPR__LARGEST 1e30  /* of a score or an input: squares of sums and single precision hold it */
+#define MS_GPR__NO_FLOOR -1e300
 
 struct ms_gpr {
     int n, m, active;        /* active: dimensions in use */
     int capacity;            /* points that there is room for */
     size_t stride;
-    double mean, zero_score; /* what a score of 0 is taken as */
+    double mean, floor, floor_value; /* scores up to floor are taken as floor_value */
     double jitter;
     ms_simd level;
     const ms_gpr__kernels *kernels;
@@ -1677,7 +1718,7 @@ static double ms_gpr__sn2(const ms_gpr *gp) { return exp(2 * gp->theta[gp->m + 1
 /* What the model takes score i as, less the prior mean. */
 static double ms_gpr__target(const ms_gpr *gp, int i)
 {
-    return (gp->y[i] < 0 || gp->y[i] > 0 ? gp->y[i] : gp->zero_score) - gp->mean;
+    return (gp->y[i] > gp->floor ? gp->y[i] : gp->floor_value) - gp->mean;
 }
 
 /* The input x [m] in length scales from the center, `spacing` apart. */
@@ -1723,6 +1764,19 @@ static double ms_gpr__likelihood_of(const ms_gpr *gp)
     return -0.5 * (fit + ms_gpr__log_determinant(gp->upper, gp->stride, gp->n) + gp->n * 1.8378770664093454836);
 }
 
+/* The least score that counts, where `known` is no floor: the least that was given; 0 where all are equal and above. */
+static double ms_gpr__floor(const double *y, int n, double known)
+{
+    double least = n ? y[0] : 0, most = least;
+    int i;
+    if (known > MS_GPR__NO_FLOOR) return known;
+    for (i = 1; i < n; ++i) {
+        if (y[i] < least) least = y[i];
+        if (y[i] > most) most = y[i];
+    }
+    return most > least || least < 0 ? least : 0;
+}
+
 /* Everything that follows from x, y and theta. The jitter, in units of sf^2, is the least power of ten that does. */
 static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
 {
@@ -1752,14 +1806,16 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
 }
 
 /* Position: the row, from 1. */
-static ms_status ms_gpr__check_rows(const double *x, int rows, int columns, const char *what, ms_error *error)
+static ms_status ms_gpr__check_rows(const double *x, int rows, int columns, double limit, const char *what, ms_error *error)
 {
     int i, k;
     for (i = 0; i < rows; ++i)
-        for (k = 0; k < columns; ++k)
-            if (!ms__finite(x[(size_t)i * (size_t)columns + (size_t)k]))
-                return ms__fail(error, MS_BAD_DATA, (size_t)i + 1, "%s %d, column %d is %g: expected a finite number", what, i + 1, k + 1,
-                                x[(size_t)i * (size_t)columns + (size_t)k]);
+        for (k = 0; k < columns; ++k) {
+            double v = x[(size_t)i * (size_t)columns + (size_t)k];
+            if (!ms__finite(v) || !(fabs(v) <= limit))
+                return ms__fail(error, MS_BAD_DATA, (size_t)i + 1, "%s %d, column %d is %g: expected a number from %g to %g", what, i + 1,
+                                k + 1, v, -limit, limit);
+        }
     return MS_OK;
 }
 
@@ -1769,8 +1825,8 @@ static ms_status ms_gpr__check_data(const double *x, const double *y, int n, int
     if (n < 0 || n > MS_GPR__N_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "n is %d: expected 0 to %d", n, MS_GPR__N_MAX);
     if (m < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d: expected at least 1", m);
     if (n > 0 && (x == NULL || y == NULL)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "x or y is NULL");
-    status = ms_gpr__check_rows(x, n, m, "input", error);
-    return status == MS_OK ? ms_gpr__check_rows(y, n, 1, "score", error) : status;
+    status = ms_gpr__check_rows(x, n, m, MS_GPR__LARGEST, "input", error);
+    return status == MS_OK ? ms_gpr__check_rows(y, n, 1, MS_GPR__LARGEST, "score", error) : status;
 }
 
 static ms_status ms_gpr__check_theta(const double *theta, int m, ms_error *error)
@@ -1785,8 +1841,8 @@ static ms_status ms_gpr__check_theta(const double *theta, int m, ms_error *error
     return MS_OK;
 }
 
-static ms_status ms_gpr__make(const double *x, const double *y, int n, int m, const double *theta, double zero_score,
-                              const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+static ms_status ms_gpr__make(const double *x, const double *y, int n, int m, const double *theta, double floor,
+                              double floor_value, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
 {
     ms_gpr *gp = (ms_gpr *)ms__alloc(&options->allocator, sizeof *gp);
     double *memory;
@@ -1796,7 +1852,8 @@ static ms_status ms_gpr__make(const double *x, const double *y, int n, int m, co
     gp->n = n;
     gp->m = m;
     gp->mean = options->mean;
-    gp->zero_score = zero_score;
+    gp->floor = floor;
+    gp->floor_value = floor_value;
     gp->level = ms_gpr__simd_pick(options->simd);
     gp->kernels = ms_gpr__kernels_of(gp->level);
     gp->allocator = options->allocator;
@@ -1829,7 +1886,7 @@ MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, c
     status = ms_gpr__check_data(x, y, n, m, error);
     if (status == MS_OK) status = ms_gpr__check_theta(theta, m, error);
     if (status == MS_OK && !ms__finite(options->mean)) status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "the prior mean is not finite");
-    return status == MS_OK ? ms_gpr__make(x, y, n, m, theta, 0, options, out, error) : status;
+    return status == MS_OK ? ms_gpr__make(x, y, n, m, theta, MS_GPR__NO_FLOOR, 0, options, out, error) : status;
 }
 
 MS_API void ms_gpr_destroy(ms_gpr *gp)
@@ -1914,7 +1971,8 @@ MS_API const double *ms_gpr_theta(const ms_gpr *gp) { return gp->theta; }
 MS_API const double *ms_gpr_inputs(const ms_gpr *gp) { return gp->x; }
 MS_API const double *ms_gpr_scores(const ms_gpr *gp) { return gp->y; }
 MS_API double ms_gpr_mean(const ms_gpr *gp) { return gp->mean; }
-MS_API double ms_gpr_zero_score(const ms_gpr *gp) { return gp->zero_score; }
+MS_API double ms_gpr_floor(const ms_gpr *gp) { return ms_gpr__floor(gp->y, gp->n, gp->floor); }
+MS_API double ms_gpr_floor_value(const ms_gpr *gp) { return gp->floor > MS_GPR__NO_FLOOR ? gp->floor_value : ms_gpr_floor(gp); }
 MS_API ms_simd ms_gpr_level(const ms_gpr *gp) { return gp->level; }
 MS_API double ms_gpr_jitter(const ms_gpr *gp) { return gp->jitter; }
 
@@ -2068,6 +2126,16 @@ MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *
         ms_gpr__condition(gp, NULL);
     }
     return status;
+}
+
+MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error)
+{
+    ms_status status = ms_gpr__check_rows(&y, 1, 1, MS_GPR__LARGEST, "score", error);
+    if (status != MS_OK) return status;
+    if (index < 0 || index >= gp->n) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, gp->n - 1);
+    gp->y[index] = y;
+    ms_gpr__solve_alpha(gp);
+    return MS_OK;
 }
 
 MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error)
@@ -2227,7 +2295,7 @@ MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, do
     ms_gpr__batch b;
     ms_status status;
     if (count < 0 || (count > 0 && x == NULL)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d, or x is NULL", count);
-    status = ms_gpr__check_rows(x, count, gp->m, "candidate", error);
+    status = ms_gpr__check_rows(x, count, gp->m, 1.7e308, "candidate", error);
     if (status != MS_OK) return status;
     memset(&b, 0, sizeof b);
     b.gp = gp;
@@ -2262,7 +2330,7 @@ MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean
     int padded = ms_gpr__padded(gp->n), i, k;
     double sf2 = ms_gpr__sf2(gp), sum = gp->mean, *place, *covariance, *beta, explained;
     size_t doubles = (size_t)gp->active + 2 * (size_t)padded;
-    ms_status status = ms_gpr__check_rows(x, 1, gp->m, "candidate", error);
+    ms_status status = ms_gpr__check_rows(x, 1, gp->m, 1.7e308, "candidate", error);
     void *block;
     if (status != MS_OK) return status;
     place = ms_gpr__doubles(&gp->allocator, doubles, &block);
@@ -2301,374 +2369,427 @@ MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean
 
 /* ------------------------------------------------------------------------------------------------------ FIT */
 
-/* Log-normal priors of MAP: means and standard deviations of log l_k (widths), of log sf and of log sn (standard deviations of the
-   scores). A tight one of the noise keeps a fit of few scores from calling all of them noise; around the others the divergence on
-   synthetic users is flat (tests/bench/bench_gpr.c). */
-#define MS_GPR__PRIOR_LENGTH 0.75 /* plus log(m) / 2 */
-#define MS_GPR__PRIOR_LENGTH_SD 1.5
-#define MS_GPR__PRIOR_SF 0.0
-#define MS_GPR__PRIOR_SF_SD 1.0
-#define MS_GPR__PRIOR_SN -1.6
-#define MS_GPR__PRIOR_SN_SD 0.35
+/* Consecutive pieces of one allocation, whole blocks of 8 doubles each. A NULL base adds up the size alone. */
+typedef struct ms_gpr__arena {
+    double *base;
+    size_t used; /* doubles; SIZE_MAX: too many */
+} ms_gpr__arena;
 
-/* The search over q = log l_k / width_k, log sf / s, log sn / s for scores of mean 0 and standard deviation s = 1. */
-typedef struct ms_gpr__fit {
+static double *ms_gpr__take(ms_gpr__arena *arena, size_t a, size_t b)
+{
+    double *piece = arena->base ? arena->base + arena->used : NULL;
+    size_t size = ms__size_add(ms__size_mul(a, b), MS_GPR__BLOCK - 1);
+    arena->used = ms__size_add(arena->used, size == SIZE_MAX ? size : size / MS_GPR__BLOCK * MS_GPR__BLOCK);
+    return piece;
+}
+
+typedef struct ms_gpr__ranked {
+    double value;
+    int index;
+} ms_gpr__ranked;
+
+static int ms_gpr__ranked_before(const ms_gpr__ranked *a, const ms_gpr__ranked *b)
+{
+    return a->value > b->value || (!(a->value < b->value) && a->index < b->index);
+}
+
+/* Largest value first, then smallest index. Heapsort in place: the qsort of some C libraries calls malloc. */
+static void ms_gpr__ranked_sort(ms_gpr__ranked *list, int count)
+{
+    int first = count / 2, end = count, parent, child;
+    while (end > 1) {
+        ms_gpr__ranked moved;
+        if (first > 0) {
+            moved = list[--first]; /* makes the heap: whatever comes last in the order is at its top */
+        } else {
+            moved = list[--end]; /* takes the top off it */
+            list[end] = list[0];
+        }
+        for (parent = first; (child = 2 * parent + 1) < end; parent = child) {
+            if (child + 1 < end && ms_gpr__ranked_before(&list[child], &list[child + 1])) ++child;
+            if (!ms_gpr__ranked_before(&moved, &list[child])) break;
+            list[parent] = list[child];
+        }
+        list[parent] = moved;
+    }
+}
+
+/* Log-normal priors of MAP: of l_k in widths, of sf and of sn in standard deviations of the scores. A tight one of the noise keeps
+   a fit of few scores from calling all of them noise; around the others the divergence on synthetic users is flat
+   (tests/bench/bench_gpr.c). Where the noise is farther off than MS_GPR__PRIOR_TAIL spreads, doubt in it grows no faster than
+   linearly: scores that contradict each other may say so. */
+#define MS_GPR__PRIOR_LENGTH 2.1 /* times sqrt(m) */
+#define MS_GPR__PRIOR_LENGTH_SPREAD 1.5
+#define MS_GPR__PRIOR_SF_SPREAD 1.0
+#define MS_GPR__PRIOR_SN 0.2
+#define MS_GPR__PRIOR_SN_SPREAD 0.25
+#define MS_GPR__PRIOR_TAIL 1.0
+#define MS_GPR__PART 100 /* scores at least that the starts of a fit are tried on, or a third of all; all where they are fewer than twice */
+
+/* Scores that a search looks at: all of them, or a part. Targets have mean 0 and standard deviation 1. */
+typedef struct ms_gpr__sample {
     ms_gpr__problem problem;
-    const double *x;          /* [n][m] */
-    double *width;            /* [m] */
-    double *center;           /* [m] */
-    double *prior;            /* [m + 2] means; NULL: none */
-    int evaluations, expected;
-    const ms_progress *progress;
+    double *columns;          /* [m][stride] inputs in widths from their centers, by dimension */
+} ms_gpr__sample;
+
+/* The search over q = log l_k / width_k, log sf / s, log sn / s, s the standard deviation of the scores. */
+typedef struct ms_gpr__fit {
+    ms_gpr_fit_options o;     /* with the defaults filled in */
+    int m, starts;            /* columns that are not constant */
+    ms_gpr__sample whole, part, *sample; /* sample: the one in use */
+    int *column;              /* [m] which column of x */
+    double *width, *center;   /* [m] */
+    double *low, *high;       /* [m + 2] bounds of q */
+    double *prior, *spread;   /* [m + 2] of MAP */
+    double *q;                /* [starts][m + 2]; the winner ends in the first row */
+    double *theta;            /* [columns of x + 2] what the model gets */
+    ms_gpr__ranked *order;    /* [n + starts] */
+    double *work;
+    double mean, unit, floor, floor_value;
+    int expected;             /* evaluations, about */
+    ms_gpr_fit_report report;
 } ms_gpr__fit;
 
-/* Minus the log posterior (without prior: likelihood) and its gradient (NULL: not wanted). */
+/* Minus the log posterior (of ML: likelihood) and its gradient (NULL: not wanted). */
 static int ms_gpr__fit_objective(void *context, const double *q, double *value, double *gradient)
 {
     ms_gpr__fit *fit = (ms_gpr__fit *)context;
-    ms_gpr__problem *p = &fit->problem;
+    ms_gpr__problem *p = &fit->sample->problem;
+    const ms_progress *progress = &fit->o.progress;
     double likelihood;
     int i, k;
-    if (fit->progress->report &&
-        fit->progress->report(fit->progress->user, fit->evaluations < fit->expected ? (double)fit->evaluations / fit->expected : 1.0))
+    if (progress->report &&
+        progress->report(progress->user, fit->report.evaluations < fit->expected ? (double)fit->report.evaluations / fit->expected : 1.0))
         return -1;
-    ++fit->evaluations;
+    ++fit->report.evaluations;
     for (k = 0; k < p->m; ++k) {
-        double *row = p->points + (size_t)k * p->stride, scale = exp(-q[k]) / fit->width[k];
-        for (i = 0; i < p->n; ++i) row[i] = (fit->x[(size_t)i * (size_t)p->m + (size_t)k] - fit->center[k]) * scale;
+        const double *column = fit->sample->columns + (size_t)k * p->stride;
+        double *row = p->points + (size_t)k * p->stride, scale = exp(-q[k]);
+        for (i = 0; i < p->n; ++i) row[i] = column[i] * scale;
     }
     if (!ms_gpr__evaluate(p, exp(2 * q[p->m]), exp(2 * q[p->m + 1]), &likelihood, gradient)) return 0;
     *value = -likelihood;
     for (k = 0; k < p->m + 2; ++k) {
         if (gradient) gradient[k] = -gradient[k];
-        if (fit->prior) {
-            double sd = k < p->m ? MS_GPR__PRIOR_LENGTH_SD : k == p->m ? MS_GPR__PRIOR_SF_SD : MS_GPR__PRIOR_SN_SD;
-            double z = (q[k] - fit->prior[k]) / sd;
-            *value += 0.5 * z * z;
-            if (gradient) gradient[k] += z / sd;
+        if (fit->o.method == MS_GPR_METHOD_MAP) {
+            double z = (q[k] - fit->prior[k]) / fit->spread[k], tail = k == p->m + 1 ? MS_GPR__PRIOR_TAIL : 1e9;
+            double slope = z > tail ? tail : z;
+            *value += slope * (z - 0.5 * slope);
+            if (gradient) gradient[k] += slope / fit->spread[k];
         }
     }
     return 1;
 }
 
-/* Resilient backpropagation as the thesis used it: each variable keeps a step of its own that grows by 1.2 while the sign of its
-   slope stays, and halves when it turns (Riedmiller & Braun 1992; Blum & Riedmiller 2013). work: 4 count doubles. */
-static ms_gpr__minimum ms_gpr__rprop(const ms_gpr__search *s, double *q, double *work)
+/* The floor, what scores there are taken as, and what makes mean 0 and standard deviation 1 of them. 0: all scores are equal. */
+static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
 {
-    size_t n = (size_t)s->count;
-    double *at = work, *gradient = at + n, *before = gradient + n, *step = before + n, value;
-    ms_gpr__minimum best;
-    int i;
-    best.value = HUGE_VAL;
-    best.evaluations = best.stopped = 0;
-    for (i = 0; i < s->count; ++i) {
-        at[i] = ms_gpr__clip(s, i, q[i]);
-        before[i] = 0;
-        step[i] = 0.1;
+    double least = n ? y[0] : 0, most = least, sum = 0, sum2 = 0;
+    int i, pass, share = 0;
+    for (i = 1; i < n; ++i) {
+        if (y[i] < least) least = y[i];
+        if (y[i] > most) most = y[i];
     }
-    while (best.evaluations < s->evaluations) {
-        int defined = s->f(s->context, at, &value, gradient);
-        ++best.evaluations;
-        best.stopped = defined < 0;
-        if (defined != 1) break;
-        if (value < best.value) {
-            best.value = value;
-            memcpy(q, at, n * sizeof *q);
+    fit->unit = fabs(most) > 0 ? fabs(most) : 1;
+    fit->mean = 0.5 * (least + most);
+    fit->floor = MS_GPR__NO_FLOOR;
+    for (i = 0; i < n; ++i) share += y[i] <= least;
+    if (fit->o.floor) fit->floor = *fit->o.floor;
+    else if (share >= 2 && 8.0 * share >= n && share < n) fit->floor = least;
+    fit->floor_value = fit->floor;
+    if (!(most - least > 1e-12 * (fabs(most) + fabs(least)))) return 0;
+    for (pass = 0; pass < 2; ++pass) { /* of the scores, then of what they are taken as */
+        for (i = 0, sum = sum2 = 0; i < n; ++i) sum += (y[i] > fit->floor ? y[i] : fit->floor_value) / n;
+        for (i = 0; i < n; ++i) {
+            double d = (y[i] > fit->floor ? y[i] : fit->floor_value) - sum;
+            sum2 += d * d / n;
         }
-        for (i = 0; i < s->count; ++i) {
-            double turn = before[i] * gradient[i];
-            if (turn > 0) step[i] = step[i] * 1.2 < 50 ? step[i] * 1.2 : 50;
-            if (turn < 0) step[i] = step[i] * 0.5 > 1e-6 ? step[i] * 0.5 : 1e-6;
-            before[i] = turn < 0 ? 0 : gradient[i];
-            if (turn >= 0) at[i] = ms_gpr__clip(s, i, at[i] - (gradient[i] > 0 ? step[i] : gradient[i] < 0 ? -step[i] : 0));
-        }
+        if (pass == 0 && fit->floor > MS_GPR__NO_FLOOR) fit->floor_value -= fit->o.floor_offset * sqrt(sum2);
     }
-    return best;
+    fit->mean = sum;
+    fit->unit = sqrt(sum2);
+    return 1;
 }
 
-/* Scaled conjugate gradients (Moller 1993, steps 1 to 9). work: 6 count doubles. */
-static ms_gpr__minimum ms_gpr__scg(const ms_gpr__search *s, double *q, double *work)
+/* Centers and widths of the columns that are not constant, but for rounding. */
+static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, const double *x, int n, int m, ms_error *error)
 {
-    size_t n = (size_t)s->count;
-    double *gradient = work, *direction = gradient + n, *trial = direction + n, *slope = trial + n, *residual = slope + n, value;
-    double lambda = 1e-6, lambda_raised = 0, delta = 0;
-    ms_gpr__minimum best;
-    int success = 1, k = 1, i, defined;
-    best.stopped = 0;
-    best.evaluations = 1;
-    best.value = HUGE_VAL;
-    for (i = 0; i < s->count; ++i) q[i] = ms_gpr__clip(s, i, q[i]);
-    defined = s->f(s->context, q, &best.value, gradient);
-    best.stopped = defined < 0;
-    if (defined != 1) best.value = HUGE_VAL;
-    if (defined != 1) return best;
-    for (i = 0; i < s->count; ++i) direction[i] = residual[i] = -gradient[i];
-    while (best.evaluations < s->evaluations) {
-        double p2 = 0, mu = 0, alpha, comparison, r2 = 0, gain;
-        for (i = 0; i < s->count; ++i) {
-            p2 += direction[i] * direction[i];
-            mu += direction[i] * residual[i];
+    int i, k;
+    for (k = 0, fit->m = 0; k < m; ++k) {
+        const double *v = x + (n ? k : 0);
+        double least = n ? *v : 0, most = least, sum = 0, sum2 = 0, largest;
+        for (i = 0; i < n; ++i, v += m) {
+            if (*v < least) least = *v;
+            if (*v > most) most = *v;
+            sum += *v / n;
         }
-        if (!(p2 > 1e-20)) break;
-        if (success) { /* second-order information from a short step */
-            double sigma = 1e-4 / sqrt(p2);
-            for (i = 0; i < s->count; ++i) trial[i] = q[i] + sigma * direction[i];
-            defined = s->f(s->context, trial, &value, slope);
-            ++best.evaluations;
-            if (defined < 0) { best.stopped = 1; break; }
-            if (!defined) break;
-            for (i = 0, delta = 0; i < s->count; ++i) delta += direction[i] * (slope[i] - gradient[i]) / sigma;
-        }
-        delta += (lambda - lambda_raised) * p2;
-        if (delta <= 0) { /* make the Hessian positive definite */
-            lambda_raised = 2 * (lambda - delta / p2);
-            delta = -delta + lambda * p2;
-            lambda = lambda_raised;
-        }
-        alpha = mu / delta;
-        for (i = 0; i < s->count; ++i) trial[i] = ms_gpr__clip(s, i, q[i] + alpha * direction[i]);
-        defined = s->f(s->context, trial, &value, slope);
-        ++best.evaluations;
-        if (defined < 0) { best.stopped = 1; break; }
-        if (!defined || !ms__finite(value)) value = HUGE_VAL;
-        comparison = value < HUGE_VAL ? 2 * delta * (best.value - value) / (mu * mu) : -1;
-        if (comparison >= 0) {
-            double turn, cross = 0;
-            gain = best.value - value;
-            best.value = value;
-            memcpy(q, trial, n * sizeof *q);
-            for (i = 0; i < s->count; ++i) {
-                cross += residual[i] * -slope[i];
-                gradient[i] = slope[i];
-                residual[i] = -slope[i];
-                r2 += residual[i] * residual[i];
-            }
-            lambda_raised = 0;
-            success = 1;
-            turn = k++ % s->count == 0 ? 0 : (r2 - cross) / mu;
-            for (i = 0; i < s->count; ++i) direction[i] = residual[i] + turn * direction[i];
-            if (comparison >= 0.75) lambda *= 0.25;
-            if (gain < s->tolerance && r2 < s->tolerance * s->count) break;
-        } else {
-            lambda_raised = lambda;
-            success = 0;
-        }
-        if (comparison < 0.25) lambda += delta * (1 - comparison) / p2;
-        if (!(lambda < 1e100)) break;
+        largest = fabs(least) > fabs(most) ? fabs(least) : fabs(most);
+        if (!(most - least > 1e-10 * largest)) continue;
+        if (most - least < 1 / MS_GPR__LARGEST)
+            return ms__fail(error, MS_BAD_DATA, (size_t)k + 1, "column %d spans %g: expected more than %g; scale it", k + 1, most - least,
+                            1 / MS_GPR__LARGEST);
+        for (i = 0, v = x + k; i < n; ++i, v += m) sum2 += (*v - sum) * (*v - sum) / n;
+        fit->center[fit->m] = sum;
+        fit->width[fit->m] = 3.4641016151377544 * sqrt(sum2); /* sqrt 12 */
+        fit->column[fit->m++] = k;
     }
-    return best;
+    return MS_OK;
 }
 
-/* What zeros are taken as: below "barely liked", where dislike has room. Only for scores that are a scale from 0 up. */
-static double ms_gpr__fit_zero(const double *y, int n, double below)
+/* Row `row` of the scores as row `to` of a sample. */
+static void ms_gpr__fit_place(const ms_gpr__fit *fit, ms_gpr__sample *sample, int to, const double *x, const double *y, int row, int m)
 {
-    int i, zeros = 0;
-    for (i = 0; i < n; ++i) {
-        if (y[i] < 0) return 0;
-        zeros += !(y[i] > 0);
-    }
-    return zeros < n ? -below : 0; /* no zeros: without effect */
+    int k;
+    for (k = 0; k < fit->m; ++k)
+        sample->columns[(size_t)k * sample->problem.stride + (size_t)to] =
+            (x[(size_t)row * (size_t)m + (size_t)fit->column[k]] - fit->center[k]) / fit->width[k];
+    sample->problem.target[to] = ((y[row] > fit->floor ? y[row] : fit->floor_value) - fit->mean) / fit->unit;
 }
 
-/* Mean and standard deviation of n values `stride` apart; a value of 0 counts as `zero`. */
-static void ms_gpr__fit_moments(const double *y, int n, size_t stride, double zero, double *mean, double *sd)
+/* Priors, bounds, and where the searches start. */
+static void ms_gpr__fit_starts(ms_gpr__fit *fit)
 {
-    double sum = 0, sum2 = 0;
-    int i;
-    for (i = 0; i < n; ++i) {
-        double v = y[(size_t)i * stride];
-        sum += (v < 0 || v > 0 ? v : zero) / n;
+    static const double lengths[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
+    const ms_gpr_fit_options *o = &fit->o;
+    double root = sqrt((double)(fit->m > 0 ? fit->m : 1));
+    int m = fit->m, i, k;
+    for (k = 0; k < m + 2; ++k) {
+        fit->low[k] = log(k < m ? o->length_min : k == m ? 1e-3 : o->noise_min);
+        fit->high[k] = log(k < m ? o->length_max : k == m ? 1e3 : 10.0);
+        fit->prior[k] = k < m ? log(o->length > 0 ? o->length : MS_GPR__PRIOR_LENGTH * root) : k == m ? 0
+                        : log(o->noise > 0 ? o->noise / fit->unit : MS_GPR__PRIOR_SN);
+        fit->spread[k] = k < m ? o->length_spread : k == m ? MS_GPR__PRIOR_SF_SPREAD : o->noise_spread;
     }
-    for (i = 0; i < n; ++i) {
-        double v = y[(size_t)i * stride], d = (v < 0 || v > 0 ? v : zero) - sum;
-        sum2 += d * d / n;
+    for (i = 0; i < fit->starts; ++i) {
+        ms__rng rng = ms__rng_make(o->seed, (uint64_t)i);
+        double *q = fit->q + i * (m + 2);
+        q[m] = 0;
+        q[m + 1] = -2.302585092994046; /* log 0.1 */
+        for (k = 0; k < m; ++k) {
+            if (o->start) q[k] = o->start[fit->column[k]] - log(fit->width[k]);
+            else if (o->length_start > 0) q[k] = log(o->length_start);
+            else if (i < 3) q[k] = log(lengths[i] * root);
+            else q[k] = -1 + ms__rng_uniform(&rng) * (fit->prior[k] + 1); /* from 0.37 widths to what the prior expects */
+        }
     }
-    *mean = sum;
-    *sd = sqrt(sum2);
 }
 
 /* Tries every dimension alone at another length: one that matters is switched off, one that a start overlooked is switched on
-   (length 1 width). What raises the posterior is kept. The number of switches; *stopped: the caller cancelled. */
-static int ms_gpr__fit_probe(ms_gpr__fit *fit, double *q, double *value, int *stopped)
+   (length 1 width). What raises the posterior is kept. How many were switched; -1: cancelled. */
+static int ms_gpr__fit_probe(ms_gpr__fit *fit, double *q, double value)
 {
     int switched = 0, k;
-    for (k = 0; k < fit->problem.m; ++k) {
+    for (k = 0; k < fit->m; ++k) {
         double before = q[k], trial;
         int defined;
         q[k] = before < 0.5 * fit->prior[k] ? fit->prior[k] : 0;
         defined = ms_gpr__fit_objective(fit, q, &trial, NULL);
-        if (defined < 0) *stopped = 1;
-        if (defined == 1 && trial < *value) {
-            *value = trial;
+        if (defined < 0) return -1;
+        if (defined == 1 && trial < value) {
+            value = trial;
             ++switched;
         } else {
             q[k] = before;
         }
-        if (*stopped) break;
     }
+    fit->report.probes += switched;
     return switched;
 }
 
-/* Start number `start` of a fit. */
-static void ms_gpr__fit_start(const ms_gpr__fit *fit, const ms_gpr_fit_options *o, int start, double unit, double *q)
-{
-    static const double length[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
-    int m = fit->problem.m, k;
-    double longest = MS_GPR__PRIOR_LENGTH + 0.5 * log((double)m);
-    ms__rng rng = ms__rng_make(o->seed, (uint64_t)start);
-    q[m] = 0;
-    q[m + 1] = -2.302585092994046; /* log 0.1 */
-    for (k = 0; k < m; ++k) {
-        if (o->length_start > 0) q[k] = log(o->length_start);
-        else if (start < 3) q[k] = log(length[start] * sqrt((double)m));
-        else q[k] = -1 + ms__rng_uniform(&rng) * (longest + 1); /* from 0.37 widths to the mean of MAP's prior */
-    }
-    if (o->start)
-        for (k = 0; k < m + 2; ++k) q[k] = o->start[k] - log(k < m ? fit->width[k] : unit);
-}
-
-/* The optimum of one method. ML runs all its starts to the end. Those of MAP run a little, the better half of them goes on, until
-   one is left; that is run to its end, probed, and run again if a probe found something. q [starts][m + 2]: the winner is in its
-   first row. */
-static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit, ms_gpr__search *s, const ms_gpr_fit_options *o, int starts, double *q,
-                                          double *value, int *order, double *work, ms_gpr_fit_report *r)
+/* The best of all starts, in q's first row. MAP: all run a little, the better half goes on, until one is left. ML: to the end. */
+static ms_gpr__minimum ms_gpr__fit_race(ms_gpr__fit *fit, ms_gpr__search *s)
 {
     size_t row = (size_t)s->count;
+    int alive = fit->starts, budget = s->evaluations, halve = fit->o.method == MS_GPR_METHOD_MAP, i, j;
     ms_gpr__minimum found;
-    int alive = starts, budget = s->evaluations, i, j, polish;
-    for (i = 0; i < starts; ++i) order[i] = i;
+    found.stopped = 0;
+    found.value = HUGE_VAL;
+    for (i = 0; i < alive; ++i) fit->order[i].index = i;
     while (alive > 1) {
-        s->evaluations = fit->prior && budget > 24 ? 24 : budget;
+        s->evaluations = halve && budget > 24 ? 24 : budget;
         for (i = 0; i < alive; ++i) {
-            int start = order[i];
-            found = ms_gpr__minimize(s, q + (size_t)start * row, work);
+            ms_gpr__ranked done = fit->order[i];
+            found = ms_gpr__minimize(s, fit->q + (size_t)done.index * row, fit->work);
             if (found.stopped) return found;
-            value[start] = found.value;
-            for (j = i; j > 0 && value[order[j - 1]] > value[start]; --j) order[j] = order[j - 1];
-            order[j] = start;
+            done.value = found.value;
+            for (j = i; j > 0 && fit->order[j - 1].value > done.value; --j) fit->order[j] = fit->order[j - 1];
+            fit->order[j] = done;
         }
-        alive = fit->prior ? (alive + 1) / 2 : 1;
+        alive = halve ? (alive + 1) / 2 : 1;
     }
-    r->start = order[0];
-    memmove(q, q + (size_t)r->start * row, row * sizeof *q);
     s->evaluations = budget;
-    if (o->method == MS_GPR_METHOD_RPROP) return ms_gpr__rprop(s, q, work);
-    if (o->method == MS_GPR_METHOD_SCG) return ms_gpr__scg(s, q, work);
-    for (polish = 0;; ++polish) {
-        found = ms_gpr__minimize(s, q, work);
-        if (fit->prior == NULL || found.stopped || polish == 1) return found;
-        i = ms_gpr__fit_probe(fit, q, &found.value, &found.stopped);
-        r->probes += i;
-        if (i == 0 || found.stopped) return found;
+    fit->report.start = fit->order[0].index;
+    memmove(fit->q, fit->q + (size_t)fit->report.start * row, row * sizeof *fit->q);
+    return found;
+}
+
+/* The optimum, in q's first row. MAP: the race of the starts on a part of the scores, its winner to the end, every dimension
+   probed, and a polish on all scores. */
+static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
+{
+    ms_gpr__minimum found;
+    ms_gpr__search s;
+    int map = fit->o.method == MS_GPR_METHOD_MAP;
+    memset(&s, 0, sizeof s);
+    s.f = ms_gpr__fit_objective;
+    s.context = fit;
+    s.count = fit->m + 2;
+    s.low = fit->low;
+    s.high = fit->high;
+    s.step = 4;
+    s.tolerance = 1e-4;
+    s.evaluations = fit->o.evaluations;
+    fit->sample = fit->part.columns ? &fit->part : &fit->whole;
+    found = ms_gpr__fit_race(fit, &s);
+    if (!found.stopped && fit->part.columns) found = ms_gpr__minimize(&s, fit->q, fit->work);
+    if (found.stopped) return found;
+    fit->sample = &fit->whole;
+    if (fit->part.columns) s.tolerance = 0.1;
+    found = ms_gpr__minimize(&s, fit->q, fit->work);
+    if (!found.stopped && map) {
+        int switched = ms_gpr__fit_probe(fit, fit->q, found.value);
+        if (switched > 0) found = ms_gpr__minimize(&s, fit->q, fit->work);
+        if (switched < 0) found.stopped = 1;
     }
+    return found;
 }
 
 static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, ms_gpr_fit_options *o, ms_error *error)
 {
+    static const char *const name[] = {"length_start", "length_min", "length_max", "noise_min", "noise", "noise_spread", "length", "length_spread"};
+    double value[8];
+    int i;
     memset(o, 0, sizeof *o);
     if (options) *o = *options;
-    if ((int)o->method < 0 || (int)o->method > (int)MS_GPR_METHOD_SCG)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d: expected 0 to 3", (int)o->method);
-    if (!ms__finite(o->floor_offset) || !(o->length_start >= 0 && ms__finite(o->length_start)) || !(o->length_min >= 0) ||
-        !(o->length_max >= 0 && ms__finite(o->length_max)) || !(o->noise_min >= 0 && o->noise_min < 10) || o->evaluations < 0 ||
-        o->random_starts < 0 || o->random_starts > 1000)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "an option of the fit is negative or not finite, noise_min is 10 or more, "
-                                                       "or random_starts is above 1000");
+    value[0] = o->length_start, value[1] = o->length_min, value[2] = o->length_max, value[3] = o->noise_min;
+    value[4] = o->noise, value[5] = o->noise_spread, value[6] = o->length, value[7] = o->length_spread;
+    for (i = 0; i < 8; ++i)
+        if (!(value[i] >= 0 && value[i] <= MS_GPR__LARGEST))
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i], value[i], MS_GPR__LARGEST);
+    if ((int)o->method < 0 || (int)o->method > (int)MS_GPR_METHOD_ML)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d: expected 0 or 1", (int)o->method);
+    if (!(fabs(o->floor_offset) <= 100))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor_offset is %g: expected at most 100", o->floor_offset);
+    if (o->floor && !(fabs(*o->floor) <= MS_GPR__LARGEST))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor is %g: expected a score", *o->floor);
+    if (o->noise_min > 9) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "noise_min is %g: expected at most 9", o->noise_min);
+    if (o->evaluations < 0 || o->random_starts < 0 || o->random_starts > 1000)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "evaluations is %d and random_starts %d: expected at least 0, and at most 1000 starts",
+                        o->evaluations, o->random_starts);
     if (o->floor_offset < 0) o->floor_offset = 0;
     else if (!(o->floor_offset > 0)) o->floor_offset = o->method == MS_GPR_METHOD_MAP ? 0.75 : 0;
-    if (!(o->length_start > 0) && (int)o->method >= (int)MS_GPR_METHOD_RPROP) o->length_start = 1;
     if (!(o->length_min > 0)) o->length_min = 0.01;
     if (!(o->length_max > 0)) o->length_max = 1000;
     if (!(o->noise_min > 0)) o->noise_min = 1e-3;
-    if (o->evaluations == 0) o->evaluations = o->method == MS_GPR_METHOD_RPROP ? 100 : 200;
+    if (!(o->noise_spread > 0)) o->noise_spread = MS_GPR__PRIOR_SN_SPREAD;
+    if (!(o->length_spread > 0)) o->length_spread = MS_GPR__PRIOR_LENGTH_SPREAD;
+    if (o->evaluations == 0) o->evaluations = 200;
     if (!(o->length_min < o->length_max))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_min is %g: expected less than length_max, %g", o->length_min, o->length_max);
     return o->start ? ms_gpr__check_theta(o->start, m, error) : MS_OK;
 }
 
+static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, int part, ms_gpr__arena *arena)
+{
+    const ms_gpr__kernels *f = ms_gpr__kernels_of(ms_gpr__simd_pick(fit->o.simd));
+    size_t row = (size_t)m + 2;
+    double *memory = ms_gpr__take(arena, ms_gpr__problem_doubles(n, m), 1);
+    if (memory) fit->whole.problem = ms_gpr__problem_make(f, n, m, memory);
+    fit->whole.columns = ms_gpr__take(arena, (size_t)m, ms_gpr__stride(n));
+    fit->part.columns = NULL;
+    if (part < n) {
+        memory = ms_gpr__take(arena, ms_gpr__problem_doubles(part, m), 1);
+        if (memory) fit->part.problem = ms_gpr__problem_make(f, part, m, memory);
+        fit->part.columns = ms_gpr__take(arena, (size_t)m, ms_gpr__stride(part));
+    }
+    fit->work = ms_gpr__take(arena, ms_gpr__minimize_doubles(m + 2), 1);
+    fit->q = ms_gpr__take(arena, row, (size_t)fit->starts);
+    fit->low = ms_gpr__take(arena, row, 1);
+    fit->high = ms_gpr__take(arena, row, 1);
+    fit->prior = ms_gpr__take(arena, row, 1);
+    fit->spread = ms_gpr__take(arena, row, 1);
+    fit->width = ms_gpr__take(arena, row, 1);
+    fit->center = ms_gpr__take(arena, row, 1);
+    fit->theta = ms_gpr__take(arena, row, 1);
+    fit->column = (int *)(void *)ms_gpr__take(arena, row, 1);
+    fit->order = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, (size_t)n + (size_t)fit->starts, sizeof *fit->order / sizeof(double) + 1);
+}
+
+/* Samples, starts, search; then theta from what was found. */
+static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double *y, int n, int m, int part, ms_error *error)
+{
+    ms_gpr__minimum found;
+    ms_status status = ms_gpr__fit_columns(fit, x, n, m, error);
+    int differ = ms_gpr__fit_scores(fit, y, n), i, k;
+    if (status == MS_OK && differ && fit->unit < 1 / MS_GPR__LARGEST)
+        status = ms__fail(error, MS_BAD_DATA, 0, "the scores span about %g: expected more than %g; scale them", fit->unit, 1 / MS_GPR__LARGEST);
+    if (status != MS_OK) return status;
+    fit->whole.problem.m = fit->part.problem.m = fit->report.columns = fit->m;
+    for (i = 0; i < n; ++i) {
+        fit->order[i].index = i;
+        fit->order[i].value = y[i];
+        ms_gpr__fit_place(fit, &fit->whole, i, x, y, i, m);
+    }
+    if (part < n) { /* the better half of the part is the best of all; the rest evenly from what is left */
+        int best = part / 2, left = part - best;
+        ms_gpr__ranked_sort(fit->order, n);
+        for (i = 0; i < part; ++i) {
+            int rank = i < best ? i : best + (int)((size_t)(2 * (i - best) + 1) * (size_t)(n - best) / (size_t)(2 * left));
+            ms_gpr__fit_place(fit, &fit->part, i, x, y, fit->order[rank].index, m);
+        }
+    }
+    ms_gpr__fit_starts(fit);
+    memset(&found, 0, sizeof found);
+    if (differ && fit->m > 0) found = ms_gpr__fit_search(fit);
+    else if (fit->starts > 2) memcpy(fit->q, fit->q + 2 * (fit->m + 2), ((size_t)fit->m + 2) * sizeof *fit->q);
+    if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "the fit was cancelled after %d evaluations", fit->report.evaluations);
+    fit->report.objective = -found.value - n * log(fit->unit);
+    for (k = 0; k < m; ++k) fit->theta[k] = MS_GPR__DROPPED;
+    for (k = 0; k < fit->m; ++k) fit->theta[fit->column[k]] = fit->q[k] + log(fit->width[k]);
+    for (k = 0; k < 2; ++k) fit->theta[m + k] = fit->q[fit->m + k] + log(fit->unit);
+    return MS_OK;
+}
+
 MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr **out,
                                 ms_gpr_fit_report *report, ms_error *error)
 {
-    ms_gpr_fit_options o;
-    ms_gpr_fit_report r;
-    ms_gpr_options model;
     ms_gpr__fit fit;
-    ms_gpr__search s;
-    ms_gpr__minimum found;
-    double *memory, *work, *q, *low, *high, sd, zero, unit;
-    size_t doubles, row, data;
-    void *block;
+    ms_gpr__arena arena = {NULL, 0};
     ms_status status;
-    int i, k, starts;
+    size_t doubles;
+    void *block;
+    int part;
     if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
     *out = NULL;
-    status = ms_gpr__check_data(x, y, n, m, error);
-    if (status == MS_OK) status = ms_gpr__fit_options(options, m, &o, error);
-    if (status != MS_OK) return status;
-    starts = o.start || o.length_start > 0 ? 1 : 3 + o.random_starts;
-    row = (size_t)m + 2;
-    data = ms_gpr__problem_doubles(n, m);
-    doubles = ms__size_add(ms__size_add(data, ms_gpr__minimize_doubles(m + 2)), ms__size_mul(ms__size_add(row, 2), (size_t)starts + 5));
-    memory = ms_gpr__doubles(&o.allocator, doubles, &block);
-    if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to fit %d points of %d dimensions", n, m);
     memset(&fit, 0, sizeof fit);
-    memset(&s, 0, sizeof s);
-    memset(&r, 0, sizeof r);
-    memset(&model, 0, sizeof model);
-    work = memory + data;
-    q = work + ms_gpr__minimize_doubles(m + 2);
-    low = q + (size_t)starts * row;
-    high = low + row;
-    fit.width = high + row;
-    fit.center = fit.width + row;
-    if (o.method == MS_GPR_METHOD_MAP) fit.prior = fit.center + row;
-    fit.problem = ms_gpr__problem_make(ms_gpr__kernels_of(ms_gpr__simd_pick(o.simd)), n, m, memory);
-    fit.x = x;
-    fit.progress = &o.progress;
-    fit.expected = 30 * starts + o.evaluations / 2;
-
-    ms_gpr__fit_moments(y, n, 1, 0, &model.mean, &sd);
-    zero = ms_gpr__fit_zero(y, n, o.floor_offset * sd);
-    ms_gpr__fit_moments(y, n, 1, zero, &model.mean, &sd);
-    unit = sd > 0 ? sd : model.mean > 0 || model.mean < 0 ? fabs(model.mean) : 1;
-    for (i = 0; i < n; ++i) fit.problem.target[i] = ((y[i] < 0 || y[i] > 0 ? y[i] : zero) - model.mean) / unit;
-    for (k = 0; k < m + 2; ++k) {
-        if (k < m) {
-            ms_gpr__fit_moments(x + (n ? k : 0), n, (size_t)m, 0, &fit.center[k], &sd);
-            fit.width[k] = sd > 0 ? 3.4641016151377544 * sd : 1; /* sqrt 12 */
-        }
-        low[k] = log(k < m ? o.length_min : k == m ? 1e-3 : o.noise_min);
-        high[k] = log(k < m ? o.length_max : k == m ? 1e3 : 10.0);
-        if (fit.prior) fit.prior[k] = k < m ? MS_GPR__PRIOR_LENGTH + 0.5 * log((double)m) : k == m ? MS_GPR__PRIOR_SF : MS_GPR__PRIOR_SN;
-    }
-    for (i = 0; i < starts; ++i) ms_gpr__fit_start(&fit, &o, i, unit, q + (size_t)i * row);
-
-    s.f = ms_gpr__fit_objective;
-    s.context = &fit;
-    s.count = m + 2;
-    s.low = low;
-    s.high = high;
-    s.step = 4;
-    s.tolerance = 1e-4;
-    s.evaluations = o.evaluations;
-    found = ms_gpr__fit_search(&fit, &s, &o, starts, q, high + 4 * row, (int *)(void *)(high + 4 * row + starts), work, &r);
-    if (found.stopped) {
-        status = ms__fail(error, MS_CANCELLED, 0, "the fit was cancelled after %d evaluations", fit.evaluations);
-    } else {
-        for (k = 0; k < m + 2; ++k) q[k] += log(k < m ? fit.width[k] : unit);
-        model.simd = o.simd;
-        model.allocator = o.allocator;
-        model.parallel = o.parallel;
-        status = ms_gpr__make(x, y, n, m, q, zero, &model, out, error);
+    status = ms_gpr__check_data(x, y, n, m, error);
+    if (status == MS_OK) status = ms_gpr__fit_options(options, m, &fit.o, error);
+    if (status != MS_OK) return status;
+    fit.starts = fit.o.start || fit.o.length_start > 0 ? 1 : 3 + fit.o.random_starts;
+    fit.expected = 30 * fit.starts + fit.o.evaluations / 2;
+    part = n / 3 > MS_GPR__PART ? n / 3 : MS_GPR__PART;
+    if (fit.o.method == MS_GPR_METHOD_ML || fit.starts == 1 || n < 2 * MS_GPR__PART) part = n;
+    ms_gpr__fit_layout(&fit, n, m, part, &arena);
+    doubles = arena.used;
+    arena.base = ms_gpr__doubles(&fit.o.allocator, doubles, &block);
+    if (arena.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to fit %d points of %d dimensions", n, m);
+    arena.used = 0;
+    ms_gpr__fit_layout(&fit, n, m, part, &arena);
+    status = ms_gpr__fit_run(&fit, x, y, n, m, part, error);
+    if (status == MS_OK) {
+        ms_gpr_options model;
+        model.mean = fit.mean;
+        model.simd = fit.o.simd;
+        model.allocator = fit.o.allocator;
+        model.parallel = fit.o.parallel;
+        status = ms_gpr__make(x, y, n, m, fit.theta, fit.floor, fit.floor_value, &model, out, error);
     }
     if (status == MS_OK && report) {
-        r.evaluations = fit.evaluations;
-        r.likelihood = ms_gpr__likelihood_of(*out);
-        r.objective = -found.value - n * log(unit);
-        r.jitter = (*out)->jitter;
-        *report = r;
+        *report = fit.report;
+        report->likelihood = ms_gpr__likelihood_of(*out);
+        report->jitter = (*out)->jitter;
     }
-    ms_gpr__release_doubles(&o.allocator, block, doubles);
+    ms_gpr__release_doubles(&fit.o.allocator, block, doubles);
     return status;
 }
 
@@ -2700,7 +2821,7 @@ static uint64_t ms_gpr__checksum(const unsigned char *bytes, size_t size)
 
 static size_t ms_gpr__file_doubles(size_t n, size_t m)
 {
-    return ms__size_add(ms__size_add(m, 4), ms__size_mul(n, ms__size_add(m, 1)));
+    return ms__size_add(ms__size_add(m, 5), ms__size_mul(n, ms__size_add(m, 1)));
 }
 
 MS_API size_t ms_gpr_save_size(const ms_gpr *gp)
@@ -2711,20 +2832,21 @@ MS_API size_t ms_gpr_save_size(const ms_gpr *gp)
 MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes)
 {
     unsigned char *start = (unsigned char *)bytes, *at = start + MS_GPR__HEADER;
-    const double *part[5];
-    size_t count[5], i;
+    const double *part[6];
+    size_t count[6], i;
     int k;
     memcpy(start, "ms_gpr\r\n", 8);
-    ms_gpr__put(start + 8, 4, 1);
+    ms_gpr__put(start + 8, 4, 2);
     ms_gpr__put(start + 12, 4, (uint64_t)gp->n);
     ms_gpr__put(start + 16, 4, (uint64_t)gp->m);
     ms_gpr__put(start + 20, 4, 0);
     part[0] = &gp->mean, count[0] = 1;
-    part[1] = &gp->zero_score, count[1] = 1;
-    part[2] = gp->theta, count[2] = (size_t)gp->m + 2;
-    part[3] = gp->x, count[3] = (size_t)gp->n * (size_t)gp->m;
-    part[4] = gp->y, count[4] = (size_t)gp->n;
-    for (k = 0; k < 5; ++k) {
+    part[1] = &gp->floor, count[1] = 1;
+    part[2] = &gp->floor_value, count[2] = 1;
+    part[3] = gp->theta, count[3] = (size_t)gp->m + 2;
+    part[4] = gp->x, count[4] = (size_t)gp->n * (size_t)gp->m;
+    part[5] = gp->y, count[5] = (size_t)gp->n;
+    for (k = 0; k < 6; ++k) {
         for (i = 0; i < count[k]; ++i, at += 8) {
             uint64_t bits;
             memcpy(&bits, part[k] + i, 8);
@@ -2744,8 +2866,10 @@ static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_
         if (!ms__finite(value[i]))
             return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * i, "value %z is not finite", i + 1);
     }
-    if (ms_gpr__check_theta(value + 2, (int)m, NULL) != MS_OK)
-        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 16, "a hyperparameter is out of range");
+    if (ms_gpr__check_theta(value + 3, (int)m, NULL) != MS_OK)
+        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 24, "a hyperparameter is out of range");
+    if (ms_gpr__check_rows(value + 5 + m, (int)n, (int)m + 1, MS_GPR__LARGEST, "value of row", NULL) != MS_OK)
+        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * (5 + m), "an input or a score is beyond 1e30");
     return MS_OK;
 }
 
@@ -2761,8 +2885,8 @@ MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_option
     if (bytes == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "bytes is NULL");
     if (size < MS_GPR__HEADER + 8 || memcmp(b, "ms_gpr\r\n", 8) != 0)
         return ms__fail(error, MS_BAD_DATA, 0, "not a model: it does not start with \"ms_gpr\" and a line end, or is cut short");
-    if (ms_gpr__get(b + 8, 4) != 1)
-        return ms__fail(error, MS_UNSUPPORTED, 8, "version %z: expected 1", (size_t)ms_gpr__get(b + 8, 4));
+    if (ms_gpr__get(b + 8, 4) != 2)
+        return ms__fail(error, MS_UNSUPPORTED, 8, "version %z: expected 2", (size_t)ms_gpr__get(b + 8, 4));
     n = (size_t)ms_gpr__get(b + 12, 4);
     m = (size_t)ms_gpr__get(b + 16, 4);
     if (n > MS_GPR__N_MAX || m < 1 || m > 0x7fffff || ms_gpr__get(b + 20, 4) != 0)
@@ -2781,9 +2905,9 @@ MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_option
     if (value == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to read %z values", doubles);
     status = ms_gpr__load_values(b, n, m, value, error);
     if (status == MS_OK) {
-        double *x = value + 4 + m;
+        double *x = value + 5 + m;
         o.mean = value[0];
-        status = ms_gpr__make(x, x + n * m, (int)n, (int)m, value + 2, value[1], &o, out, error);
+        status = ms_gpr__make(x, x + n * m, (int)n, (int)m, value + 3, value[1], value[2], &o, out, error);
     }
     ms__release(&o.allocator, value, doubles * sizeof *value);
     return status;
@@ -2838,27 +2962,50 @@ MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *option
 
 /* ---------------------------------------------------------------------------------------- RECOMMENDATION */
 
-/* Consecutive pieces of one allocation, whole blocks of 8 doubles each. A NULL base adds up the size alone. */
-typedef struct ms_gpr__arena {
-    double *base;
-    size_t used; /* doubles; SIZE_MAX: too many */
-} ms_gpr__arena;
-
-static double *ms_gpr__take(ms_gpr__arena *arena, size_t a, size_t b)
+/* A round range that holds column k of the model's inputs: [0, 1] or another unit's, or steps of 1, 2 or 5 times a power of ten. A
+   locked column, equal in 8 scores or more, keeps its value. */
+static void ms_gpr__natural_range(const ms_gpr *gp, int k, double *low, double *high)
 {
-    double *piece = arena->base ? arena->base + arena->used : NULL;
-    size_t size = ms__size_add(ms__size_mul(a, b), MS_GPR__BLOCK - 1);
-    arena->used = ms__size_add(arena->used, size == SIZE_MAX ? size : size / MS_GPR__BLOCK * MS_GPR__BLOCK);
-    return piece;
+    static const double unit[][2] = {{-1, 1}, {0, 100}, {0, 255}, {0, 360}, {-180, 180}};
+    double least = 0, most = 1, step;
+    int i;
+    for (i = 0; i < gp->n; ++i) {
+        double v = gp->x[(size_t)i * (size_t)gp->m + (size_t)k];
+        if (i == 0 || v < least) least = v;
+        if (i == 0 || v > most) most = v;
+    }
+    *low = least;
+    *high = most;
+    if (gp->n >= 8 && !(most > least)) return;
+    if (least >= 0 && most <= 1) {
+        *low = 0;
+        *high = 1;
+        return;
+    }
+    if (!(most > least)) return;
+    for (i = 0; i < 5; ++i)
+        if (least >= unit[i][0] && most <= unit[i][1] && most - least > 0.8 * (unit[i][1] - unit[i][0])) {
+            *low = unit[i][0];
+            *high = unit[i][1];
+            return;
+        }
+    step = pow(10, floor(log10((most - least) / 8)));
+    if (5 * step <= (most - least) / 8) step *= 5;
+    else if (2 * step <= (most - least) / 8) step *= 2;
+    *low = step * floor(least / step);
+    *high = step * ceil(most / step);
 }
 
-/* The box [low, high] as low corner and widths; NULL: 0 and 1. */
-static ms_status ms_gpr__box(int m, const double *low, const double *high, double *out_low, double *out_width, ms_error *error)
+/* The box [low, high] as low corner and widths; NULL: as the model's inputs say. */
+static ms_status ms_gpr__box(const ms_gpr *gp, const double *low, const double *high, double *out_low, double *out_width, ms_error *error)
 {
     int k;
-    for (k = 0; k < m; ++k) {
-        double a = low ? low[k] : 0, b = high ? high[k] : 1;
-        if (!ms__finite(a) || !ms__finite(b) || !ms__finite(b - a) || b < a)
+    for (k = 0; k < gp->m; ++k) {
+        double a, b;
+        ms_gpr__natural_range(gp, k, &a, &b);
+        if (low) a = low[k];
+        if (high) b = high[k];
+        if (!(fabs(a) <= MS_GPR__LARGEST) || !(fabs(b) <= MS_GPR__LARGEST) || b < a)
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the box of dimension %d is [%g, %g]: expected low <= high", k, a, b);
         out_low[k] = a;
         out_width[k] = b - a;
@@ -2872,120 +3019,118 @@ static double ms_gpr__normal(ms__rng *rng)
     return radius * cos(6.283185307179586 * ms__rng_uniform(rng));
 }
 
-/* Candidates come in batches and walkers in groups, each batch and each walker with a random stream of its own: the number of
+/* Candidates come in batches and chains in groups, each batch and each chain with a random stream of its own: the number of
    threads changes nothing. */
-#define MS_GPR__BATCH 1024  /* uniform candidates a task */
-#define MS_GPR__BATCHES 16  /* tasks a wave */
-#define MS_GPR__PILOT 8     /* batches that are looked at first */
-#define MS_GPR__GROUP 4     /* walkers a task */
-#define MS_GPR__GROUPS 16   /* tasks a wave */
-#define MS_GPR__SUMMITS 16  /* ascents that look for the largest mean */
-#define MS_GPR__RARE 200    /* candidates that cost about as much as one recommendation of the walk */
-#define MS_GPR__RARE_CAUTIOUS 1000 /* the same where the walk needs variances */
+#define MS_GPR__BATCH 1024      /* uniform candidates a task */
+#define MS_GPR__BATCHES 16      /* tasks a wave */
+#define MS_GPR__PILOT 8         /* batches that are looked at first */
+#define MS_GPR__TASKS 16        /* of a level of subset simulation, and of a wave of recommendations */
+#define MS_GPR__WAVE 64         /* recommendations that are looked for together */
+#define MS_GPR__POPULATION 2048 /* places a level: how well the shares of modes are kept */
+#define MS_GPR__SURVIVE 4       /* one in so many lies above the next level */
+#define MS_GPR__LEVELS 500
+#define MS_GPR__SUMMITS 16      /* ascents that look for the largest mean */
+#define MS_GPR__RARE 50         /* candidates that cost about as much as one recommendation of subset simulation */
 
-/* A place in the unit box, what the mean there needs, and a direction to go. */
+/* A place in the unit box, what the mean there needs, and a step to go. */
 typedef struct ms_gpr__walker {
     double *place;     /* [m] */
     double *direction; /* [m] in widths of the box */
-    double *scaled;    /* [active][4] the place in length scales, four times: a tile of the distance kernel */
-    double *distance2; /* [4][stride] |x - x_i|^2 in length scales */
-    double *slope;     /* [stride] |x + t d - x_i|^2 = distance2 + t slope + t^2 curvature */
-    double *kernel;    /* [stride] exp(-distance2 / 2) where it was asked last */
+    double *scaled;    /* [active] the place in length scales */
+    double *step;      /* [active] the direction in length scales */
+    void *d2, *slope;  /* [stride] as in ms_gpr__lines */
+    double *kernel;    /* [stride] */
     double curvature;
-    double value;      /* the mean at place */
+    double value;      /* the mean less caution there */
     double slices;     /* means predicted along lines so far */
-    double candidates; /* and at single places */
 } ms_gpr__walker;
-
-typedef struct ms_gpr__ranked {
-    double value;
-    int index;
-} ms_gpr__ranked;
 
 /* What all tasks of one call share. */
 typedef struct ms_gpr__hunt {
     const ms_gpr *gp;
     ms_gpr_recommend_options o; /* with the defaults filled in */
-    int count, wave;            /* wave: walkers of the running one */
-    double *x;                  /* [count][m] the caller's */
+    const ms_gpr__lines *lines; /* of single precision, where that is good enough for this model */
+    const void *points, *weight;
+    int count, taken, wave;     /* wanted, with those to be skipped; found; of the wave that runs */
+    double *kept;               /* [count][m] what was found */
+    double *group;              /* [16][m] candidates for the next one, */
+    int grouped;                /* and how many there are */
     double *low, *width;        /* [m] the box, in units of x */
+    double *cells;              /* [m] values of a parameter that comes in steps; 0: continuous */
     double *unit;               /* [active] length scales in the box's width */
-    double goal;                /* the threshold and a margin for the rounding of means that walkers sum up */
-    double *refuge;             /* [m] a place in the region, for walkers that find none by themselves */
+    double goal;                /* the threshold, and a margin for the rounding of means that walkers sum up */
+    double level;               /* what walkers must not fall below */
     double *candidate;          /* [BATCHES * BATCH][m] of a wave, in units of x */
-    double *mean;               /* [BATCHES * BATCH + n] */
+    float *candidate_f;
+    double *mean;               /* [BATCHES * BATCH + n] less caution */
+    double *variance;
     double *scratch;            /* [BATCHES] of the prediction */
     size_t scratch_size;
-    ms_gpr__ranked *ranked;     /* [starts] the first candidates and the training inputs, largest mean first */
-    int starts;
-    ms_gpr__walker walker[MS_GPR__GROUPS];
-    double *place;              /* [GROUPS * GROUP][m] walkers of a wave */
-    int arrived[MS_GPR__GROUPS * MS_GPR__GROUP];
-    uint64_t stream;            /* of the wave's first batch or walker */
+    ms_gpr__ranked *ranked;     /* [BATCHES * BATCH + n] */
+    ms_gpr__walker walker[MS_GPR__TASKS];
+    double *summit;             /* [SUMMITS][m] */
+    double summit_value[MS_GPR__SUMMITS];
+    double *place, *next;       /* [PILOT * BATCH][m] population in the unit box, and the one of the next level */
+    double *value;              /* [PILOT * BATCH] of the population, */
+    double *next_value;
+    int population, *seed;      /* [POPULATION] places where the chains of a level start */
+    int seeds;
+    double *tight;              /* [m] how far to go across; 0: only along the axis */
+    uint64_t stream;            /* of the wave's first batch or chain */
     ms_gpr_recommend_report report;
 } ms_gpr__hunt;
 
 /* --- a walker --- */
 
-/* The mean where the squared distances are distance2 + t slope + t^2 curvature; there is no slope yet where t is 0. */
-static double ms_gpr__walker_mean(const ms_gpr *gp, ms_gpr__walker *w, double t)
+/* A uniform value of parameter k, in the unit box. */
+static double ms_gpr__hunt_uniform(const ms_gpr__hunt *h, int k, ms__rng *rng)
 {
-    int n = ms_gpr__padded(gp->n), i;
-    memcpy(w->kernel, w->distance2, (size_t)n * sizeof *w->kernel);
-    for (i = 0; t != 0 && i < n; ++i) w->kernel[i] += t * (w->slope[i] + t * w->curvature);
-    gp->kernels->exponentials(w->kernel, n, 1);
-    return gp->mean + gp->kernels->dot(gp->weight, w->kernel, n);
+    double u = ms__rng_uniform(rng);
+    return h->cells[k] > 0 ? floor(u * h->cells[k]) * h->o.steps[k] / h->width[k] : u;
 }
 
-static double ms_gpr__walker_ahead(const ms_gpr__hunt *h, ms_gpr__walker *w, double t)
+/* A place in the unit box in units of x. */
+static double ms_gpr__hunt_input(const ms_gpr__hunt *h, int k, double place)
 {
-    w->slices += 1;
-    return ms_gpr__walker_mean(h->gp, w, t);
+    double offset = h->width[k] * place;
+    return h->low[k] + (h->cells[k] > 0 ? h->o.steps[k] * floor(offset / h->o.steps[k] + 0.5) : offset);
 }
 
-/* Distances, kernel and value anew from the place. */
-static void ms_gpr__walker_arrive(const ms_gpr__hunt *h, ms_gpr__walker *w)
+/* Distances anew from the place. */
+static void ms_gpr__walker_arrive(const ms_gpr__hunt *h, const ms_gpr__lines *lines, const void *points, ms_gpr__walker *w)
 {
     const ms_gpr *gp = h->gp;
-    int n = ms_gpr__padded(gp->n), k, d, copy;
+    int k, d;
     for (k = 0; k < gp->active; ++k) {
         d = gp->dimension[k];
-        for (copy = 0; copy < 4; ++copy)
-            w->scaled[4 * k + copy] = (h->low[d] + h->width[d] * w->place[d] - gp->center[d]) * gp->scale[d];
+        w->scaled[k] = (h->low[d] + h->width[d] * w->place[d] - gp->center[d]) * gp->scale[d];
     }
-    gp->kernels->distances(w->distance2, gp->stride, w->scaled, 4, gp->points, gp->stride, 4, n, gp->active, 0);
-    w->value = ms_gpr__walker_mean(gp, w, 0);
+    lines->arrive(w->d2, points, gp->stride, w->scaled, gp->active, ms_gpr__padded(gp->n));
 }
 
 /* Makes the mean along the direction a function of t alone. */
-static void ms_gpr__walker_face(const ms_gpr__hunt *h, ms_gpr__walker *w)
+static void ms_gpr__walker_face(const ms_gpr__hunt *h, const ms_gpr__lines *lines, const void *points, ms_gpr__walker *w)
 {
     const ms_gpr *gp = h->gp;
-    double own = 0;
-    int n = ms_gpr__padded(gp->n), i, k;
+    int k;
     w->curvature = 0;
     for (k = 0; k < gp->active; ++k) {
-        double step = h->unit[k] * w->direction[gp->dimension[k]];
-        own += step * w->scaled[4 * k];
-        w->curvature += step * step;
+        w->step[k] = h->unit[k] * w->direction[gp->dimension[k]];
+        w->curvature += w->step[k] * w->step[k];
     }
-    for (i = 0; i < n; ++i) w->slope[i] = 2 * own;
-    for (k = 0; k < gp->active; ++k) {
-        double step = h->unit[k] * w->direction[gp->dimension[k]];
-        if (step < 0 || step > 0) gp->kernels->axpy(w->slope, -2 * step, gp->points + (size_t)k * gp->stride, n);
-    }
+    lines->face(w->slope, points, gp->stride, w->scaled, w->step, gp->active, ms_gpr__padded(gp->n));
 }
 
-static void ms_gpr__walker_step(const ms_gpr__hunt *h, ms_gpr__walker *w, double t)
+static void ms_gpr__walker_step(const ms_gpr__hunt *h, const ms_gpr__lines *lines, ms_gpr__walker *w, double t)
 {
     const ms_gpr *gp = h->gp;
-    int n = ms_gpr__padded(gp->n), i, k, d;
+    int k, d;
     for (d = 0; d < gp->m; ++d) {
         double p = w->place[d] + t * w->direction[d];
         w->place[d] = p < 1e-12 ? 0 : p > 1 - 1e-12 ? 1 : p;
     }
-    for (k = 0; k < gp->active; ++k) w->scaled[4 * k] += t * h->unit[k] * w->direction[gp->dimension[k]];
-    for (i = 0; i < n; ++i) w->distance2[i] += t * (w->slope[i] + t * w->curvature);
+    for (k = 0; k < gp->active; ++k) w->scaled[k] += t * w->step[k];
+    lines->go(w->d2, w->slope, t, w->curvature, ms_gpr__padded(gp->n));
 }
 
 /* The part t0 <= 0 <= t1 of the line that lies in the box. */
@@ -3004,22 +3149,46 @@ static void ms_gpr__walker_chord(const ms_gpr__walker *w, int m, double *t0, dou
     }
 }
 
-/* Uphill until the mean reaches goal, for at most `steps` steps: along the gradient in length scales, which points like a mean
-   shift to sum_i weight_i k_i (x_i - x), less the components that would leave the box. */
-static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, double goal, int steps)
+/* caution * sigma at t along the line. */
+static double ms_gpr__walker_doubt(const ms_gpr__hunt *h, const ms_gpr__lines *lines, ms_gpr__walker *w, double t)
 {
     const ms_gpr *gp = h->gp;
+    double sf2 = ms_gpr__sf2(gp), variance, d2, slope;
+    int n = ms_gpr__padded(gp->n), i;
+    if (!(h->o.caution > 0)) return 0;
+    for (i = 0; i < n; ++i) {
+        d2 = lines->size == sizeof(float) ? (double)((const float *)w->d2)[i] : ((const double *)w->d2)[i];
+        slope = !(t < 0 || t > 0) ? 0 : lines->size == sizeof(float) ? (double)((const float *)w->slope)[i] : ((const double *)w->slope)[i];
+        w->kernel[i] = t < 0 || t > 0 ? d2 + t * (slope + t * w->curvature) : d2;
+    }
+    gp->kernels->exponentials(w->kernel, n, sf2);
+    for (i = gp->n; i < n; ++i) w->kernel[i] = 0;
+    ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, n, w->kernel);
+    variance = sf2 - gp->kernels->dot(w->kernel, w->kernel, n);
+    return variance > 0 ? h->o.caution * sqrt(variance) : 0;
+}
+
+/* Uphill to a maximum of the mean, for at most `steps` steps: along the gradient in length scales, which points like a mean shift
+   to sum_i weight_i k_i (x_i - x), less the components that would leave the box. */
+static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int steps)
+{
+    const ms_gpr *gp = h->gp;
+    const ms_gpr__lines *lines = &gp->kernels->lines;
     double reach = 0.5;
     int n = ms_gpr__padded(gp->n), i, k;
-    ms_gpr__walker_arrive(h, w);
-    for (; steps > 0 && w->value < goal; --steps) {
-        double total = w->value - gp->mean, norm2 = 0, t0, t1, t, ahead, farther;
+    for (; steps >= 0; --steps) {
+        double total, norm2 = 0, t0, t1, t, ahead, farther;
         int halvings = 0;
-        for (i = 0; i < n; ++i) w->kernel[i] *= gp->weight[i];
+        ms_gpr__walker_arrive(h, lines, gp->points, w);
+        memcpy(w->kernel, w->d2, (size_t)n * sizeof *w->kernel);
+        gp->kernels->exponentials(w->kernel, n, 1);
+        for (i = 0, total = 0; i < n; ++i) total += w->kernel[i] *= gp->weight[i];
+        w->value = gp->mean + total;
+        if (steps == 0) return;
         memset(w->direction, 0, (size_t)gp->m * sizeof *w->direction);
         for (k = 0; k < gp->active; ++k) {
             double p = w->place[gp->dimension[k]], g;
-            g = gp->kernels->dot(w->kernel, gp->points + (size_t)k * gp->stride, n) - total * w->scaled[4 * k];
+            g = gp->kernels->dot(w->kernel, gp->points + (size_t)k * gp->stride, n) - total * w->scaled[k];
             if ((g < 0 && p <= 0) || (g > 0 && p >= 1) || !(h->unit[k] > 0)) continue;
             w->direction[gp->dimension[k]] = g;
             norm2 += g * g;
@@ -3027,156 +3196,89 @@ static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, doub
         if (!(norm2 > 0)) return;
         for (k = 0; k < gp->active; ++k)
             if (h->unit[k] > 0) w->direction[gp->dimension[k]] /= sqrt(norm2) * h->unit[k];
-        ms_gpr__walker_face(h, w);
+        ms_gpr__walker_face(h, lines, gp->points, w);
         ms_gpr__walker_chord(w, gp->m, &t0, &t1);
         t = reach < t1 ? reach : t1;
-        ahead = ms_gpr__walker_ahead(h, w, t);
-        while (!(ahead > w->value) && halvings++ < 20) ahead = ms_gpr__walker_ahead(h, w, t *= 0.5);
+        ahead = gp->mean + lines->mean(w->d2, w->slope, t, w->curvature, gp->weight, n);
+        while (!(ahead > w->value) && halvings++ < 20)
+            ahead = gp->mean + lines->mean(w->d2, w->slope, t *= 0.5, w->curvature, gp->weight, n);
         if (!(ahead > w->value)) return;
-        while (halvings == 0 && 2 * t < t1 && (farther = ms_gpr__walker_ahead(h, w, 2 * t)) > ahead) {
+        while (halvings == 0 && 2 * t < t1 &&
+               (farther = gp->mean + lines->mean(w->d2, w->slope, 2 * t, w->curvature, gp->weight, n)) > ahead) {
             t *= 2;
             ahead = farther;
         }
-        ms_gpr__walker_step(h, w, t);
-        w->value = ms_gpr__walker_mean(gp, w, 0);
+        if (ahead - w->value < 1e-9 * (fabs(ahead) + fabs(w->value))) steps = 1;
+        ms_gpr__walker_step(h, lines, w, t);
         reach = 2 * t;
     }
 }
 
-/* caution * sigma at the point that the walker asked for last: its kernel is there still. */
-static double ms_gpr__walker_doubt(const ms_gpr__hunt *h, ms_gpr__walker *w)
+/* Neal's slice step along the direction: a uniform point of the chord; while it lies outside the region, the chord shrinks
+   towards the walker. The uniform distribution over the region is left as it is. k: the axis, or -1; one that comes in steps is a
+   row of cells, and the walker somewhere in its own. */
+static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, int k, ms__rng *rng)
 {
     const ms_gpr *gp = h->gp;
-    double sf2 = ms_gpr__sf2(gp), variance;
-    int n = ms_gpr__padded(gp->n), i;
-    if (!(h->o.caution > 0)) return 0;
-    for (i = 0; i < n; ++i) w->kernel[i] = i < gp->n ? sf2 * w->kernel[i] : 0;
-    ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, n, w->kernel);
-    variance = sf2 - gp->kernels->dot(w->kernel, w->kernel, n);
-    return variance > 0 ? h->o.caution * sqrt(variance) : 0;
-}
-
-/* Is the mean that the walker asked for last in the region? */
-static int ms_gpr__walker_accepts(const ms_gpr__hunt *h, ms_gpr__walker *w, double mean)
-{
-    return mean >= h->goal && mean - ms_gpr__walker_doubt(h, w) >= h->goal;
-}
-
-/* Neal's slice step along the direction: a uniform point of the chord; while it lies outside the region, the chord shrinks
-   towards the walker. The uniform distribution over the region is left as it is. */
-static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
-{
-    double t0, t1;
-    int tries;
-    ms_gpr__walker_chord(w, h->gp->m, &t0, &t1);
+    double cells = k < 0 ? 0 : h->cells[k], step = cells > 0 ? h->o.steps[k] / h->width[k] : 0, t0, t1, offset = 0;
+    int tries, n = ms_gpr__padded(gp->n);
+    if (cells > 0) { /* at = t + offset; its own cell is [0, 1) */
+        offset = ms__rng_uniform(rng);
+        t0 = -floor(w->place[k] / step + 0.5);
+        t1 = t0 + cells;
+    } else {
+        ms_gpr__walker_chord(w, gp->m, &t0, &t1);
+    }
     for (tries = 0; tries < 60; ++tries) {
-        double t = t0 + ms__rng_uniform(rng) * (t1 - t0);
-        if (ms_gpr__walker_accepts(h, w, ms_gpr__walker_ahead(h, w, t))) {
-            ms_gpr__walker_step(h, w, t);
+        double at = t0 + ms__rng_uniform(rng) * (t1 - t0), t = at, mean;
+        if (cells > 0) t = floor(at) * step;
+        mean = gp->mean + h->lines->mean(w->d2, w->slope, t, w->curvature, h->weight, n);
+        w->slices += 1;
+        if (mean >= h->level && (mean -= ms_gpr__walker_doubt(h, h->lines, w, t)) >= h->level) {
+            ms_gpr__walker_step(h, h->lines, w, t);
+            w->value = mean;
             return;
         }
-        if (t < 0) t0 = t;
-        else t1 = t;
+        if (at < offset) t0 = at;
+        else t1 = at;
     }
 }
 
-/* One round: a slice along every axis, which renews what the mean hardly depends on, then as many along random directions of
-   the other dimensions, in each as long as its length scale or the box. Dropped dimensions are uniform anyway. */
-static void ms_gpr__walker_round(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
+/* A slice along axis k of those in use, which renews what the mean hardly depends on. */
+static void ms_gpr__walker_axis(const ms_gpr__hunt *h, ms_gpr__walker *w, int k, ms__rng *rng)
 {
-    const ms_gpr *gp = h->gp;
-    int n = ms_gpr__padded(gp->n), directions = 0, i, k;
-    for (k = 0; k < gp->m; ++k) w->direction[k] = 0;
-    for (k = 0, i = 0; k < gp->m; ++k) {
-        if (i < gp->active && gp->dimension[i] == k) ++i;
-        else w->place[k] = ms__rng_uniform(rng);
-    }
-    ms_gpr__walker_arrive(h, w);
-    for (k = 0; k < gp->active; ++k) {
-        const double *p = gp->points + (size_t)k * gp->stride;
-        double unit = h->unit[k];
-        w->direction[gp->dimension[k]] = 1;
-        w->curvature = unit * unit;
-        for (i = 0; i < n; ++i) w->slope[i] = 2 * unit * (w->scaled[4 * k] - p[i]);
-        ms_gpr__walker_slice(h, w, rng);
-        w->direction[gp->dimension[k]] = 0;
-        if (unit > 0.1) ++directions;
-    }
-    for (i = 0; i < directions; ++i) {
-        for (k = 0; k < gp->active; ++k)
-            w->direction[gp->dimension[k]] = h->unit[k] > 0.1 ? ms_gpr__normal(rng) / (h->unit[k] > 1 ? h->unit[k] : 1) : 0;
-        ms_gpr__walker_face(h, w);
-        ms_gpr__walker_slice(h, w, rng);
-    }
+    memset(w->direction, 0, (size_t)h->gp->m * sizeof *w->direction);
+    w->direction[h->gp->dimension[k]] = 1;
+    ms_gpr__walker_face(h, h->lines, h->points, w);
+    ms_gpr__walker_slice(h, w, h->gp->dimension[k], rng);
+}
+
+/* A slice along a random direction of the dimensions that matter. */
+static void ms_gpr__walker_across(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
+{
+    int k;
+    for (k = 0; k < h->gp->m; ++k) w->direction[k] = h->tight[k] > 0 ? h->tight[k] * ms_gpr__normal(rng) : 0;
+    ms_gpr__walker_face(h, h->lines, h->points, w);
+    ms_gpr__walker_slice(h, w, -1, rng);
 }
 
 /* --- tasks --- */
 
-/* GROUP walkers from their starts uphill into the region, then through their rounds. */
-static void ms_gpr__hunt_walk(void *context, int group)
-{
-    ms_gpr__hunt *h = (ms_gpr__hunt *)context;
-    ms_gpr__walker *w = &h->walker[group];
-    size_t size = (size_t)h->gp->m * sizeof(double);
-    int i, end = (group + 1) * MS_GPR__GROUP, climb, round;
-    for (i = group * MS_GPR__GROUP; i < end && i < h->wave; ++i) {
-        double *place = h->place + (size_t)i * (size_t)h->gp->m;
-        ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)i);
-        memcpy(w->place, place, size);
-        for (climb = 0; climb < 12; ++climb) {
-            ms_gpr__walker_ascend(h, w, h->o.caution > 0 ? 1e300 : h->goal, 5);
-            ms_gpr__walker_arrive(h, w);
-            if (ms_gpr__walker_accepts(h, w, w->value)) break;
-        }
-        if (climb == 12) memcpy(w->place, h->refuge, size);
-        for (round = 0; round < h->o.rounds; ++round) ms_gpr__walker_round(h, w, &rng);
-        memcpy(place, w->place, size);
-        h->arrived[i] = 1;
-    }
-}
-
-/* GROUP climbs as in the thesis: from a uniform place, random steps that are kept where the mean grows; a climb that has not
-   arrived after climb_steps starts anew. */
-static void ms_gpr__hunt_climb(void *context, int group)
-{
-    ms_gpr__hunt *h = (ms_gpr__hunt *)context;
-    ms_gpr__walker *w = &h->walker[group];
-    size_t size = (size_t)h->gp->m * sizeof(double);
-    int i, end = (group + 1) * MS_GPR__GROUP, k;
-    for (i = group * MS_GPR__GROUP; i < end && i < h->wave; ++i) {
-        double *kept = h->place + (size_t)i * (size_t)h->gp->m, kept_value = 0, left = h->o.max_candidates / h->count;
-        ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)i);
-        int step = h->o.climb_steps;
-        for (h->arrived[i] = 0; !h->arrived[i] && left > 0; --left) {
-            int fresh = step == h->o.climb_steps;
-            for (k = 0; k < h->gp->m; ++k) {
-                double p = fresh ? ms__rng_uniform(&rng) : kept[k] + h->o.climb_size * ms_gpr__normal(&rng);
-                w->place[k] = p < 0 ? 0 : p > 1 ? 1 : p;
-            }
-            ms_gpr__walker_arrive(h, w);
-            w->candidates += 1;
-            if (fresh || w->value > kept_value) {
-                memcpy(kept, w->place, size);
-                kept_value = w->value;
-                h->arrived[i] = ms_gpr__walker_accepts(h, w, w->value);
-            }
-            step = step > 0 ? step - 1 : h->o.climb_steps;
-        }
-    }
-}
-
-/* Means of `count` materials with the scratch of that batch. */
-static void ms_gpr__hunt_predict(const ms_gpr__hunt *h, int batch, const double *x, int count, double *mean)
+/* The mean, less caution, of `count` materials with the scratch of that batch. */
+static void ms_gpr__hunt_predict(const ms_gpr__hunt *h, int batch, const double *x, int count, double *mean, double *variance)
 {
     ms_gpr__batch b;
+    int i;
     memset(&b, 0, sizeof b);
     b.gp = h->gp;
     b.x = x;
     b.count = count;
     b.tasks = 1;
     b.mean = mean;
+    b.variance = variance;
     b.scratch = h->scratch + (size_t)batch * h->scratch_size;
     ms_gpr__predict_task(&b, 0);
+    for (i = 0; variance && i < count; ++i) mean[i] -= h->o.caution * sqrt(variance[i]);
 }
 
 /* One batch of uniform candidates and their means. */
@@ -3187,88 +3289,169 @@ static void ms_gpr__hunt_batch(void *context, int batch)
     size_t first = (size_t)batch * MS_GPR__BATCH, m = (size_t)h->gp->m, i, k;
     double *x = h->candidate + first * m;
     for (i = 0; i < MS_GPR__BATCH; ++i)
-        for (k = 0; k < m; ++k) x[i * m + k] = h->low[k] + h->width[k] * ms__rng_uniform(&rng);
-    ms_gpr__hunt_predict(h, batch, x, MS_GPR__BATCH, h->mean + first);
+        for (k = 0; k < m; ++k) x[i * m + k] = ms_gpr__hunt_input(h, (int)k, ms_gpr__hunt_uniform(h, (int)k, &rng));
+    if (h->lines->size == sizeof(double) || h->o.caution > 0) {
+        ms_gpr__hunt_predict(h, batch, x, MS_GPR__BATCH, h->mean + first, h->o.caution > 0 ? h->variance + first : NULL);
+    } else {
+        ms_gpr__batch b;
+        float *x_f = h->candidate_f + first * m, *mean_f = (float *)(void *)(h->variance + first);
+        for (i = 0; i < MS_GPR__BATCH * m; ++i) x_f[i] = (float)x[i];
+        memset(&b, 0, sizeof b);
+        b.gp = h->gp;
+        b.x_f = x_f;
+        b.count = MS_GPR__BATCH;
+        b.tasks = 1;
+        b.mean_f = mean_f;
+        b.scratch = h->scratch + (size_t)batch * h->scratch_size;
+        ms_gpr__predict_task_f(&b, 0);
+        for (i = 0; i < MS_GPR__BATCH; ++i) h->mean[first + i] = (double)mean_f[i];
+    }
+}
+
+/* Chains task, task + TASKS, ... of a level: each from its seed through its share of the next population. */
+static void ms_gpr__hunt_level(void *context, int task)
+{
+    ms_gpr__hunt *h = (ms_gpr__hunt *)context;
+    ms_gpr__walker *w = &h->walker[task];
+    size_t m = (size_t)h->gp->m;
+    int chain, at;
+    for (chain = task; chain < h->seeds; chain += MS_GPR__TASKS) {
+        int from = (int)((size_t)chain * MS_GPR__POPULATION / (size_t)h->seeds);
+        int to = (int)(((size_t)chain + 1) * MS_GPR__POPULATION / (size_t)h->seeds);
+        ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)chain);
+        memcpy(w->place, h->place + (size_t)h->seed[chain] * m, m * sizeof *w->place);
+        w->value = h->value[h->seed[chain]];
+        ms_gpr__walker_arrive(h, h->lines, h->points, w);
+        for (at = from; at < to; ++at) {
+            if (h->gp->active > 0 && at % 2) ms_gpr__walker_axis(h, w, (int)(ms__rng_uniform(&rng) * h->gp->active), &rng);
+            else ms_gpr__walker_across(h, w, &rng);
+            memcpy(h->next + (size_t)at * m, w->place, m * sizeof *w->place);
+            h->next_value[at] = w->value;
+        }
+    }
+}
+
+/* Recommendations task, task + TASKS, ... of a wave: from a place of the population through `rounds` rounds of a slice along every
+   axis and as many across, which forget where they started. */
+static void ms_gpr__hunt_wander(void *context, int task)
+{
+    ms_gpr__hunt *h = (ms_gpr__hunt *)context;
+    const ms_gpr *gp = h->gp;
+    ms_gpr__walker *w = &h->walker[task];
+    size_t m = (size_t)gp->m, d;
+    int i, k, round, directions = 0;
+    for (d = 0; d < m; ++d) directions += h->tight[d] > 0;
+    for (i = task; i < h->wave; i += MS_GPR__TASKS) {
+        double at = (double)(h->stream + (uint64_t)i) * 0.61803398874989485; /* any run of these is spread evenly */
+        ms__rng rng = ms__rng_make(h->o.seed, ((uint64_t)1 << 41) + h->stream + (uint64_t)i);
+        int from = (int)((at - floor(at)) * h->population);
+        memcpy(w->place, h->place + (size_t)from * m, m * sizeof *w->place);
+        for (round = 0; round < h->o.rounds; ++round) {
+            for (d = 0, k = 0; d < m; ++d) { /* dropped dimensions are uniform anyway */
+                if (k < gp->active && (size_t)gp->dimension[k] == d) ++k;
+                else w->place[d] = ms_gpr__hunt_uniform(h, (int)d, &rng);
+            }
+            ms_gpr__walker_arrive(h, h->lines, h->points, w);
+            for (k = 0; k < gp->active || k < directions; ++k) {
+                if (k < gp->active) ms_gpr__walker_axis(h, w, k, &rng);
+                if (k < directions) ms_gpr__walker_across(h, w, &rng);
+            }
+        }
+        for (d = 0; d < m; ++d) h->candidate[(size_t)i * m + d] = ms_gpr__hunt_input(h, (int)d, w->place[d]);
+    }
 }
 
 /* --- one call --- */
 
-static int ms_gpr__ranked_before(const ms_gpr__ranked *a, const ms_gpr__ranked *b)
+/* A material as a place in the unit box; one from outside is moved to its surface. */
+static void ms_gpr__hunt_place(const ms_gpr__hunt *h, const double *x, double *place)
 {
-    return a->value > b->value || (!(a->value < b->value) && a->index < b->index);
-}
-
-/* Largest value first, then smallest index. Heapsort in place: the qsort of some C libraries calls malloc. */
-static void ms_gpr__ranked_sort(ms_gpr__ranked *list, int count)
-{
-    int first = count / 2, end = count, parent, child;
-    while (end > 1) {
-        ms_gpr__ranked moved;
-        if (first > 0) {
-            moved = list[--first]; /* makes the heap: whatever comes last in the order is at its top */
-        } else {
-            moved = list[--end]; /* takes the top off it */
-            list[end] = list[0];
-        }
-        for (parent = first; (child = 2 * parent + 1) < end; parent = child) {
-            if (child + 1 < end && ms_gpr__ranked_before(&list[child], &list[child + 1])) ++child;
-            if (!ms_gpr__ranked_before(&moved, &list[child])) break;
-            list[parent] = list[child];
-        }
-        list[parent] = moved;
-    }
-}
-
-/* The start of that rank as a place in the unit box; an input from outside the box is moved to its surface. */
-static void ms_gpr__hunt_start(const ms_gpr__hunt *h, int rank, double *place)
-{
-    int pilot = MS_GPR__PILOT * MS_GPR__BATCH, index = h->ranked[rank % h->starts].index, m = h->gp->m, k;
-    const double *x = index < pilot ? h->candidate + (size_t)index * (size_t)m : h->gp->x + (size_t)(index - pilot) * (size_t)m;
-    for (k = 0; k < m; ++k) {
+    int k;
+    for (k = 0; k < h->gp->m; ++k) {
         double p = h->width[k] > 0 ? (x[k] - h->low[k]) / h->width[k] : 0;
         place[k] = p < 0 ? 0 : p > 1 ? 1 : p;
     }
 }
 
-/* The first candidates, the largest mean, and the threshold with a place that reaches it. */
+/* The mean at the walker's place, in double precision. */
+static double ms_gpr__walker_exact(const ms_gpr__hunt *h, ms_gpr__walker *w)
+{
+    const ms_gpr *gp = h->gp;
+    ms_gpr__walker_arrive(h, &gp->kernels->lines, gp->points, w);
+    memset(w->slope, 0, gp->stride * sizeof(double));
+    return gp->mean + gp->kernels->lines.mean(w->d2, w->slope, 0, 0, gp->weight, ms_gpr__padded(gp->n));
+}
+
+/* Whether single precision will do: means of the scored materials agree to 1e-5 of what the scores span. */
+static int ms_gpr__hunt_single(ms_gpr__hunt *h, double span)
+{
+    const ms_gpr *gp = h->gp;
+    ms_gpr__walker *w = &h->walker[0];
+    int i, n = gp->n < 256 ? gp->n : 256;
+    for (i = 0; i < n; ++i) {
+        ms_gpr__hunt_place(h, gp->x + (size_t)(i * (gp->n / n)) * (size_t)gp->m, w->place);
+        w->value = ms_gpr__walker_exact(h, w) - gp->mean;
+        ms_gpr__walker_arrive(h, &gp->kernels->lines_f, gp->points_f, w);
+        w->value -= gp->kernels->lines_f.mean(w->d2, w->slope, 0, 0, gp->weight_f, ms_gpr__padded(gp->n));
+        if (!(fabs(w->value) <= 1e-5 * span)) return 0;
+    }
+    return 1;
+}
+
+/* The first candidates, the largest mean, and the threshold. */
 static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
 {
     const ms_gpr *gp = h->gp;
     ms_gpr__walker *w = &h->walker[0];
-    double floor = 0, safest = -1e300, best = -1e300;
-    int i, k;
+    double least = ms_gpr_floor(gp), safest = -1e300, best = -1e300, top = least;
+    int pilot = MS_GPR__PILOT * MS_GPR__BATCH, i, k;
     for (k = 0; k < gp->active; ++k) h->unit[k] = h->width[gp->dimension[k]] * gp->scale[gp->dimension[k]];
     for (i = 0; i < gp->n; ++i)
-        if (gp->y[i] < floor) floor = gp->y[i];
+        if (gp->y[i] > top) top = gp->y[i];
+    if (gp->n > 0 && ms_gpr__hunt_single(h, top - least)) {
+        h->lines = &gp->kernels->lines_f;
+        h->points = gp->points_f;
+        h->weight = gp->weight_f;
+    }
     ms__run(&gp->parallel, MS_GPR__PILOT, ms_gpr__hunt_batch, h);
-    ms_gpr__hunt_predict(h, 0, gp->x, gp->n, h->mean + MS_GPR__PILOT * MS_GPR__BATCH);
-    for (i = 0; i < h->starts; ++i) {
+    if (gp->n > 0) ms_gpr__hunt_predict(h, 0, gp->x, gp->n, h->mean + pilot, NULL);
+    for (i = 0; i < pilot + gp->n; ++i) {
         h->ranked[i].value = h->mean[i];
         h->ranked[i].index = i;
     }
-    ms_gpr__ranked_sort(h->ranked, h->starts);
+    ms_gpr__ranked_sort(h->ranked, pilot + gp->n);
     for (i = 0; i < MS_GPR__SUMMITS; ++i) {
+        int index = h->ranked[i].index;
         double safe;
-        ms_gpr__hunt_start(h, i, w->place);
-        ms_gpr__walker_ascend(h, w, 1e300, 100);
-        ms_gpr__walker_arrive(h, w);
-        safe = w->value - ms_gpr__walker_doubt(h, w);
+        ms_gpr__hunt_place(h, index < pilot ? h->candidate + (size_t)index * (size_t)gp->m : gp->x + (size_t)(index - pilot) * (size_t)gp->m,
+                           w->place);
+        ms_gpr__walker_ascend(h, w, 100);
+        for (k = 0; k < gp->m; ++k)
+            if (h->cells[k] > 0) w->place[k] = floor(w->place[k] * h->width[k] / h->o.steps[k] + 0.5) * h->o.steps[k] / h->width[k];
+        memcpy(h->summit + i * gp->m, w->place, (size_t)gp->m * sizeof *w->place);
+        w->value = ms_gpr__walker_exact(h, w);
+        safe = w->value - ms_gpr__walker_doubt(h, &gp->kernels->lines, w, 0);
+        h->summit_value[i] = safe;
         if (w->value > best) best = w->value;
-        if (safe > safest) {
-            safest = safe;
-            memcpy(h->refuge, w->place, (size_t)gp->m * sizeof(double));
-        }
+        if (safe > safest) safest = safe;
     }
     h->report.best = best;
-    h->report.candidates = h->starts;
-    if (!(best > floor))
-        return ms__fail(error, MS_NOT_CONVERGED, 0, "no material is predicted to score above %g, the lowest score", floor);
-    h->report.threshold = floor + h->o.tau * ((h->o.best > 0 ? h->o.best : best) - floor);
+    h->report.candidates = pilot + gp->n;
+    if (h->o.best < 0 || h->o.best > 0) top = h->o.best;
+    if (top > best) top = best;
+    if (!(best > least) || !(top > least))
+        return ms__fail(error, MS_NOT_CONVERGED, 0, "no material is predicted to score above %g, the lowest score", least);
+    h->report.threshold = least + h->o.tau * (top - least);
     if (h->report.threshold > safest)
-        return ms__fail(error, MS_NOT_CONVERGED, 0, "the threshold is %g, but the largest score that was found is %g (%g with caution)",
-                        h->report.threshold, best, safest);
-    h->goal = h->report.threshold + 1e-7 * (best - floor);
-    if (h->goal > safest) h->goal = safest;
+        return ms__fail(error, MS_NOT_CONVERGED, 0, "no material reaches the threshold %g with caution %g: the best one has mean - "
+                                                    "caution sigma = %g", h->report.threshold, h->o.caution, safest);
+    if (h->report.threshold > safest - 1e-6 * (best - least)) h->report.threshold = safest - 1e-6 * (best - least);
+    if (h->report.threshold > safest - 1e-4 * (best - least)) { /* the last digits count */
+        h->lines = &gp->kernels->lines;
+        h->points = gp->points;
+        h->weight = gp->weight;
+    }
+    h->goal = h->report.threshold + 5e-7 * (best - least);
     return MS_OK;
 }
 
@@ -3284,33 +3467,47 @@ static double ms_gpr__box_distance2(int m, const double *width, const double *a,
     return sum / m;
 }
 
-/* The next row of x, unless it lies too close to one before. */
-static void ms_gpr__hunt_take(ms_gpr__hunt *h, const double *x)
+/* Squared distance of x to the nearest of `count` rows. */
+static double ms_gpr__hunt_nearest2(const ms_gpr__hunt *h, const double *rows, int count, const double *x)
 {
-    double least2 = h->o.min_distance * h->o.min_distance;
-    size_t m = (size_t)h->gp->m;
+    double nearest = 1e300;
     int i;
-    for (i = 0; least2 > 0 && i < h->report.found; ++i)
-        if (ms_gpr__box_distance2(h->gp->m, h->width, h->x + (size_t)i * m, x) < least2) return;
-    memcpy(h->x + (size_t)h->report.found++ * m, x, m * sizeof *x);
+    for (i = 0; i < count; ++i) {
+        double d = ms_gpr__box_distance2(h->gp->m, h->width, rows + (size_t)i * (size_t)h->gp->m, x);
+        if (d < nearest) nearest = d;
+    }
+    return nearest;
+}
+
+
+/* The next candidate of the sequence. It is looked at again in double precision; of every 1 + 15 diversity that pass, the one that
+   is farthest from those before is taken, unless it is too near to one of them. */
+static void ms_gpr__hunt_offer(ms_gpr__hunt *h, const double *x)
+{
+    ms_gpr__walker *w = &h->walker[0];
+    size_t m = (size_t)h->gp->m;
+    double farthest = -1, value;
+    int size = 1 + (int)(15 * h->o.diversity + 0.5), i, best = 0;
+    ms_gpr__hunt_place(h, x, w->place);
+    value = ms_gpr__walker_exact(h, w);
+    value -= ms_gpr__walker_doubt(h, &h->gp->kernels->lines, w, 0);
+    if (value < 0.5 * (h->report.threshold + h->goal)) return;
+    if (h->o.avoid_count > 0 &&
+        ms_gpr__hunt_nearest2(h, h->o.avoid, h->o.avoid_count, x) < h->o.avoid_distance * h->o.avoid_distance) return;
+    memcpy(h->group + (size_t)h->grouped++ * m, x, m * sizeof *x);
+    if (h->grouped < size) return;
+    for (i = 0; i < h->grouped; ++i) {
+        double near2 = size > 1 || h->o.min_distance > 0 ? ms_gpr__hunt_nearest2(h, h->kept, h->taken, h->group + (size_t)i * m) : 0;
+        if (near2 > farthest) best = i, farthest = near2;
+    }
+    h->grouped = 0;
+    if (farthest >= h->o.min_distance * h->o.min_distance)
+        memcpy(h->kept + (size_t)h->taken++ * m, h->group + (size_t)best * m, m * sizeof *x);
 }
 
 static int ms_gpr__hunt_stopped(const ms_gpr__hunt *h)
 {
-    return h->o.progress.report != NULL && h->o.progress.report(h->o.progress.user, (double)h->report.found / h->count);
-}
-
-/* Is candidate i of the wave in the region? */
-static int ms_gpr__hunt_accepts(ms_gpr__hunt *h, int i)
-{
-    ms_gpr__walker *w = &h->walker[0];
-    const double *x = h->candidate + (size_t)i * (size_t)h->gp->m;
-    int k;
-    if (h->mean[i] < h->goal) return 0;
-    if (!(h->o.caution > 0)) return 1;
-    for (k = 0; k < h->gp->m; ++k) w->place[k] = h->width[k] > 0 ? (x[k] - h->low[k]) / h->width[k] : 0;
-    ms_gpr__walker_arrive(h, w);
-    return ms_gpr__walker_accepts(h, w, h->mean[i]);
+    return h->o.progress.report != NULL && h->o.progress.report(h->o.progress.user, (double)h->taken / h->count);
 }
 
 /* Uniform candidates against the threshold, wave by wave; the first candidates are the first wave. */
@@ -3319,14 +3516,14 @@ static ms_status ms_gpr__hunt_reject(ms_gpr__hunt *h)
     double accepted = 0, seen = 0;
     int batches = MS_GPR__PILOT, i;
     for (;;) {
-        for (i = 0; i < batches * MS_GPR__BATCH && h->report.found < h->count; ++i) {
+        for (i = 0; i < batches * MS_GPR__BATCH && h->taken < h->count; ++i) {
             seen += 1;
-            if (!ms_gpr__hunt_accepts(h, i)) continue;
+            if (h->mean[i] < h->goal) continue;
             accepted += 1;
-            ms_gpr__hunt_take(h, h->candidate + (size_t)i * (size_t)h->gp->m);
+            ms_gpr__hunt_offer(h, h->candidate + (size_t)i * (size_t)h->gp->m);
         }
         h->report.acceptance = accepted / seen;
-        if (h->report.found == h->count) return MS_OK;
+        if (h->taken == h->count) return MS_OK;
         if (h->report.candidates >= h->o.max_candidates) return MS_NOT_CONVERGED;
         if (ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
         h->stream += (uint64_t)batches;
@@ -3336,42 +3533,103 @@ static ms_status ms_gpr__hunt_reject(ms_gpr__hunt *h)
     }
 }
 
-/* Walkers or climbers, wave by wave, until enough have arrived; 40 times as many as are wanted at most. */
-static ms_status ms_gpr__hunt_move(ms_gpr__hunt *h, void (*task)(void *context, int group))
+/* How far to go in every dimension that matters, for directions across: the population's spread, or a length scale. */
+static void ms_gpr__hunt_measure(ms_gpr__hunt *h)
 {
     size_t m = (size_t)h->gp->m, k;
-    int started = 0, i;
-    while (h->report.found < h->count) {
-        if (started / 40 >= h->count) return MS_NOT_CONVERGED;
-        h->wave = h->count - h->report.found;
-        if (h->wave > MS_GPR__GROUPS * MS_GPR__GROUP) h->wave = MS_GPR__GROUPS * MS_GPR__GROUP;
-        for (i = 0; i < h->wave; ++i) ms_gpr__hunt_start(h, started + i, h->place + (size_t)i * m);
-        h->stream = ((uint64_t)1 << 40) + (uint64_t)started; /* no candidate's */
-        ms__run(&h->gp->parallel, (h->wave + MS_GPR__GROUP - 1) / MS_GPR__GROUP, task, h);
-        for (i = 0; i < h->wave; ++i) {
-            double *x = h->place + (size_t)i * m;
-            for (k = 0; k < m; ++k) x[k] = h->low[k] + h->width[k] * x[k];
-            if (h->arrived[i]) ms_gpr__hunt_take(h, x);
+    int i;
+    memset(h->tight, 0, m * sizeof *h->tight);
+    for (i = 0; i < h->gp->active; ++i) {
+        double sum = 0, sum2 = 0, spread;
+        int j;
+        k = (size_t)h->gp->dimension[i];
+        for (j = 0; j < h->population; ++j) sum += h->place[(size_t)j * m + k] / h->population;
+        for (j = 0; j < h->population; ++j) sum2 += (h->place[(size_t)j * m + k] - sum) * (h->place[(size_t)j * m + k] - sum) / h->population;
+        spread = sqrt(sum2);
+        if (h->unit[i] > 0.3 && !(h->cells[k] > 0)) h->tight[k] = spread * h->unit[i] > 1 ? 1 / h->unit[i] : spread;
+    }
+}
+
+/* The population of the region: that of the box, whose level rises step by step. Each time one in SURVIVE is above the next level,
+   and chains from those make the new population; so each mode keeps its share. Where a level has no room to rise (the region is
+   narrower than any population sees), the summits of the ascents take its place. */
+static ms_status ms_gpr__hunt_climb(ms_gpr__hunt *h)
+{
+    size_t m = (size_t)h->gp->m, row = m * sizeof(double);
+    int i, k, step;
+    h->population = MS_GPR__PILOT * MS_GPR__BATCH;
+    h->report.acceptance = 1;
+    for (i = 0; i < h->population; ++i) ms_gpr__hunt_place(h, h->candidate + (size_t)i * m, h->place + (size_t)i * m);
+    memcpy(h->value, h->mean, (size_t)h->population * sizeof *h->value);
+    h->level = -1e300;
+    for (step = 0; step < MS_GPR__LEVELS; ++step) {
+        double before = h->level;
+        for (i = 0; i < h->population; ++i) {
+            h->ranked[i].value = h->value[i];
+            h->ranked[i].index = i;
         }
-        started += h->wave;
-        if (h->report.found < h->count && ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
+        ms_gpr__ranked_sort(h->ranked, h->population);
+        h->level = h->ranked[MS_GPR__POPULATION / MS_GPR__SURVIVE - 1].value;
+        if (h->level > h->goal) h->level = h->goal;
+        for (i = 0, k = 0; i < h->population; ++i) { /* survivors, in their order */
+            if (h->value[i] < h->level) continue;
+            if (k < i) memcpy(h->place + (size_t)k * m, h->place + (size_t)i * m, row);
+            h->value[k++] = h->value[i];
+        }
+        h->report.acceptance *= (double)k / h->population;
+        h->population = k;
+        if (!(h->level > before)) break;
+        ms_gpr__hunt_measure(h);
+        h->seeds = k < MS_GPR__POPULATION ? k : MS_GPR__POPULATION;
+        for (i = 0; i < h->seeds; ++i) h->seed[i] = (int)((size_t)i * (size_t)k / (size_t)h->seeds);
+        h->stream = ((uint64_t)1 << 40) + (uint64_t)step * MS_GPR__POPULATION;
+        ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__hunt_level, h);
+        {
+            double *place = h->place, *value = h->value;
+            h->place = h->next, h->value = h->next_value;
+            h->next = place, h->next_value = value;
+        }
+        h->population = MS_GPR__POPULATION;
+        if (h->level >= h->goal) break;
+        if (ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
+    }
+    if (h->level < h->goal) {
+        h->level = h->goal;
+        for (i = 0, h->population = 0; i < MS_GPR__SUMMITS; ++i)
+            if (h->summit_value[i] >= h->goal) memcpy(h->place + (size_t)h->population++ * m, h->summit + (size_t)i * m, row);
+        h->report.acceptance = 0;
+        ms_gpr__hunt_measure(h);
+    }
+    return MS_OK;
+}
+
+/* The population, and walks through the region from it; 40 times as many as are wanted at most. */
+static ms_status ms_gpr__hunt_walk(ms_gpr__hunt *h)
+{
+    ms_status status = ms_gpr__hunt_climb(h);
+    int size = 1 + (int)(15 * h->o.diversity + 0.5), i;
+    if (status != MS_OK) return status;
+    for (h->stream = 0; h->taken < h->count; h->stream += (uint64_t)h->wave) {
+        int left = (h->count - h->taken) * size - h->grouped;
+        if (h->stream / 40 > (uint64_t)h->count * (uint64_t)size) return MS_NOT_CONVERGED;
+        h->wave = left < MS_GPR__WAVE ? left : MS_GPR__WAVE;
+        ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__hunt_wander, h);
+        for (i = 0; i < h->wave && h->taken < h->count; ++i) ms_gpr__hunt_offer(h, h->candidate + (size_t)i * (size_t)h->gp->m);
+        if (h->taken < h->count && ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
     }
     return MS_OK;
 }
 
 /* Mean distance of the first 500 to the nearest other one of them. */
-static double ms_gpr__hunt_spread(const ms_gpr__hunt *h)
+static double ms_gpr__hunt_spread(const ms_gpr__hunt *h, const double *x)
 {
-    int count = h->report.found < 500 ? h->report.found : 500, i, j;
+    int count = h->report.found < 500 ? h->report.found : 500, i;
     size_t m = (size_t)h->gp->m;
     double sum = 0;
     for (i = 0; i < count; ++i) {
-        double nearest = 1e300;
-        for (j = 0; j < count; ++j) {
-            double d = i == j ? 1e300 : ms_gpr__box_distance2(h->gp->m, h->width, h->x + (size_t)i * m, h->x + (size_t)j * m);
-            if (d < nearest) nearest = d;
-        }
-        sum += sqrt(nearest);
+        double before = ms_gpr__hunt_nearest2(h, x, i, x + (size_t)i * m);
+        double after = ms_gpr__hunt_nearest2(h, x + (size_t)(i + 1) * m, count - i - 1, x + (size_t)i * m);
+        sum += sqrt(before < after ? before : after);
     }
     return count > 1 ? sum / count : 0;
 }
@@ -3379,50 +3637,69 @@ static double ms_gpr__hunt_spread(const ms_gpr__hunt *h)
 static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
 {
     size_t m = (size_t)h->gp->m, stride = h->gp->stride, candidates = MS_GPR__BATCHES * MS_GPR__BATCH;
+    size_t population = MS_GPR__PILOT * MS_GPR__BATCH;
     int i;
     h->low = ms_gpr__take(arena, m, 1);
     h->width = ms_gpr__take(arena, m, 1);
     h->unit = ms_gpr__take(arena, m, 1);
-    h->refuge = ms_gpr__take(arena, m, 1);
+    h->cells = ms_gpr__take(arena, m, 1);
+    h->tight = ms_gpr__take(arena, m, 1);
+    h->group = ms_gpr__take(arena, m, 16);
     h->candidate = ms_gpr__take(arena, candidates, m);
+    h->candidate_f = (float *)(void *)ms_gpr__take(arena, candidates / 2, m);
     h->mean = ms_gpr__take(arena, candidates + (size_t)h->gp->n, 1);
+    h->variance = ms_gpr__take(arena, candidates, 1);
     h->scratch = ms_gpr__take(arena, MS_GPR__BATCHES, h->scratch_size);
-    h->place = ms_gpr__take(arena, MS_GPR__GROUPS * MS_GPR__GROUP, m);
-    h->ranked = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, (size_t)h->starts, (sizeof(ms_gpr__ranked) + 7) / sizeof(double));
-    for (i = 0; i < MS_GPR__GROUPS; ++i) {
+    h->ranked = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, candidates + (size_t)h->gp->n, sizeof *h->ranked / sizeof(double));
+    h->summit = ms_gpr__take(arena, MS_GPR__SUMMITS, m);
+    h->place = ms_gpr__take(arena, population, m);
+    h->next = ms_gpr__take(arena, population, m);
+    h->value = ms_gpr__take(arena, population, 1);
+    h->next_value = ms_gpr__take(arena, population, 1);
+    h->seed = (int *)(void *)ms_gpr__take(arena, MS_GPR__POPULATION, 1);
+    if (h->o.skip > 0) h->kept = ms_gpr__take(arena, (size_t)h->count, m);
+    for (i = 0; i < MS_GPR__TASKS; ++i) {
         ms_gpr__walker *w = &h->walker[i];
         w->place = ms_gpr__take(arena, m, 1);
         w->direction = ms_gpr__take(arena, m, 1);
-        w->scaled = ms_gpr__take(arena, m, 4);
-        w->distance2 = ms_gpr__take(arena, stride, 4);
+        w->scaled = ms_gpr__take(arena, m, 1);
+        w->step = ms_gpr__take(arena, m, 1);
+        w->d2 = ms_gpr__take(arena, stride, 1);
         w->slope = ms_gpr__take(arena, stride, 1);
         w->kernel = ms_gpr__take(arena, stride, 1);
     }
 }
 
-static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *options, ms_gpr_recommend_options *o, ms_error *error)
+static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *options, int m, ms_gpr_recommend_options *o, ms_error *error)
 {
+    static const char *const name[] = {"tau", "caution", "min_distance", "diversity", "avoid_distance", "max_candidates"};
+    double value[6];
+    int i, k;
     if (options != NULL) *o = *options;
     else memset(o, 0, sizeof *o);
-    if (!ms__finite(o->tau) || !ms__finite(o->best) || !ms__finite(o->caution) || !ms__finite(o->min_distance) ||
-        !ms__finite(o->climb_size) || !ms__finite(o->max_candidates))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tau, best, caution, min_distance, climb_size or max_candidates is not finite");
-    if (o->tau == 0) o->tau = 0.6;
-    if (o->climb_size == 0) o->climb_size = 0.1;
-    if (o->max_candidates == 0) o->max_candidates = 1e7;
-    if (o->rounds == 0) o->rounds = 4;
-    if (o->climb_steps == 0) o->climb_steps = 20;
-    if (!(o->tau > 0 && o->tau <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tau is %g: expected a number in (0, 1]", o->tau);
-    if (o->best < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "best is %g: expected a score of at least 0", o->best);
-    if (o->caution < 0 || o->min_distance < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "caution is %g and min_distance %g: expected at least 0", o->caution,
-                        o->min_distance);
-    if (o->climb_size < 0 || o->climb_steps < 0 || o->rounds < 0 || o->max_candidates < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rounds, climb_steps, climb_size or max_candidates is negative");
-    if ((int)o->search < 0 || (int)o->search > (int)MS_GPR_SEARCH_CLIMB)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "search is %d: expected one of ms_gpr_search", (int)o->search);
-    return MS_OK;
+    value[0] = o->tau, value[1] = o->caution, value[2] = o->min_distance;
+    value[3] = o->diversity, value[4] = o->avoid_distance, value[5] = o->max_candidates;
+    for (i = 0; i < 6; ++i) {
+        double most = i == 0 || i == 3 ? 1 : MS_GPR__LARGEST;
+        if (!(value[i] >= 0 && value[i] <= most))
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i], value[i], most);
+    }
+    if (!(fabs(o->best) <= MS_GPR__LARGEST))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "best is %g: expected a score", o->best);
+    if (!(o->tau > 0)) o->tau = 0.6;
+    if (!(o->avoid_distance > 0)) o->avoid_distance = 0.15;
+    if (!(o->max_candidates > 0)) o->max_candidates = 1e7;
+    if (o->rounds < 0 || o->skip < 0 || o->avoid_count < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rounds is %d, skip %d, avoid_count %d: expected at least 0", o->rounds, o->skip,
+                        o->avoid_count);
+    if (o->rounds == 0) o->rounds = 2;
+    if ((int)o->search < 0 || (int)o->search > (int)MS_GPR_SEARCH_SUBSET)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "search is %d: expected 0 to 2", (int)o->search);
+    if (o->avoid_count > 0 && o->avoid == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "avoid is NULL with avoid_count %d", o->avoid_count);
+    for (k = 0; o->steps && k < m; ++k)
+        if (!(o->steps[k] >= 0 && o->steps[k] <= MS_GPR__LARGEST))
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "steps[%d] is %g: expected a number of at least 0", k, o->steps[k]);
+    return o->avoid_count > 0 ? ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error) : MS_OK;
 }
 
 /* The search that was asked for, or the cheaper one. */
@@ -3431,22 +3708,16 @@ static ms_status ms_gpr__hunt_run(ms_gpr__hunt *h, ms_error *error)
     int pilot = MS_GPR__PILOT * MS_GPR__BATCH, hits = 0, i;
     ms_status status = ms_gpr__hunt_begin(h, error);
     if (status != MS_OK) return status;
-    for (i = 0; i < pilot; ++i) hits += ms_gpr__hunt_accepts(h, i);
+    for (i = 0; i < pilot; ++i) hits += h->mean[i] >= h->goal;
     h->report.acceptance = (double)hits / pilot;
     h->report.search = h->o.search;
     if (h->o.search == MS_GPR_SEARCH_AUTO)
-        h->report.search = (double)hits * (h->o.caution > 0 ? MS_GPR__RARE_CAUTIOUS : MS_GPR__RARE) >= pilot ? MS_GPR_SEARCH_REJECTION
-                                                                                                            : MS_GPR_SEARCH_WALK;
-    status = h->report.search == MS_GPR_SEARCH_REJECTION ? ms_gpr__hunt_reject(h)
-             : h->report.search == MS_GPR_SEARCH_WALK    ? ms_gpr__hunt_move(h, ms_gpr__hunt_walk)
-                                                         : ms_gpr__hunt_move(h, ms_gpr__hunt_climb);
-    for (i = 0; i < MS_GPR__GROUPS; ++i) {
-        h->report.slices += h->walker[i].slices;
-        h->report.candidates += h->walker[i].candidates;
-    }
+        h->report.search = hits * MS_GPR__RARE >= pilot ? MS_GPR_SEARCH_REJECTION : MS_GPR_SEARCH_SUBSET;
+    status = h->report.search == MS_GPR_SEARCH_REJECTION ? ms_gpr__hunt_reject(h) : ms_gpr__hunt_walk(h);
+    for (i = 0; i < MS_GPR__TASKS; ++i) h->report.slices += h->walker[i].slices;
     if (status == MS_OK) return MS_OK;
-    return ms__fail(error, status, 0, "%s after %d of %d recommendations", status == MS_CANCELLED ? "cancelled" : "gave up",
-                    h->report.found, h->count);
+    return ms__fail(error, status, 0, "%s after %d of %d recommendations", status == MS_CANCELLED ? "cancelled" : "gave up", h->taken,
+                    h->count);
 }
 
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x, double *mean,
@@ -3455,28 +3726,40 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     ms_gpr__hunt hunt, *h = &hunt;
     ms_gpr__arena arena = {NULL, 0};
     ms_status status;
-    size_t doubles;
+    size_t doubles, m;
     void *block;
+    int k;
     memset(h, 0, sizeof *h);
     if (report) *report = h->report;
     if (gp == NULL || x == NULL || count < 1)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp or x is NULL, or count is %d: expected at least 1", count);
-    status = ms_gpr__recommend_options(options, &h->o, error);
+    status = ms_gpr__recommend_options(options, gp->m, &h->o, error);
     if (status != MS_OK) return status;
+    if (h->o.skip > 0x7fffffff / 16 - count || count > 0x7fffffff / 16)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d and skip %d: expected at most %d together", count, h->o.skip, 0x7fffffff / 16);
+    m = (size_t)gp->m;
     h->gp = gp;
-    h->count = count;
-    h->x = x;
-    h->starts = MS_GPR__PILOT * MS_GPR__BATCH + gp->n;
-    h->scratch_size = MS_GPR__CHUNK * ((size_t)gp->m + MS_GPR__SLAB);
+    h->count = count + h->o.skip;
+    h->kept = x;
+    h->lines = &gp->kernels->lines;
+    h->points = gp->points;
+    h->weight = gp->weight;
+    h->scratch_size = MS_GPR__CHUNK * (m + (size_t)(h->o.caution > 0 ? ms_gpr__padded(gp->n) : 0) + MS_GPR__SLAB);
     ms_gpr__hunt_layout(h, &arena);
     doubles = arena.used;
     arena.base = ms_gpr__doubles(&gp->allocator, doubles, &block);
     if (arena.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search over %d scores", gp->n);
     arena.used = 0;
     ms_gpr__hunt_layout(h, &arena);
-    status = ms_gpr__box(gp->m, h->o.low, h->o.high, h->low, h->width, error);
+    status = ms_gpr__box(gp, h->o.low, h->o.high, h->low, h->width, error);
+    for (k = 0; status == MS_OK && k < gp->m; ++k) {
+        h->cells[k] = h->o.steps && h->o.steps[k] > 0 && h->width[k] > 0 ? floor(h->width[k] / h->o.steps[k] + 1e-9) + 1 : 0;
+        if (h->cells[k] > 0 && h->cells[k] < 2) h->cells[k] = h->width[k] = 0;
+    }
     if (status == MS_OK) status = ms_gpr__hunt_run(h, error);
-    h->report.spread = ms_gpr__hunt_spread(h);
+    h->report.found = h->taken > h->o.skip ? h->taken - h->o.skip : 0;
+    if (h->kept != x) memcpy(x, h->kept + (size_t)h->o.skip * m, (size_t)h->report.found * m * sizeof *x);
+    if (h->report.found > 0) h->report.spread = ms_gpr__hunt_spread(h, x);
     ms_gpr__release_doubles(&gp->allocator, block, doubles);
     if (h->report.found > 0 && (mean || sigma)) {
         ms_status predicted = ms_gpr_predict(gp, x, h->report.found, mean, sigma, error);
@@ -3496,6 +3779,7 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
 typedef struct ms_gpr__pool {
     const ms_gpr *gp;
     ms_gpr_gallery_kind kind;
+    double floor, threshold; /* scores above are liked, and recommended */
     int size, count;  /* size: a multiple of CHUNK */
     double *x;        /* [size][m] */
     double *points;   /* [active][size] in length scales, as gp->points */
@@ -3552,29 +3836,30 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
         }
 }
 
-/* How much candidate j is worth seeing. */
-static double ms_gpr__pool_worth(const ms_gpr__pool *p, int j)
+/* How much candidate j is worth seeing as choice number q. */
+static double ms_gpr__pool_worth(const ms_gpr__pool *p, int q, int j)
 {
-    double sum = 0, sigma;
+    double sum = 0, sigma, above = p->mean[j] - p->floor;
     int i;
     if (p->kind == MS_GPR_GALLERY_NOVEL) {
         for (i = 0; i < MS_GPR__NEIGHBOURS; ++i) sum += sqrt(p->nearest[(size_t)i * (size_t)p->size + (size_t)j]);
         return sum;
     }
-    /* Draws without replacement with probabilities in proportion to max(u, 0): largest log(uniform) / weight first (Efraimidis
+    /* Draws without replacement with probabilities in proportion to max(above, 0): largest log(uniform) / weight first (Efraimidis
        and Spirakis 2006); candidates without weight come last */
-    if (p->kind == MS_GPR_GALLERY_INTERMEDIATE) return p->mean[j] > 0 ? p->luck[j] / p->mean[j] : -1e300;
+    if (p->kind == MS_GPR_GALLERY_INTERMEDIATE) return above > 0 ? p->luck[j] / above : -1e300;
     sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0;
+    if (p->kind == MS_GPR_GALLERY_ACTIVE && q % 2 == 0) return 1.96 * sigma - fabs(p->mean[j] - p->threshold);
     if (p->kind == MS_GPR_GALLERY_UNCERTAIN || !(sigma > 0)) return sigma;
-    return sigma * 0.5 * erfc(-p->mean[j] / (1.4142135623730951 * sigma)); /* P(u > 0) sigma */
+    return sigma * 0.5 * erfc(-above / (1.4142135623730951 * sigma)); /* P(u > floor) sigma */
 }
 
-static int ms_gpr__pool_best(const ms_gpr__pool *p)
+static int ms_gpr__pool_best(const ms_gpr__pool *p, int q)
 {
     double largest = 0;
     int best = -1, j;
     for (j = 0; j < p->size; ++j) {
-        double worth = p->taken[j] > 0 ? 0 : ms_gpr__pool_worth(p, j);
+        double worth = p->taken[j] > 0 ? 0 : ms_gpr__pool_worth(p, q, j);
         if (p->taken[j] > 0 || (best >= 0 && !(worth > largest))) continue;
         largest = worth;
         best = j;
@@ -3630,15 +3915,49 @@ static void ms_gpr__pool_layout(ms_gpr__pool *p, ms_gpr__arena *arena)
     p->scratch = ms_gpr__take(arena, 4, ms__size_add(size, m));
 }
 
-/* The candidates, uniform over the box; nothing is taken or seen. */
-static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed)
+/* Candidate j as a variant of scored materials, in place of the uniform one that it is: whatever parameters are not drawn anew come
+   from a parent, or from two. weight: of all scores above the floor. */
+static void ms_gpr__pool_vary(ms_gpr__pool *p, int j, double weight, ms__rng *rng)
 {
-    ms__rng rng = ms__rng_make(seed, 0);
+    const ms_gpr *gp = p->gp;
+    double share = 0.1 + 0.5 * ms__rng_uniform(rng);
+    int parent[2], crossed = ms__rng_uniform(rng) < 0.5, i, k;
+    for (i = 0; i < 2; ++i) {
+        double left = weight * ms__rng_uniform(rng);
+        for (k = 0; k < gp->n; ++k) {
+            if (!(gp->y[k] > p->floor)) continue;
+            parent[i] = k;
+            if ((left -= gp->y[k] - p->floor) < 0) break;
+        }
+    }
+    for (k = 0; k < gp->m; ++k) {
+        double a = p->low[k], b = a + p->width[k], v = gp->x[(size_t)parent[crossed && ms__rng_uniform(rng) < 0.5] * (size_t)gp->m + (size_t)k];
+        if (ms__rng_uniform(rng) >= share) p->x[(size_t)j * (size_t)gp->m + (size_t)k] = v < a ? a : v > b ? b : v;
+    }
+}
+
+/* The candidates; nothing is taken or seen. Every parameter of the first `spread` of them falls once into each of as many parts of
+   its range. vary: half of the pool are variants. */
+static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed, int spread, int vary)
+{
+    ms__rng rng = ms__rng_make(seed, (uint64_t)p->gp->n);
     size_t m = (size_t)p->gp->m, k;
+    double weight = 0;
     int i, j;
+    for (i = 0; i < p->gp->n; ++i)
+        if (p->gp->y[i] > p->floor) weight += p->gp->y[i] - p->floor;
+    for (k = 0; k < m && spread > 0; ++k) { /* which part, in luck: a shuffle */
+        for (j = 0; j < spread; ++j) {
+            i = (int)(ms__rng_uniform(&rng) * (j + 1));
+            p->luck[j] = p->luck[i];
+            p->luck[i] = j;
+        }
+        for (j = 0; j < spread; ++j) p->x[(size_t)j * m + k] = p->low[k] + p->width[k] * (p->luck[j] + ms__rng_uniform(&rng)) / spread;
+    }
     for (j = 0; j < p->size; ++j) {
         double *x = p->x + (size_t)j * m;
-        for (k = 0; k < m; ++k) x[k] = p->low[k] + p->width[k] * ms__rng_uniform(&rng);
+        for (k = 0; k < m && j >= spread; ++k) x[k] = p->low[k] + p->width[k] * ms__rng_uniform(&rng);
+        if (vary && weight > 0 && j % 2) ms_gpr__pool_vary(p, j, weight, &rng);
         ms_gpr__place(p->gp, x, p->points + j, (size_t)p->size);
         p->luck[j] = log(ms__rng_uniform(&rng));
         p->taken[j] = 0;
@@ -3654,19 +3973,27 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     ms_status status;
     size_t doubles;
     void *block;
-    int q;
+    double top;
+    int q, drawn;
     memset(p, 0, sizeof *p);
     if (options != NULL) o = *options;
     else memset(&o, 0, sizeof o);
     if (gp == NULL || x == NULL || count < 1 || count > 1000000)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp or x is NULL, or count is %d: expected 1 to 1000000", count);
-    if (o.pool < 0 || o.pool > 10000000 || (int)o.kind < 0 || (int)o.kind > (int)MS_GPR_GALLERY_UNIFORM)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pool is %d or kind %d: expected 0 to 10000000 and one of ms_gpr_gallery_kind",
-                        o.pool, (int)o.kind);
+    if (o.pool < 0 || o.pool > 10000000)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pool is %d: expected 0 to 10000000", o.pool);
+    if ((int)o.kind < 0 || (int)o.kind > (int)MS_GPR_GALLERY_SPREAD)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kind is %d: expected 0 to %d", (int)o.kind, (int)MS_GPR_GALLERY_SPREAD);
     p->gp = gp;
     p->kind = o.kind;
     p->count = count;
-    p->size = o.kind == MS_GPR_GALLERY_UNIFORM ? count : o.pool > 0 ? o.pool : 10 * count > 4000 ? 10 * count : 4000;
+    p->floor = ms_gpr_floor(gp);
+    for (q = 0, top = p->floor; q < gp->n; ++q)
+        if (gp->y[q] > top) top = gp->y[q];
+    p->threshold = p->floor + 0.6 * (top - p->floor);
+    if (o.kind == MS_GPR_GALLERY_ACTIVE && !(top > p->floor)) p->kind = MS_GPR_GALLERY_SPREAD; /* nothing is liked yet */
+    drawn = p->kind == MS_GPR_GALLERY_UNIFORM || p->kind == MS_GPR_GALLERY_SPREAD;
+    p->size = drawn ? count : o.pool > 0 ? o.pool : 10 * count > 4000 ? 10 * count : 4000;
     if (p->size < count) p->size = count;
     p->size = (p->size + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
     ms_gpr__pool_layout(p, &arena);
@@ -3675,15 +4002,15 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     if (arena.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->size);
     arena.used = 0;
     ms_gpr__pool_layout(p, &arena);
-    status = ms_gpr__box(gp->m, o.low, o.high, p->low, p->width, error);
+    status = ms_gpr__box(gp, o.low, o.high, p->low, p->width, error);
     if (status == MS_OK) {
-        ms_gpr__pool_fill(p, o.seed);
-        if (p->kind != MS_GPR_GALLERY_UNIFORM) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
+        ms_gpr__pool_fill(p, o.seed, p->kind == MS_GPR_GALLERY_SPREAD ? count : 0, !drawn && !o.uniform);
+        if (!drawn) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
         for (q = 0; q < count; ++q) {
-            int best = p->kind == MS_GPR_GALLERY_UNIFORM ? q : ms_gpr__pool_best(p);
+            int best = drawn ? q : ms_gpr__pool_best(p, q);
             memcpy(x + (size_t)q * (size_t)gp->m, p->x + (size_t)best * (size_t)gp->m, (size_t)gp->m * sizeof *x);
             p->taken[best] = 1;
-            if (p->kind != MS_GPR_GALLERY_UNIFORM && p->kind != MS_GPR_GALLERY_INTERMEDIATE) ms_gpr__pool_choose(p, q, best);
+            if (!drawn && p->kind != MS_GPR_GALLERY_INTERMEDIATE) ms_gpr__pool_choose(p, q, best);
         }
     }
     ms_gpr__release_doubles(&gp->allocator, block, doubles);
@@ -3832,7 +4159,7 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered
     if (z < 2 || z > MS_GPR__N_MAX || m < 1 || x == NULL || l < 1 || l > 3)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "z is %d, m %d, dimensions %d, or x is NULL: expected 2 to %d, at least 1, 1 to 3",
                         z, m, l, MS_GPR__N_MAX);
-    status = ms_gpr__check_rows(x, z, m, "material", error);
+    status = ms_gpr__check_rows(x, z, m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
     p = (ms_gpr_latent *)ms__alloc(&o->allocator, sizeof *p);
     if (p == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space");
@@ -3917,7 +4244,7 @@ MS_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const doubl
     l = o.dimensions ? o.dimensions : 2;
     status = ms_gpr__latent_make(x, z, m, 0, &o, &p, error);
     if (status != MS_OK) return status;
-    status = ms_gpr__check_rows(latent, z, l, "latent", error);
+    status = ms_gpr__check_rows(latent, z, l, MS_GPR__LARGEST, "latent", error);
     if (status == MS_OK) status = ms_gpr__check_theta(theta, l, error);
     if (status == MS_OK) {
         memcpy(p->latent, latent, (size_t)z * (size_t)l * sizeof *latent);
@@ -4002,7 +4329,7 @@ MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *lat
     int i;
     if (plane == NULL || latent == NULL || count < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane or latent is NULL, or count is %d", count);
-    status = ms_gpr__check_rows(latent, count, plane->l, "latent", error);
+    status = ms_gpr__check_rows(latent, count, plane->l, MS_GPR__LARGEST, "latent", error);
     if (status != MS_OK) return status;
     m = (size_t)plane->m;
     doubles = plane->stride + plane->columns;
@@ -4061,7 +4388,7 @@ MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x,
     void *block;
     int start, i, k, nearest;
     if (p == NULL || x == NULL || latent == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane, x or latent is NULL");
-    status = ms_gpr__check_rows(x, 1, p->m, "material", error);
+    status = ms_gpr__check_rows(x, 1, p->m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
     doubles = ms_gpr__minimize_doubles(p->l) + 2 * p->stride + p->columns;
     s.kernel = ms_gpr__doubles(&p->allocator, doubles, &block);
@@ -4451,7 +4778,7 @@ static ms_status ms_gpr__similarity_check(const ms_gpr_latent *plane, const ms_g
 {
     if (plane == NULL || s == NULL || s->x == NULL || !ms__finite(s->scale) || s->scale < 0 || (s->pixels > 0 && s->render == NULL))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane, similarity, its x or its render is NULL, or its scale is below 0");
-    return ms_gpr__check_rows(s->x, 1, plane->m, "reference", error);
+    return ms_gpr__check_rows(s->x, 1, plane->m, MS_GPR__LARGEST, "reference", error);
 }
 
 /* Two pictures, the first of them the reference's. */
@@ -4657,21 +4984,26 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 #undef MS_GPR__MEMORY
 #undef MS_GPR__DROPPED
 #undef MS_GPR__N_MAX
+#undef MS_GPR__LARGEST
+#undef MS_GPR__NO_FLOOR
 #undef MS_GPR__PRIOR_LENGTH
-#undef MS_GPR__PRIOR_SF
+#undef MS_GPR__PRIOR_LENGTH_SPREAD
+#undef MS_GPR__PRIOR_SF_SPREAD
 #undef MS_GPR__PRIOR_SN
-#undef MS_GPR__PRIOR_LENGTH_SD
-#undef MS_GPR__PRIOR_SF_SD
-#undef MS_GPR__PRIOR_SN_SD
+#undef MS_GPR__PRIOR_SN_SPREAD
+#undef MS_GPR__PRIOR_TAIL
+#undef MS_GPR__PART
 #undef MS_GPR__HEADER
 #undef MS_GPR__BATCH
 #undef MS_GPR__BATCHES
 #undef MS_GPR__PILOT
-#undef MS_GPR__GROUP
-#undef MS_GPR__GROUPS
+#undef MS_GPR__TASKS
+#undef MS_GPR__WAVE
+#undef MS_GPR__POPULATION
+#undef MS_GPR__SURVIVE
+#undef MS_GPR__LEVELS
 #undef MS_GPR__SUMMITS
 #undef MS_GPR__RARE
-#undef MS_GPR__RARE_CAUTIOUS
 #undef MS_GPR__NEIGHBOURS
 #undef MS_GPR__LATENT_TRIAL
 #undef MS_GPR__LATENT_STARTS
@@ -4896,6 +5228,64 @@ static void MS_GPR__KERNEL(accumulate)(MS_GPR__REAL *mean, const MS_GPR__REAL *c
     }
 }
 
+static void MS_GPR__KERNEL(arrive)(void *d2, const void *points, size_t stride, const double *place, int m, int n)
+{
+    MS_GPR__REAL *out = (MS_GPR__REAL *)d2;
+    int i, k;
+    for (i = 0; i < n; i += MS_GPR__LANES) {
+        const MS_GPR__REAL *p = (const MS_GPR__REAL *)points + i;
+        MS_GPR__V sum = MS_GPR__SET(0);
+        for (k = 0; k < m; ++k, p += stride) {
+            MS_GPR__V d = MS_GPR__SUB(MS_GPR__SET((MS_GPR__REAL)place[k]), MS_GPR__LOAD(p));
+            sum = MS_GPR__MADD(d, d, sum);
+        }
+        MS_GPR__STORE(out + i, sum);
+    }
+}
+
+static void MS_GPR__KERNEL(face)(void *slope, const void *points, size_t stride, const double *place, const double *step, int m, int n)
+{
+    MS_GPR__REAL *out = (MS_GPR__REAL *)slope;
+    int i, k;
+    memset(out, 0, (size_t)n * sizeof *out);
+    for (k = 0; k < m; ++k) {
+        const MS_GPR__REAL *p = (const MS_GPR__REAL *)points + (size_t)k * stride;
+        MS_GPR__V at = MS_GPR__SET((MS_GPR__REAL)(2 * step[k] * place[k])), by = MS_GPR__SET((MS_GPR__REAL)(2 * step[k]));
+        if (!(step[k] < 0 || step[k] > 0)) continue;
+        for (i = 0; i < n; i += MS_GPR__LANES)
+            MS_GPR__STORE(out + i, MS_GPR__NMADD(by, MS_GPR__LOAD(p + i), MS_GPR__ADD(at, MS_GPR__LOAD(out + i))));
+    }
+}
+
+static double MS_GPR__KERNEL(line_mean)(const void *d2, const void *slope, double t, double c, const void *weight, int n)
+{
+    const MS_GPR__REAL *d = (const MS_GPR__REAL *)d2, *s = (const MS_GPR__REAL *)slope, *w = (const MS_GPR__REAL *)weight;
+    MS_GPR__REAL partial[MS_GPR__BLOCK];
+    MS_GPR__V ahead = MS_GPR__SET((MS_GPR__REAL)t), own = MS_GPR__SET((MS_GPR__REAL)(t * c)), sum[MS_GPR__BLOCK / MS_GPR__LANES];
+    double total = 0;
+    int i, l;
+    for (l = 0; l < MS_GPR__BLOCK / MS_GPR__LANES; ++l) sum[l] = MS_GPR__SET(0);
+    for (i = 0; i < n; i += MS_GPR__BLOCK)
+        for (l = 0; l < MS_GPR__BLOCK / MS_GPR__LANES; ++l) {
+            int at = i + l * MS_GPR__LANES;
+            MS_GPR__V d2t = MS_GPR__MADD(ahead, MS_GPR__ADD(MS_GPR__LOAD(s + at), own), MS_GPR__LOAD(d + at));
+            sum[l] = MS_GPR__MADD(MS_GPR__LOAD(w + at), MS_GPR__KERNEL(exponential)(d2t), sum[l]);
+        }
+    for (l = 0; l < MS_GPR__BLOCK / MS_GPR__LANES; ++l) MS_GPR__STORE(partial + l * MS_GPR__LANES, sum[l]);
+    for (l = 0; l < MS_GPR__BLOCK; ++l) total += (double)partial[l];
+    return total;
+}
+
+static void MS_GPR__KERNEL(go)(void *d2, const void *slope, double t, double c, int n)
+{
+    MS_GPR__REAL *d = (MS_GPR__REAL *)d2;
+    const MS_GPR__REAL *s = (const MS_GPR__REAL *)slope;
+    MS_GPR__V ahead = MS_GPR__SET((MS_GPR__REAL)t), own = MS_GPR__SET((MS_GPR__REAL)(t * c));
+    int i;
+    for (i = 0; i < n; i += MS_GPR__LANES)
+        MS_GPR__STORE(d + i, MS_GPR__MADD(ahead, MS_GPR__ADD(MS_GPR__LOAD(s + i), own), MS_GPR__LOAD(d + i)));
+}
+
 #if !MS_GPR__FLOAT
 /* A tile of 4 rows and 3 vectors, then of 1: twelve sums, three vectors of b and one of a fill 16 registers. Depth goes in slices
    of 256, so that a slice of b stays in the first cache. */
@@ -5032,7 +5422,10 @@ static double MS_GPR__KERNEL(dot)(const double *x, const double *y, int columns)
 static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
     MS_GPR__KERNEL(reduce),  MS_GPR__KERNEL(distances), MS_GPR__JOIN(ms_gpr__distances_f_, MS_GPR__LEVEL),
     MS_GPR__KERNEL(exponentials), MS_GPR__KERNEL(accumulate), MS_GPR__JOIN(ms_gpr__accumulate_f_, MS_GPR__LEVEL),
-    MS_GPR__KERNEL(solve), MS_GPR__KERNEL(weights), MS_GPR__KERNEL(slopes), MS_GPR__KERNEL(axpy), MS_GPR__KERNEL(dot)};
+    MS_GPR__KERNEL(solve), MS_GPR__KERNEL(weights), MS_GPR__KERNEL(slopes), MS_GPR__KERNEL(axpy), MS_GPR__KERNEL(dot),
+    {sizeof(double), MS_GPR__KERNEL(arrive), MS_GPR__KERNEL(face), MS_GPR__KERNEL(line_mean), MS_GPR__KERNEL(go)},
+    {sizeof(float), MS_GPR__JOIN(ms_gpr__arrive_f_, MS_GPR__LEVEL), MS_GPR__JOIN(ms_gpr__face_f_, MS_GPR__LEVEL),
+     MS_GPR__JOIN(ms_gpr__line_mean_f_, MS_GPR__LEVEL), MS_GPR__JOIN(ms_gpr__go_f_, MS_GPR__LEVEL)}};
 #endif /* !MS_GPR__FLOAT */
 
 #undef MS_GPR__JOIN_

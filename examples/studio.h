@@ -1,141 +1,243 @@
-/* The workflow as a tool with a window would run it: a few calls, each short enough for a frame of 16 ms. ms_gpr.h,
-   ms_nn.h and neural.h come first; scores.h is not needed.
+/* The workflow as a tool with a window would run it: a few calls, each short enough for a frame of 16 ms up to some 200 scores.
+   ms_gpr.h comes first; pictures come from a callback, such as a neural renderer (neural.h).
 
      studio s;
-     studio_open(&s, &renderer);                 a neural renderer that outlives it
-     studio_score(&s, x, 7, &error);             whenever the user has scored a material      any state -> SCORED
-     studio_update(&s, &error);                  every frame until s.settled                  SCORED    -> LEARNED
-     studio_recommend(&s, 8, x, planes, &error); a row of the gallery                         LEARNED
-     studio_choose(&s, x, &error);               a material was picked: the plane around it   LEARNED   -> EXPLORING
-     studio_move(&s, dx, dy, &view, &error);     the mouse moved                              EXPLORING
+     studio_open(&s, &renderer, &error);         19 parameters, what draws them, and how large a picture is
+     studio_gallery(&s, 10, x, planes, &error);  materials to be scored next                         any state
+     studio_score(&s, x, 7, &error);             whenever the user has scored a material             any state -> SCORED
+     studio_rescore(&s, 3, 2, &error);           thought again about the fourth one
+     studio_undo(&s, &error);                    takes back the last of these two
+     studio_update(&s, &error);                  every frame until s.settled                         SCORED    -> LEARNED
+     studio_recommend(&s, 8, x, planes, &error); a row of recommendations                            LEARNED
+     studio_choose(&s, x, &error);               a material was picked: the plane around it          LEARNED   -> EXPLORING
+     studio_move(&s, dx, dy, &view, &error);     the mouse moved                                     EXPLORING
      studio_close(&s);
 
-   LEARNED and EXPLORING outlast further scores: the model takes them up at once, with the length scales it has, and
-   s.settled says that studio_update has something to do again. A call in the wrong state is MS_INVALID_ARGUMENT and
-   changes nothing. */
+   Scores may come one by one with updates between them, in any order, on any scale. LEARNED and EXPLORING outlast further scores:
+   the model takes them up at once, with the length scales it has, and s.settled says that studio_update has something to do
+   again. A call in the wrong state is MS_INVALID_ARGUMENT and changes nothing. */
 #ifndef EXAMPLES_STUDIO_H
 #define EXAMPLES_STUDIO_H
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
-enum { STUDIO_LIKED = 15 }; /* materials in the plane besides the chosen one */
+enum { STUDIO_LIKED = 15 /* materials in the plane besides the chosen one */, STUDIO_UNDO = 64 };
 
 typedef enum studio_state { STUDIO_EMPTY, STUDIO_SCORED, STUDIO_LEARNED, STUDIO_EXPLORING } studio_state;
 
+/* Draws `count` materials x [count][parameters] into planes [count][values]. */
+typedef struct studio_renderer {
+    int parameters;
+    size_t values; /* of a picture */
+    void (*render)(void *user, const float *x, int count, float *planes);
+    void *user;
+} studio_renderer;
+
 typedef struct studio {
     studio_state state;
-    int settled;            /* studio_update has nothing left to do */
-    double likelihood;      /* of the scores, after the last update */
-    const neural *renderer;
+    int settled;               /* studio_update has nothing left to do */
+    double objective;          /* of the model, after the last update */
+    ms_gpr_fit_options learn;  /* may be set after studio_open: floor, noise, ... */
+    studio_renderer renderer;
     ms_gpr *gp;
     ms_gpr_latent *plane;
-    double at[2];           /* where in the plane */
-    uint64_t seed;          /* of the next recommendations */
+    double at[2];              /* where in the plane */
+    uint64_t seed;             /* of the next recommendations */
+    int search;                /* which start studio_update works on: 0 where it stands, 1 to 3 the fit's own */
+    double *theta, reached;    /* [m + 2] how far that start has come, and its objective */
+    double *x;                 /* [m] a material, */
+    float *row, *planes;       /* [m] the same, and its picture */
+    struct { int index; double score; } undo[STUDIO_UNDO]; /* index < 0: the last score was added */
+    int undos;
 } studio;
 
 typedef struct studio_view {
     const float *planes; /* the picture, valid until the next call */
+    const double *x;     /* [parameters] the material, as long */
     double score, sigma; /* predicted */
-    double x[256];
 } studio_view;
 
-static inline ms_status studio__refuse(ms_error *error, const char *sentence)
+static inline ms_status studio__refuse(ms_error *error, ms_status status, const char *sentence)
 {
     if (error) {
-        error->status = MS_INVALID_ARGUMENT;
+        error->status = status;
         error->position = 0;
         snprintf(error->message, sizeof error->message, "%s", sentence);
     }
-    return MS_INVALID_ARGUMENT;
-}
-
-static inline void studio_open(studio *s, const neural *renderer)
-{
-    memset(s, 0, sizeof *s);
-    s->renderer = renderer;
+    return status;
 }
 
 static inline void studio_close(studio *s)
 {
     ms_gpr_latent_destroy(s->plane);
     ms_gpr_destroy(s->gp);
+    free(s->theta);
+    free(s->x);
+    free(s->row);
+    free(s->planes);
     memset(s, 0, sizeof *s);
+}
+
+static inline ms_status studio_open(studio *s, const studio_renderer *renderer, ms_error *error)
+{
+    size_t m = (size_t)renderer->parameters;
+    int k;
+    memset(s, 0, sizeof *s);
+    s->renderer = *renderer;
+    s->theta = (double *)malloc((m + 2) * sizeof(double));
+    s->x = (double *)malloc(m * sizeof(double));
+    s->row = (float *)malloc(m * sizeof(float));
+    s->planes = (float *)malloc(renderer->values * sizeof(float));
+    if (s->theta && s->x && s->row && s->planes) {
+        for (k = 0; k < (int)m + 2; ++k) s->theta[k] = k < (int)m ? log(sqrt((double)m)) : 0;
+        s->theta[m + 1] = -2;
+        if (ms_gpr_create(NULL, NULL, 0, (int)m, s->theta, NULL, &s->gp, error) == MS_OK) return MS_OK;
+    }
+    studio_close(s);
+    return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a session");
+}
+
+static inline void studio__changed(studio *s)
+{
+    s->settled = 0;
+    s->search = 0;
+    s->reached = s->objective = -1e300;
+    memcpy(s->theta, ms_gpr_theta(s->gp), ((size_t)s->renderer.parameters + 2) * sizeof(double));
+}
+
+static inline void studio__remember(studio *s, int index, double score)
+{
+    if (s->undos == STUDIO_UNDO) memmove(s->undo, s->undo + 1, sizeof s->undo - sizeof s->undo[0]), --s->undos;
+    s->undo[s->undos].index = index;
+    s->undo[s->undos++].score = score;
 }
 
 /* n^2 multiply-adds for the n-th score. */
 static inline ms_status studio_score(studio *s, const double *x, double score, ms_error *error)
 {
-    int m = s->renderer->parameters, k;
-    double theta[258];
-    ms_status status = MS_OK;
-    if (m > 256) return studio__refuse(error, "more than 256 parameters");
-    for (k = 0; k < m; ++k) theta[k] = log(sqrt((double)m)); /* a wide start: short length scales have no slope */
-    theta[m] = log(3.0);
-    theta[m + 1] = log(0.5);
-    if (s->gp == NULL) status = ms_gpr_create(x, &score, 0, m, theta, NULL, &s->gp, error);
-    if (status == MS_OK) status = ms_gpr_append(s->gp, x, score, error);
+    ms_status status = ms_gpr_append(s->gp, x, score, error);
     if (status != MS_OK) return status;
-    s->settled = 0;
+    studio__remember(s, -1, 0);
+    studio__changed(s);
     if (s->state == STUDIO_EMPTY) s->state = STUDIO_SCORED;
     return MS_OK;
 }
 
-/* Some steps of the fit from where it stands: as many evaluations of the likelihood as 8e7 multiply-adds make. */
+/* Another score for material `index`, counted from 0 in the order of studio_score. */
+static inline ms_status studio_rescore(studio *s, int index, double score, ms_error *error)
+{
+    double before = index >= 0 && index < ms_gpr_count(s->gp) ? ms_gpr_scores(s->gp)[index] : 0;
+    ms_status status = ms_gpr_rescore(s->gp, index, score, error);
+    if (status != MS_OK) return status;
+    studio__remember(s, index, before);
+    studio__changed(s);
+    return MS_OK;
+}
+
+/* Takes back the last studio_score or studio_rescore, up to STUDIO_UNDO of them. */
+static inline ms_status studio_undo(studio *s, ms_error *error)
+{
+    ms_status status;
+    if (s->undos == 0) return studio__refuse(error, MS_INVALID_ARGUMENT, "there is nothing to undo");
+    status = s->undo[s->undos - 1].index < 0 ? ms_gpr_drop(s->gp, ms_gpr_count(s->gp) - 1, error)
+                                             : ms_gpr_rescore(s->gp, s->undo[s->undos - 1].index, s->undo[s->undos - 1].score, error);
+    if (status != MS_OK) return status;
+    --s->undos;
+    studio__changed(s);
+    if (ms_gpr_count(s->gp) == 0) s->state = STUDIO_EMPTY;
+    return MS_OK;
+}
+
+/* Some steps of the fit: from where the model stands, then from each of the fit's own starts until it gains no more; the best of all
+   is the model. As many evaluations of the likelihood at a time as 8e7 multiply-adds make. */
 static inline ms_status studio_update(studio *s, ms_error *error)
 {
-    int n = s->gp ? ms_gpr_count(s->gp) : 0, m = s->renderer->parameters;
-    double evaluations = 8e7 / (0.5 * n * n * n + (double)n * n * m + 1);
-    ms_gpr_fit_options options;
+    static const double length[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
+    int n = ms_gpr_count(s->gp), m = s->renderer.parameters;
+    size_t size = ((size_t)m + 2) * sizeof(double);
+    double evaluations = 8e7 / (0.5 * n * n * n + (double)n * n * m + 1), gain;
+    ms_gpr_fit_options options = s->learn;
     ms_gpr_fit_report report;
-    ms_gpr *better;
+    ms_gpr *found;
     ms_status status;
-    if (s->state == STUDIO_EMPTY) return studio__refuse(error, "nothing was scored yet");
-    memset(&options, 0, sizeof options);
-    options.method = MS_GPR_METHOD_ML;
-    options.floor_offset = 0.5;
-    options.start = ms_gpr_theta(s->gp);
+    if (s->state == STUDIO_EMPTY) return studio__refuse(error, MS_INVALID_ARGUMENT, "nothing was scored yet");
+    if (s->settled) return MS_OK;
+    if (s->search == 0 || s->reached > -1e300) options.start = s->theta;
+    else options.length_start = length[s->search - 1] * sqrt((double)m);
     options.evaluations = evaluations < 3 ? 3 : evaluations > 40 ? 40 : (int)evaluations;
-    status = ms_gpr_fit(ms_gpr_inputs(s->gp), ms_gpr_scores(s->gp), n, m, &options, &better, &report, error);
+    status = ms_gpr_fit(ms_gpr_inputs(s->gp), ms_gpr_scores(s->gp), n, m, &options, &found, &report, error);
     if (status != MS_OK) return status;
-    s->settled = s->state != STUDIO_SCORED && report.likelihood - s->likelihood < 0.05;
-    s->likelihood = report.likelihood;
-    ms_gpr_destroy(s->gp);
-    s->gp = better;
+    memcpy(s->theta, ms_gpr_theta(found), size);
+    gain = report.objective - s->reached;
+    s->reached = report.objective;
+    if (report.objective > s->objective) {
+        ms_gpr_destroy(s->gp);
+        s->gp = found;
+        s->objective = report.objective;
+    } else {
+        ms_gpr_destroy(found);
+    }
+    if (gain < 0.05) { /* this start is at its end */
+        s->settled = s->search == 3;
+        ++s->search;
+        s->reached = -1e300;
+    }
     if (s->state == STUDIO_SCORED) s->state = STUDIO_LEARNED;
     return MS_OK;
 }
 
-/* x [count][m] and their pictures, planes [count][3][size][size]. Other ones at every call. */
-static inline ms_status studio_recommend(studio *s, int count, double *x, float *planes, ms_error *error)
+static inline void studio__draw(studio *s, const double *x, float *planes)
 {
-    int m = s->renderer->parameters, i, k;
-    size_t pixels = 3 * (size_t)s->renderer->size * (size_t)s->renderer->size;
-    ms_gpr_recommend_options options;
+    int k;
+    for (k = 0; k < s->renderer.parameters; ++k) s->row[k] = (float)x[k];
+    s->renderer.render(s->renderer.user, s->row, 1, planes);
+}
+
+/* Materials x [count][m] to be scored next, and their pictures, planes [count][values] (NULL: none): the first ones evenly spread,
+   later ones those that the recommendations depend on most. */
+static inline ms_status studio_gallery(studio *s, int count, double *x, float *planes, ms_error *error)
+{
+    ms_gpr_gallery_options options;
     ms_status status;
-    float row[256];
-    if (s->state < STUDIO_LEARNED) return studio__refuse(error, "no taste was learned yet");
+    int i;
     memset(&options, 0, sizeof options);
     options.seed = s->seed++;
-    status = ms_gpr_recommend(s->gp, &options, count, x, NULL, NULL, NULL, error);
-    for (i = 0; i < count && status == MS_OK; ++i) {
-        for (k = 0; k < m; ++k) row[k] = (float)x[i * m + k];
-        neural_render(s->renderer, row, 1, planes + (size_t)i * pixels);
-    }
+    status = ms_gpr_gallery(s->gp, &options, count, x, error);
+    for (i = 0; i < count && planes && status == MS_OK; ++i) studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
     return status;
 }
 
-/* The rows of the `limit` best scores above 0, best first, into liked [limit][m]; how many. */
-static inline int studio_liked(const ms_gpr *gp, int limit, double *liked)
+/* x [count][m] and their pictures, planes [count][values] (NULL: none). Other ones at every call. */
+static inline ms_status studio_recommend(studio *s, int count, double *x, float *planes, ms_error *error)
 {
-    const double *y = ms_gpr_scores(gp), *x = ms_gpr_inputs(gp);
-    int n = ms_gpr_count(gp), m = ms_gpr_dimensions(gp), taken[64], count, i, k;
-    for (count = 0; count < limit && count < 64; ++count) {
+    ms_gpr_recommend_options options;
+    ms_status status;
+    int i;
+    if (s->state < STUDIO_LEARNED) return studio__refuse(error, MS_INVALID_ARGUMENT, "no taste was learned yet");
+    memset(&options, 0, sizeof options);
+    options.seed = s->seed++;
+    status = ms_gpr_recommend(s->gp, &options, count, x, NULL, NULL, NULL, error);
+    for (i = 0; i < count && planes && status == MS_OK; ++i) studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
+    return status;
+}
+
+/* The rows of the `limit` best scores above the floor, best first, into liked [limit][m]; how many. x [m] is left out where it is
+   one of them (NULL: nothing is). */
+static inline int studio_liked(const ms_gpr *gp, int limit, const double *x, double *liked)
+{
+    const double *y = ms_gpr_scores(gp), *rows = ms_gpr_inputs(gp);
+    int n = ms_gpr_count(gp), count = 0, last = -1, i;
+    size_t m = (size_t)ms_gpr_dimensions(gp);
+    while (count < limit) {
         int best = -1;
-        for (i = 0; i < n; ++i) {
-            for (k = 0; k < count && taken[k] != i; ++k) {}
-            if (k == count && y[i] > (best < 0 ? 0 : y[best])) best = i;
-        }
+        for (i = 0; i < n; ++i) /* the next in the order of falling scores, then of rows */
+            if (y[i] > ms_gpr_floor(gp) && (last < 0 || y[i] < y[last] || (!(y[i] > y[last]) && i > last)) && (best < 0 || y[i] > y[best])) best = i;
         if (best < 0) break;
-        taken[count] = best;
-        memcpy(liked + (size_t)count * (size_t)m, x + (size_t)best * (size_t)m, (size_t)m * sizeof *liked);
+        last = best;
+        if (x == NULL || memcmp(x, rows + (size_t)best * m, m * sizeof *x) != 0)
+            memcpy(liked + (size_t)count++ * m, rows + (size_t)best * m, m * sizeof *liked);
     }
     return count;
 }
@@ -143,17 +245,21 @@ static inline int studio_liked(const ms_gpr *gp, int limit, double *liked)
 /* Embeds the best-scored materials and the chosen one, x [m], and stands on it. */
 static inline ms_status studio_choose(studio *s, const double *x, ms_error *error)
 {
-    static double liked[(STUDIO_LIKED + 1) * 256];
-    int m = s->renderer->parameters, count;
+    int m = s->renderer.parameters, count;
     ms_gpr_latent_options options;
     ms_gpr_latent *plane;
     ms_status status;
-    if (s->state < STUDIO_LEARNED) return studio__refuse(error, "no taste was learned yet");
+    double *liked;
+    if (s->state < STUDIO_LEARNED) return studio__refuse(error, MS_INVALID_ARGUMENT, "no taste was learned yet");
+    liked = (double *)malloc((STUDIO_LIKED + 1) * (size_t)m * sizeof *liked);
+    if (liked == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for the materials of a plane");
+    count = studio_liked(s->gp, STUDIO_LIKED, x, liked);
+    memcpy(liked + (size_t)count * (size_t)m, x, (size_t)m * sizeof *liked);
     memset(&options, 0, sizeof options);
     options.prior = 0.1; /* keeps the plane compact */
-    count = studio_liked(s->gp, STUDIO_LIKED, liked);
-    memcpy(liked + (size_t)count * (size_t)m, x, (size_t)m * sizeof *liked);
-    status = ms_gpr_latent_fit(liked, count + 1, m, &options, &plane, NULL, error);
+    status = count > 0 ? ms_gpr_latent_fit(liked, count + 1, m, &options, &plane, NULL, error)
+                       : studio__refuse(error, MS_INVALID_ARGUMENT, "nothing else is liked yet: a plane needs another material that was scored above the lowest score");
+    free(liked);
     if (status != MS_OK) return status;
     ms_gpr_latent_destroy(s->plane);
     s->plane = plane;
@@ -165,23 +271,20 @@ static inline ms_status studio_choose(studio *s, const double *x, ms_error *erro
 /* A step in the plane, in length scales, and what is seen there. */
 static inline ms_status studio_move(studio *s, double dx, double dy, studio_view *view, ms_error *error)
 {
-    int m = s->renderer->parameters, k;
+    int m = s->renderer.parameters, k;
     double to[2], variance;
-    float row[256];
     ms_status status;
-    if (s->state != STUDIO_EXPLORING) return studio__refuse(error, "no material was chosen yet");
+    if (s->state != STUDIO_EXPLORING) return studio__refuse(error, MS_INVALID_ARGUMENT, "no material was chosen yet");
     to[0] = s->at[0] + dx;
     to[1] = s->at[1] + dy;
-    status = ms_gpr_latent_map(s->plane, to, 1, view->x, NULL, error);
-    for (k = 0; k < m && status == MS_OK; ++k) {
-        view->x[k] = view->x[k] > 0 ? view->x[k] < 1 ? view->x[k] : 1 : 0;
-        row[k] = (float)view->x[k];
-    }
-    if (status == MS_OK) status = ms_gpr_predict(s->gp, view->x, 1, &view->score, &variance, error);
+    status = ms_gpr_latent_map(s->plane, to, 1, s->x, NULL, error);
+    for (k = 0; k < m && status == MS_OK; ++k) s->x[k] = s->x[k] > 0 ? s->x[k] < 1 ? s->x[k] : 1 : 0;
+    if (status == MS_OK) status = ms_gpr_predict(s->gp, s->x, 1, &view->score, &variance, error);
     if (status != MS_OK) return status;
     view->sigma = sqrt(variance);
-    neural_render(s->renderer, row, 1, s->renderer->planes);
-    view->planes = s->renderer->planes;
+    studio__draw(s, s->x, s->planes);
+    view->planes = s->planes;
+    view->x = s->x;
     memcpy(s->at, to, sizeof to);
     return MS_OK;
 }

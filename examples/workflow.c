@@ -4,7 +4,7 @@
      cc -O2 -I. examples/workflow.c -o build/workflow -lm
      build/workflow OUT [--taste metal|glass|jade] [--scores SCORES.csv] [--networks examples/data] [--seed S]
 
-   OUT: an existing folder. A scripted user scores 250 materials, or SCORES.csv does (19 parameters and a score a row, such
+   OUT: an existing folder. A scripted user scores 120 materials, or SCORES.csv does (19 parameters and a score a row, such
    as OUT/gallery.csv after an earlier run, edited). Written into OUT:
      gallery.csv       what was scored, with the scores
      recommended.csv   300 materials with predicted score and its standard deviation
@@ -77,30 +77,27 @@ static double mean_score(const taste *user, const double *x, int count)
 
 /* ------------------------------------------------------------------------------------------------------- the stages */
 
-/* Lines 2 to 4 of algorithm 1, in two rounds: the second gallery shows what may be liked and is not known yet. */
+/* Lines 2 to 4 of algorithm 1, in rounds: the first gallery is spread evenly, the later ones show what recommendations depend on. */
 static ms_status score_gallery(flow *f)
 {
     ms_gpr_gallery_options options;
     ms_status status;
-    int round, i;
+    int i;
     memset(&options, 0, sizeof options);
-    f->n = GALLERY;
+    options.seed = f->seed;
     f->x = (double *)malloc(sizeof(double) * GALLERY * M);
     f->y = (double *)malloc(sizeof(double) * GALLERY);
     if (f->x == NULL || f->y == NULL) {
         snprintf(f->error.message, sizeof f->error.message, "out of memory");
         return MS_OUT_OF_MEMORY;
     }
-    for (round = 0; round < 2; ++round) {
+    for (f->n = 0; f->n < GALLERY; f->n += ROUND) {
         ms_gpr *known;
-        int first = round * GALLERY / 2, count = GALLERY / 2;
-        options.kind = round ? MS_GPR_GALLERY_PROMISING : MS_GPR_GALLERY_UNIFORM;
-        options.seed = f->seed + (uint64_t)round;
-        status = ms_gpr_fit(f->x, f->y, first, M, NULL, &known, NULL, &f->error);
-        if (status == MS_OK) status = ms_gpr_gallery(known, &options, count, f->x + first * M, &f->error);
+        status = ms_gpr_fit(f->x, f->y, f->n, M, NULL, &known, NULL, &f->error);
+        if (status == MS_OK) status = ms_gpr_gallery(known, &options, ROUND, f->x + f->n * M, &f->error);
         ms_gpr_destroy(known);
         if (status != MS_OK) return status;
-        for (i = first; i < first + count; ++i) f->y[i] = score_of(f->user, f->x + i * M);
+        for (i = f->n; i < f->n + ROUND; ++i) f->y[i] = score_of(f->user, f->x + i * M);
     }
     return MS_OK;
 }
@@ -129,7 +126,7 @@ static ms_status embed(flow *f)
 {
     double liked[(STUDIO_LIKED + 1) * M];
     ms_gpr_latent_options options;
-    int count = studio_liked(f->gp, STUDIO_LIKED, liked);
+    int count = studio_liked(f->gp, STUDIO_LIKED, f->chosen, liked);
     ms_status status;
     memset(&options, 0, sizeof options);
     options.prior = 0.1; /* keeps the plane compact */
@@ -204,6 +201,8 @@ static ms_status match_edit(flow *f)
 
 /* ---------------------------------------------------------------------------------- the same, frame by frame */
 
+static void draw_large(void *user, const float *x, int count, float *planes) { neural_render((const neural *)user, x, count, planes); }
+
 static void timed(call *c, double begin)
 {
     double t = seconds() - begin;
@@ -220,13 +219,18 @@ static ms_status session(const flow *f, call calls[5], float *walk, ms_error *er
     static const char *const names[] = {"score", "update", "recommend 4", "choose", "move"};
     size_t pixels = ms_nn_output_size(f->large.nn);
     double x[ROW * M], begin;
-    ms_status status = MS_OK;
+    studio_renderer renderer;
     studio_view view;
+    ms_status status;
     studio s;
     int i;
     memset(calls, 0, 5 * sizeof *calls);
     for (i = 0; i < 5; ++i) calls[i].name = names[i];
-    studio_open(&s, &f->large);
+    renderer.parameters = M;
+    renderer.values = pixels;
+    renderer.render = draw_large;
+    renderer.user = (void *)(uintptr_t)&f->large;
+    status = studio_open(&s, &renderer, error);
     for (i = 0; i < f->n && status == MS_OK; ++i) {
         begin = seconds();
         status = studio_score(&s, f->x + i * M, f->y[i], error);
@@ -324,7 +328,7 @@ int main(int argc, char **argv)
     t = note(f, "load the networks", 0, "", "", t);
     if (file && (problem = read_scores(f, file)) != NULL) return fail(file, problem);
     if (!file && score_gallery(f) != MS_OK) return fail("gallery", f->error.message);
-    t = note(f, file ? "read the scores" : "gallery in two rounds", f->n, "", "", t);
+    t = note(f, file ? "read the scores" : "gallery in rounds of 20", f->n, "", "", t);
     gallery = (float *)malloc((size_t)f->n * ms_nn_output_size(f->small.nn) * sizeof(float));
     recommended = (float *)malloc(RECOMMENDED * ms_nn_output_size(f->small.nn) * sizeof(float));
     walk = (float *)malloc((STEPS + 3) * ms_nn_output_size(f->large.nn) * sizeof(float));

@@ -8,7 +8,7 @@
 #include "materialx.h"
 #include <time.h>
 
-enum { M = 19, GALLERY = 250, RECOMMENDED = 300, FINE = 50, COARSE = 20, VARIANTS = 7, STEPS = 5 };
+enum { M = 19, GALLERY = 120, ROUND = 20, RECOMMENDED = 300, FINE = 50, COARSE = 20, VARIANTS = 7, STEPS = 5 };
 
 /* A scripted user: what is liked, from 0 to 1, and the words for it. */
 typedef struct taste {
