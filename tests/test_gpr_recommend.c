@@ -859,7 +859,7 @@ static void test_gallery_active(void)
                 ms_gpr_destroy(gp);
             }
             if (ms_gpr_recommend(gp, &o, SOLD, r, NULL, NULL, NULL, NULL) == MS_OK)
-                for (k = 0; k < SOLD; ++k) sum[way] += user_true(&u, r + k * M) / (SOLD * users);
+                for (k = 0; k < SOLD; ++k) sum[way] += user_true(&u, r + k * M) / ((int)SOLD * users);
             ms_gpr_destroy(gp);
         }
     TEST_NOTE("true score of recommendations after %d scores: %.1f, uniform galleries %.1f", N, sum[0], sum[1]);
