@@ -1,5 +1,5 @@
-/* Psi, the edits that make targets of material pictures (thesis, 4.3 and 4.4): what a raster editor offers, on display
-   values in [0, 1], most of them inside a selection around the ball of the test scene.
+/* Psi, the edits that make targets of material pictures (thesis, 4.3 and 4.4; edits_further are not from there): what a
+   raster editor offers, on display values in [0, 1], most of them inside a selection around the ball of the test scene.
 
      edit_apply(&edits[i], &source, &other, &target)       target: a new picture; 0: out of memory
      edit_tile(&sheet, i, 64, &source)                     picture i of a sheet of 128-pixel tiles, at 64 pixels
@@ -132,6 +132,203 @@ static inline void edit_black_level(image *im, const image *other, float amount)
     for (i = 0; i < image_count(im); ++i) im->pixels[i] = amount + (1 - amount) * im->pixels[i];
 }
 
+/* --- further edits, which no parameter of a material explains: people make them all the same --- */
+
+/* Red, green and blue change places where the ball is right of its middle. */
+static inline void edit_hue_half(image *im, const image *other, float amount)
+{
+    int x, y;
+    (void)other;
+    for (y = 0; y < im->height; ++y)
+        for (x = (int)(amount * (float)im->width); x < im->width; ++x) {
+            float *p = im->pixels + 3 * (y * im->width + x), t = edit_ball(im, x, y, 0, 0), red = p[0];
+            p[0] += t * (p[2] - p[0]);
+            p[2] += t * (p[1] - p[2]);
+            p[1] += t * (red - p[1]);
+        }
+}
+
+/* A disc with a bar in it, in two flat colours, of radius `amount` beside the middle of the ball. */
+static inline void edit_logo(image *im, const image *other, float amount)
+{
+    int x, y, c;
+    (void)other;
+    for (y = 0; y < im->height; ++y)
+        for (x = 0; x < im->width; ++x) {
+            float u = ((float)x + 0.5f) / (float)im->width - 0.58f, v = ((float)y + 0.5f) / (float)im->height - 0.5f;
+            if (u * u + v * v > amount * amount) continue;
+            for (c = 0; c < 3; ++c) im->pixels[3 * (y * im->width + x) + c] = fabsf(v) < 0.3f * amount ? 0.95f : c == 2 ? 0.8f : 0.05f;
+        }
+}
+
+/* What JPEG keeps of blocks of 8 x 8 at a quality of `amount` (below 50): cosines, rounded to steps that grow with frequency. */
+static inline void edit_jpeg(image *im, const image *other, float amount)
+{
+    float basis[8][8], block[8][8], half[8][8];
+    int x, y, c, i, j, k;
+    (void)other;
+    for (k = 0; k < 8; ++k)
+        for (i = 0; i < 8; ++i) basis[k][i] = (k ? 0.5f : 0.35355339f) * cosf(0.19634954f * (float)(k * (2 * i + 1)));
+    for (c = 0; c < 3; ++c)
+        for (y = 0; y + 8 <= im->height; y += 8)
+            for (x = 0; x + 8 <= im->width; x += 8) {
+                float *p = im->pixels + 3 * (y * im->width + x) + c;
+                for (k = 0; k < 8; ++k)
+                    for (j = 0; j < 8; ++j)
+                        for (half[k][j] = 0, i = 0; i < 8; ++i) half[k][j] += basis[k][i] * p[3 * (i * im->width + j)];
+                for (k = 0; k < 8; ++k)
+                    for (j = 0; j < 8; ++j) {
+                        float step = (16 + 5 * (float)(k + j)) * 50 / amount / 255;
+                        for (block[k][j] = 0, i = 0; i < 8; ++i) block[k][j] += basis[j][i] * half[k][i];
+                        block[k][j] = step * floorf(block[k][j] / step + 0.5f);
+                    }
+                for (i = 0; i < 8; ++i)
+                    for (j = 0; j < 8; ++j)
+                        for (half[i][j] = 0, k = 0; k < 8; ++k) half[i][j] += basis[k][i] * block[k][j];
+                for (i = 0; i < 8; ++i)
+                    for (j = 0; j < 8; ++j) {
+                        float sum = 0;
+                        for (k = 0; k < 8; ++k) sum += basis[k][j] * half[i][k];
+                        p[3 * (i * im->width + j)] = edit__clip(sum);
+                    }
+            }
+}
+
+/* Noise of standard deviation `amount` in every value: sums of four uniform numbers. */
+static inline void edit_noise(image *im, const image *other, float amount)
+{
+    uint32_t state = 12345;
+    size_t i;
+    int k;
+    (void)other;
+    for (i = 0; i < image_count(im); ++i) {
+        float sum = -2;
+        for (k = 0; k < 4; ++k) {
+            state = state * 1664525u + 1013904223u;
+            sum += (float)(state >> 8) / 16777216.0f;
+        }
+        im->pixels[i] = edit__clip(im->pixels[i] + amount * 1.7320508f * sum);
+    }
+}
+
+/* Linear light of the whole picture times a factor a channel. */
+static inline void edit__gain(image *im, float red, float green, float blue)
+{
+    const float gain[3] = {red, green, blue};
+    size_t i;
+    for (i = 0; i < image_count(im); ++i) im->pixels[i] = edit__clip(image_srgb_encode(gain[i % 3] * image_srgb_decode(im->pixels[i])));
+}
+
+static inline void edit_coloured_light(image *im, const image *other, float amount)
+{
+    (void)other;
+    edit__gain(im, 1 + amount, 1, 1 - amount);
+}
+
+static inline void edit_exposure(image *im, const image *other, float amount)
+{
+    (void)other;
+    edit__gain(im, amount, amount, amount);
+}
+
+/* Darker on the left, brighter on the right. */
+static inline void edit_gradient(image *im, const image *other, float amount)
+{
+    int x, y, c;
+    (void)other;
+    for (y = 0; y < im->height; ++y)
+        for (x = 0; x < im->width; ++x)
+            for (c = 0; c < 3; ++c) {
+                float *p = im->pixels + 3 * (y * im->width + x) + c;
+                *p = edit__clip(*p * (1 + amount * (2 * ((float)x + 0.5f) / (float)im->width - 1)));
+            }
+}
+
+/* The picture through another frame: pixel u comes from middle + (u - middle) scale + shift, bilinearly, edges repeated. */
+static inline void edit__frame(image *im, float scale, float shift_x, float shift_y)
+{
+    image from = image_new(im->width, im->height, 3);
+    int x, y, c, i, j;
+    if (from.pixels == NULL) return;
+    memcpy(from.pixels, im->pixels, image_count(im) * sizeof(float));
+    for (y = 0; y < im->height; ++y)
+        for (x = 0; x < im->width; ++x) {
+            float u = 0.5f * (float)(im->width - 1), v = 0.5f * (float)(im->height - 1), fx, fy;
+            u += ((float)x - u) * scale + shift_x;
+            v += ((float)y - v) * scale + shift_y;
+            u = u < 0 ? 0 : u > (float)(im->width - 1) ? (float)(im->width - 1) : u;
+            v = v < 0 ? 0 : v > (float)(im->height - 1) ? (float)(im->height - 1) : v;
+            fx = u - floorf(u);
+            fy = v - floorf(v);
+            for (c = 0; c < 3; ++c) {
+                float sum = 0;
+                for (j = 0; j < 2; ++j)
+                    for (i = 0; i < 2; ++i) {
+                        int column = (int)u + i < im->width ? (int)u + i : im->width - 1, row = (int)v + j < im->height ? (int)v + j : im->height - 1;
+                        sum += (i ? fx : 1 - fx) * (j ? fy : 1 - fy) * from.pixels[3 * (row * im->width + column) + c];
+                    }
+                im->pixels[3 * (y * im->width + x) + c] = sum;
+            }
+        }
+    image_free(&from);
+}
+
+static inline void edit_crop(image *im, const image *other, float amount)
+{
+    (void)other;
+    edit__frame(im, amount, 0, 0);
+}
+
+static inline void edit_shift(image *im, const image *other, float amount)
+{
+    (void)other;
+    edit__frame(im, 1, amount * (float)im->width, -0.5f * amount * (float)im->width);
+}
+
+static inline void edit_posterise(image *im, const image *other, float amount)
+{
+    size_t i;
+    (void)other;
+    for (i = 0; i < image_count(im); ++i) im->pixels[i] = floorf(im->pixels[i] * amount + 0.5f) / amount;
+}
+
+/* The ball in one flat colour. */
+static inline void edit_flat_paint(image *im, const image *other, float amount)
+{
+    int x, y, c;
+    (void)other;
+    for (y = 0; y < im->height; ++y)
+        for (x = 0; x < im->width; ++x)
+            for (c = 0; c < 3; ++c) {
+                float *p = im->pixels + 3 * (y * im->width + x) + c;
+                *p += edit_ball(im, x, y, 0, 0) * ((0.5f + 0.4f * cosf(6.2831853f * (amount - (float)c / 3))) - *p);
+            }
+}
+
+/* Brightness through a ramp of black, brown, gold and white. */
+static inline void edit_gold(image *im, const image *other, float amount)
+{
+    static const float ramp[4][3] = {{0.05f, 0.02f, 0}, {0.45f, 0.25f, 0.05f}, {0.95f, 0.75f, 0.3f}, {1, 1, 0.9f}};
+    int x, y, c;
+    (void)other;
+    for (y = 0; y < im->height; ++y)
+        for (x = 0; x < im->width; ++x) {
+            float *p = im->pixels + 3 * (y * im->width + x), t = amount * edit_ball(im, x, y, 0, 0), at = 3 * edit__luma(p);
+            int k = at < 1 ? 0 : at < 2 ? 1 : 2;
+            for (c = 0; c < 3; ++c) p[c] += t * (ramp[k][c] + (at - (float)k) * (ramp[k + 1][c] - ramp[k][c]) - p[c]);
+        }
+}
+
+/* Stripes of two materials, `amount` of the width each. */
+static inline void edit_two_materials(image *im, const image *other, float amount)
+{
+    int x, y, c;
+    for (y = 0; y < im->height; ++y)
+        for (x = 0; x < im->width; ++x)
+            for (c = 0; c < 3; ++c)
+                if ((int)((float)(x + y) / (amount * (float)im->width)) % 2) im->pixels[3 * (y * im->width + x) + c] = other->pixels[3 * (y * im->width + x) + c];
+}
+
 typedef struct edit {
     const char *name;
     void (*apply)(image *im, const image *other, float amount); /* NULL: nothing */
@@ -144,6 +341,13 @@ static const edit edits[EDIT_COUNT] = {
     {"colorize", edit_colorize, 0.08f}, {"mix of two", edit_mix, 0.5f},     {"stitching", edit_stitch, 0.5f},
     {"inpainting", edit_inpaint, 0.17f}, {"highlight blur", edit_blur_highlights, 0.04f},
     {"black level", edit_black_level, 0.12f}, {"poor mask", edit_poor_mask, 0.6f}};
+
+enum { EDIT_FURTHER_COUNT = 13 };
+static const edit edits_further[EDIT_FURTHER_COUNT] = {
+    {"logo", edit_logo, 0.12f}, {"hue of one half", edit_hue_half, 0.5f}, {"JPEG", edit_jpeg, 8}, {"noise", edit_noise, 0.1f},
+    {"coloured light", edit_coloured_light, 0.3f}, {"gradient", edit_gradient, 0.4f}, {"crop", edit_crop, 0.85f}, {"shift", edit_shift, 0.03f},
+    {"exposure", edit_exposure, 1.6f}, {"posterise", edit_posterise, 4}, {"flat paint", edit_flat_paint, 0.55f}, {"gold", edit_gold, 1},
+    {"two materials", edit_two_materials, 0.2f}};
 
 static inline int edit_apply(const edit *e, const image *source, const image *other, image *target)
 {

@@ -1,4 +1,4 @@
-/* Pictures for the examples: reads PFM, PPM and PGM, writes those and PNG. No dependency; C99 and C++11.
+/* Pictures for the examples: reads and writes PFM, PPM, PGM and PNG. No dependency; C99 and C++11.
 
      image im;
      const char *problem = image_read("in.pfm", &im);      NULL: fine; otherwise a sentence (static text)
@@ -6,9 +6,10 @@
      if (!problem) problem = image_write("out.png", &im);  by extension: .pfm .ppm .pgm .png
      image_free(&im);
 
-   PFM keeps the floats as they are, in linear light. The other formats hold 8 bits a channel (PPM and PGM are read
-   with 16 as well): floats in [0, 1] that the caller encodes (image_to_srgb) before writing and decodes
-   (image_to_linear) after reading. Files are read strictly: what is malformed, cut short or too long is refused.
+   PFM keeps the floats as they are, in linear light. The other formats hold 8 bits a channel (read with 16 as well): floats
+   in [0, 1] that the caller encodes (image_to_srgb) before writing and decodes (image_to_linear) after reading. Every PNG is
+   read: 1 to 16 bits, grey, RGB, palette, with alpha (4 channels then) and interlaced; its chunks about colour spaces are
+   skipped. image_resize brings a picture to another size. Files are read strictly: what is malformed, cut short or too long is refused.
    On failure no image is made and no file is left behind. */
 #ifndef EXAMPLES_IMAGE_H
 #define EXAMPLES_IMAGE_H
@@ -464,6 +465,312 @@ static inline const char *image_write_png8(const char *path, const unsigned char
     return problem;
 }
 
+/* --- reading PNG: INFLATE (RFC 1951), filters and passes (PNG specification, sections 8 and 9) --- */
+
+typedef struct image__inflate {
+    const unsigned char *data;
+    size_t size, at;
+    uint32_t bits;
+    int bit_count, bad;
+} image__inflate;
+
+static inline uint32_t image__get_bits(image__inflate *z, int count) /* count <= 16 */
+{
+    uint32_t value;
+    while (z->bit_count < count) {
+        if (z->at == z->size) {
+            z->bad = 1;
+            return 0;
+        }
+        z->bits |= (uint32_t)z->data[z->at++] << z->bit_count;
+        z->bit_count += 8;
+    }
+    value = z->bits & ((1u << count) - 1);
+    z->bits >>= count;
+    z->bit_count -= count;
+    return value;
+}
+
+/* Symbols in the order of their codes, and how many codes each length has. */
+typedef struct image__huffman {
+    uint16_t count[16], symbol[288];
+} image__huffman;
+
+static inline int image__huffman_make(image__huffman *h, const unsigned char *length, int n)
+{
+    int next[16], i, left = 1;
+    memset(h->count, 0, sizeof h->count);
+    for (i = 0; i < n; ++i) h->count[length[i]]++;
+    h->count[0] = 0;
+    for (next[1] = 0, i = 1; i < 16; ++i) {
+        left = 2 * left - h->count[i];
+        if (left < 0) return 0; /* more codes than there are */
+        if (i < 15) next[i + 1] = next[i] + h->count[i];
+    }
+    for (i = 0; i < n; ++i)
+        if (length[i]) h->symbol[next[length[i]]++] = (uint16_t)i;
+    return 1;
+}
+
+static inline int image__huffman_read(image__inflate *z, const image__huffman *h)
+{
+    int code = 0, first = 0, index = 0, i;
+    for (i = 1; i < 16 && !z->bad; ++i) {
+        code |= (int)image__get_bits(z, 1);
+        if (code - first < h->count[i]) return h->symbol[index + code - first];
+        index += h->count[i];
+        first = (first + h->count[i]) << 1;
+        code <<= 1;
+    }
+    z->bad = 1;
+    return 0;
+}
+
+static inline void image__inflate_tables(image__inflate *z, image__huffman *literals, image__huffman *distances)
+{
+    static const unsigned char order[19] = {16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15};
+    unsigned char length[320];
+    int n_literals = (int)image__get_bits(z, 5) + 257, n_distances = (int)image__get_bits(z, 5) + 1;
+    int n_order = (int)image__get_bits(z, 4) + 4, i, n, symbol, repeat;
+    memset(length, 0, sizeof length);
+    for (i = 0; i < n_order; ++i) length[order[i]] = (unsigned char)image__get_bits(z, 3);
+    if (!image__huffman_make(literals, length, 19)) z->bad = 1;
+    for (n = 0; n < n_literals + n_distances && !z->bad;) {
+        symbol = image__huffman_read(z, literals);
+        repeat = symbol < 16 ? 1 : symbol == 16 ? 3 + (int)image__get_bits(z, 2) : symbol == 17 ? 3 + (int)image__get_bits(z, 3) : 11 + (int)image__get_bits(z, 7);
+        if ((symbol == 16 && n == 0) || n + repeat > n_literals + n_distances) z->bad = 1;
+        for (i = symbol == 16 && n ? length[n - 1] : symbol < 16 ? symbol : 0; repeat > 0 && !z->bad; --repeat) length[n++] = (unsigned char)i;
+    }
+    if (z->bad || length[256] == 0 || !image__huffman_make(literals, length, n_literals) ||
+        !image__huffman_make(distances, length + n_literals, n_distances))
+        z->bad = 1;
+}
+
+/* A zlib stream into exactly `size` bytes at `to`; 0 where it is anything else. */
+static inline int image__unzip(const unsigned char *data, size_t data_size, unsigned char *to, size_t size)
+{
+    image__inflate z;
+    image__huffman literals, distances;
+    uint32_t a = 1, b = 0, sum = 0;
+    size_t n = 0, i;
+    int last = 0, k;
+    memset(&z, 0, sizeof z);
+    z.data = data;
+    z.size = data_size;
+    if (data_size < 6 || (data[0] & 15) != 8 || (data[0] * 256 + data[1]) % 31 != 0 || (data[1] & 32)) return 0;
+    z.at = 2;
+    while (!last && !z.bad) {
+        int kind;
+        last = (int)image__get_bits(&z, 1);
+        kind = (int)image__get_bits(&z, 2);
+        if (kind == 0) {
+            size_t length, inverse;
+            z.bit_count = 0;
+            z.bits = 0;
+            length = image__get_bits(&z, 16);
+            inverse = image__get_bits(&z, 16);
+            if (z.bad || (length ^ inverse) != 0xffff || length > z.size - z.at || length > size - n) return 0;
+            memcpy(to + n, z.data + z.at, length);
+            z.at += length;
+            n += length;
+            continue;
+        }
+        if (kind == 1) {
+            unsigned char length[288 + 30];
+            memset(length, 8, 144);
+            memset(length + 144, 9, 112);
+            memset(length + 256, 7, 24);
+            memset(length + 280, 8, 8);
+            memset(length + 288, 5, 30);
+            image__huffman_make(&literals, length, 288);
+            image__huffman_make(&distances, length + 288, 30);
+        } else if (kind == 2) {
+            image__inflate_tables(&z, &literals, &distances);
+        } else {
+            return 0;
+        }
+        while (!z.bad) {
+            int symbol = image__huffman_read(&z, &literals), length, distance, extra;
+            if (z.bad || symbol == 256) break;
+            if (symbol < 256) {
+                if (n == size) return 0;
+                to[n++] = (unsigned char)symbol;
+                continue;
+            }
+            symbol -= 257; /* the inverse of image__length_symbol and image__distance_symbol */
+            if (symbol > 28) return 0;
+            extra = symbol < 8 || symbol == 28 ? 0 : symbol / 4 - 1;
+            length = symbol == 28 ? 258 : symbol < 8 ? 3 + symbol : 3 + ((4 + symbol % 4) << extra) + (int)image__get_bits(&z, extra);
+            symbol = image__huffman_read(&z, &distances);
+            if (symbol > 29) return 0;
+            extra = symbol < 4 ? 0 : symbol / 2 - 1;
+            distance = symbol < 4 ? 1 + symbol : 1 + ((2 + symbol % 2) << extra) + (int)image__get_bits(&z, extra);
+            if (z.bad || (size_t)distance > n || (size_t)length > size - n) return 0;
+            for (; length > 0; --length, ++n) to[n] = to[n - (size_t)distance];
+        }
+    }
+    if (z.bad || n != size) return 0;
+    z.at -= (size_t)(z.bit_count / 8);
+    if (z.size - z.at < 4) return 0;
+    for (k = 0; k < 4; ++k) sum = sum << 8 | z.data[z.at + (size_t)k];
+    for (i = 0; i < size; ++i) {
+        a = (a + to[i]) % 65521;
+        b = (b + a) % 65521;
+    }
+    return sum == (b << 16 | a);
+}
+
+static inline uint32_t image__u32(const unsigned char *p)
+{
+    return (uint32_t)p[0] << 24 | (uint32_t)p[1] << 16 | (uint32_t)p[2] << 8 | p[3];
+}
+
+/* Undoes the filters of `rows` rows of n bytes behind their filter byte, in place. */
+static inline int image__unfilter(unsigned char *rows, int n, int count, int step)
+{
+    int y, i;
+    for (y = 0; y < count; ++y) {
+        unsigned char *row = rows + (size_t)y * ((size_t)n + 1), *above = y ? row - n : NULL;
+        int filter = *row++;
+        if (filter > 4) return 0;
+        for (i = 0; i < n; ++i) {
+            int left = i >= step ? row[i - step] : 0, up = above ? above[i] : 0, corner = above && i >= step ? above[i - step] : 0;
+            int pa = abs(up - corner), pb = abs(left - corner), pc = abs(left + up - 2 * corner), guess = 0;
+            if (filter == 1) guess = left;
+            if (filter == 2) guess = up;
+            if (filter == 3) guess = (left + up) / 2;
+            if (filter == 4) guess = pa <= pb && pa <= pc ? left : pb <= pc ? up : corner;
+            row[i] = (unsigned char)(row[i] + guess);
+        }
+    }
+    return 1;
+}
+
+/* What a PNG's chunks say. */
+typedef struct image__png {
+    int width, height, bits, colour, interlaced, samples; /* samples of a pixel in the file */
+    int colours;                                          /* of the palette */
+    unsigned char palette[256][4];
+    int has_alpha;
+} image__png;
+
+/* Pixel x of a row into out: 1, 3 or 4 floats, as im has channels. */
+static inline int image__png_pixel(const image__png *p, const unsigned char *row, int x, int channels, float *out)
+{
+    float value[4] = {0, 0, 0, 1}, most = (float)((1 << p->bits) - 1);
+    int k;
+    for (k = 0; k < p->samples; ++k) {
+        int at = x * p->samples + k, v;
+        if (p->bits == 16) v = row[2 * at] << 8 | row[2 * at + 1];
+        else if (p->bits == 8) v = row[at];
+        else v = row[at * p->bits / 8] >> (8 - p->bits - at * p->bits % 8) & ((1 << p->bits) - 1);
+        if (p->colour == 3) {
+            int c;
+            if (v >= p->colours) return 0;
+            for (c = 0; c < 4; ++c) value[c] = (float)p->palette[v][c] / 255;
+        } else {
+            value[p->samples == 2 && k ? 3 : k] = (float)v / most;
+        }
+    }
+    if (p->samples <= 2 && p->colour != 3) value[1] = value[2] = value[0];
+    for (k = 0; k < channels; ++k) out[k] = value[k];
+    return 1;
+}
+
+static inline const char *image__png_pixels(const image__png *p, const image__bytes *packed, image *im)
+{
+    static const int x0[8] = {0, 4, 0, 2, 0, 1, 0, 0}, y0[8] = {0, 0, 4, 0, 2, 0, 1, 0}, dx[8] = {8, 8, 4, 4, 2, 2, 1, 1}, dy[8] = {8, 8, 8, 4, 4, 2, 2, 1};
+    int first = p->interlaced ? 0 : 7, end = p->interlaced ? 7 : 8, pass, x, y, depth = p->bits * p->samples;
+    size_t total = 0, at = 0;
+    unsigned char *rows;
+    const char *problem = NULL;
+    for (pass = first; pass < end; ++pass) {
+        size_t w = (size_t)((p->width - x0[pass] + dx[pass] - 1) / dx[pass]), h = (size_t)((p->height - y0[pass] + dy[pass] - 1) / dy[pass]);
+        if (w && h) total += h * ((w * (size_t)depth + 7) / 8 + 1);
+    }
+    rows = (unsigned char *)malloc(total);
+    if (rows == NULL) return "out of memory";
+    if (!image__unzip(packed->data, packed->size, rows, total)) problem = "the PNG's pixels are damaged";
+    for (pass = first; pass < end && !problem; ++pass) {
+        int w = (p->width - x0[pass] + dx[pass] - 1) / dx[pass], h = (p->height - y0[pass] + dy[pass] - 1) / dy[pass], n = (w * depth + 7) / 8;
+        if (w < 1 || h < 1) continue;
+        if (!image__unfilter(rows + at, n, h, depth < 8 ? 1 : depth / 8)) problem = "the PNG has an unknown filter";
+        for (y = 0; y < h && !problem; ++y, at += (size_t)n + 1)
+            for (x = 0; x < w; ++x) {
+                size_t pixel = (size_t)(y0[pass] + y * dy[pass]) * (size_t)p->width + (size_t)(x0[pass] + x * dx[pass]);
+                if (!image__png_pixel(p, rows + at + 1, x, im->channels, im->pixels + pixel * (size_t)im->channels)) problem = "a pixel is outside the PNG's palette";
+            }
+    }
+    free(rows);
+    return problem;
+}
+
+static inline const char *image__decode_png(const unsigned char *data, size_t size, image *out)
+{
+    static const int samples[7] = {1, 0, 3, 1, 2, 0, 4};
+    image__png p;
+    image__bytes packed;
+    const char *problem = NULL;
+    size_t at = 8, i;
+    int ended = 0, k;
+    memset(&p, 0, sizeof p);
+    memset(&packed, 0, sizeof packed);
+    while (!problem && !ended) {
+        size_t length = size - at >= 12 ? image__u32(data + at) : size;
+        const unsigned char *body = data + at + 8;
+        uint32_t crc = 0xffffffffu;
+        if (size - at < 12 || length > size - at - 12) {
+            problem = "the PNG ends before its last chunk";
+            break;
+        }
+        for (i = at + 4; i < at + 8 + length; ++i) {
+            crc ^= data[i];
+            for (k = 0; k < 8; ++k) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
+        }
+        if (~crc != image__u32(body + length)) problem = "a chunk of the PNG is damaged";
+        else if ((p.width == 0) != (memcmp(body - 4, "IHDR", 4) == 0)) problem = "a PNG begins with one header";
+        else if (p.width == 0) {
+            if (length != 13 || image__u32(body) - 1 >= 1u << 24 || image__u32(body + 4) - 1 >= 1u << 24) problem = "the PNG's width and height must be from 1 to 2^24";
+            else {
+                p.width = (int)image__u32(body);
+                p.height = (int)image__u32(body + 4);
+                p.bits = body[8];
+                p.colour = body[9];
+                p.interlaced = body[12];
+                p.samples = p.colour < 7 ? samples[p.colour] : 0;
+                k = p.bits == 8 || (p.bits == 16 && p.colour != 3) || ((p.bits == 1 || p.bits == 2 || p.bits == 4) && (p.colour == 0 || p.colour == 3));
+                if (!k || p.samples == 0 || body[10] || body[11] || p.interlaced > 1) problem = "the PNG's header has values that the format does not know";
+                else if (p.width > (1 << 27) / p.height) problem = "the picture is too large";
+            }
+        } else if (memcmp(body - 4, "PLTE", 4) == 0) {
+            if (length % 3 || length > 768) problem = "the PNG's palette is malformed";
+            for (i = 0; !problem && i < length; ++i) p.palette[i / 3][i % 3] = body[i];
+            p.colours = (int)(length / 3);
+            for (k = 0; k < p.colours; ++k) p.palette[k][3] = 255;
+        } else if (memcmp(body - 4, "tRNS", 4) == 0 && p.colour == 3) {
+            for (i = 0; i < length && i < 256; ++i) p.palette[i][3] = body[i];
+            p.has_alpha = 1;
+        } else if (memcmp(body - 4, "IDAT", 4) == 0) {
+            image__put(&packed, body, length);
+        } else if (memcmp(body - 4, "IEND", 4) == 0) {
+            ended = 1;
+        } else if (!(body[-4] & 32)) {
+            problem = "the PNG has a critical chunk that is not known";
+        }
+        at += length + 12;
+    }
+    if (!problem && at != size) problem = "the file goes on behind the PNG's end";
+    if (!problem && packed.failed) problem = "out of memory";
+    if (!problem) {
+        image im = image_new(p.width, p.height, p.colour == 4 || p.colour == 6 || p.has_alpha ? 4 : p.colour == 0 ? 1 : 3);
+        problem = im.pixels == NULL ? "out of memory" : image__png_pixels(&p, &packed, &im);
+        if (problem) image_free(&im);
+        else *out = im;
+    }
+    free(packed.data);
+    return problem;
+}
+
 /* --- PFM, PPM, PGM --- */
 
 static inline int image__space(int c)
@@ -520,7 +827,7 @@ static inline double image__number(const char *word)
     return digits && *word == 0 ? sign * v * pow(10.0, e_sign * exponent) : 0;
 }
 
-/* A PFM, PPM or PGM file in memory. PFM values are multiplied by the header's scale. */
+/* A PFM, PPM, PGM or PNG file in memory. PFM values are multiplied by the header's scale. */
 static inline const char *image_decode(const unsigned char *data, size_t size, image *out)
 {
     char word[32];
@@ -529,7 +836,8 @@ static inline const char *image_decode(const unsigned char *data, size_t size, i
     double scale = 0;
     image im;
     memset(out, 0, sizeof *out);
-    if (size < 3 || data[0] != 'P' || !image__space(data[2])) return "not a PFM, PPM or PGM file";
+    if (size >= 8 && memcmp(data, "\x89PNG\r\n\x1a\n", 8) == 0) return image__decode_png(data, size, out);
+    if (size < 3 || data[0] != 'P' || !image__space(data[2])) return "not a PFM, PPM, PGM or PNG file";
     pfm = data[1] == 'F' || data[1] == 'f';
     if (!pfm && data[1] != '5' && data[1] != '6') return "not a PFM, binary PPM (P6) or binary PGM (P5) file";
     channels = data[1] == 'F' || data[1] == '6' ? 3 : 1;
@@ -657,5 +965,37 @@ static inline const char *image_write(const char *path, const image *im)
     }
     free(bytes);
     return problem;
+}
+
+/* --- other sizes --- */
+
+/* The means of im over the pixels of a picture of width x height: exact areas, so that the light stays (values are linear, or
+   treated as such; alpha weighs the other three). One axis at a time. */
+static inline image image_resize(const image *im, int width, int height)
+{
+    image half = image_new(width, im->height, im->channels), out = image_new(width, height, im->channels);
+    int axis, i, k, c;
+    for (axis = 0; axis < 2 && half.pixels && out.pixels; ++axis) {
+        const image *from = axis ? &half : im;
+        image *to = axis ? &out : &half;
+        int n = axis ? height : width, m = axis ? im->height : im->width, lines = axis ? width : im->height, line;
+        size_t step = axis ? (size_t)width * (size_t)im->channels : (size_t)im->channels, skip = axis ? (size_t)im->channels : 0;
+        for (line = 0; line < lines; ++line)
+            for (i = 0; i < n; ++i) {
+                double low = (double)i * m / n, high = (double)(i + 1) * m / n, sum[4] = {0, 0, 0, 0}, weight = 0;
+                float *q = to->pixels + (size_t)i * step + (axis ? (size_t)line * skip : (size_t)line * (size_t)width * (size_t)im->channels);
+                for (k = (int)low; k < m && (double)k < high; ++k) {
+                    double part = ((double)k + 1 < high ? (double)k + 1 : high) - ((double)k > low ? (double)k : low);
+                    const float *p = from->pixels + (size_t)k * step + (axis ? (size_t)line * skip : (size_t)line * (size_t)im->width * (size_t)im->channels);
+                    double alpha = im->channels == 4 ? (double)p[3] : 1;
+                    for (c = 0; c < im->channels; ++c) sum[c] += part * (c < 3 ? alpha : 1) * (double)p[c];
+                    weight += part * alpha;
+                }
+                for (c = 0; c < im->channels; ++c) q[c] = (float)(c == 3 ? sum[3] / (high - low) : weight > 0 ? sum[c] / weight : 0);
+            }
+    }
+    if (half.pixels == NULL) image_free(&out);
+    image_free(&half);
+    return out;
 }
 #endif

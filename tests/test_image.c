@@ -1,4 +1,5 @@
-/* examples/image.h: PFM, PPM and PGM are read as their formats say, and strictly; the PNG's parts are well-formed. */
+/* examples/image.h: PFM, PPM, PGM and PNG are read as their formats say, and strictly; the written PNG's parts are well-formed;
+   other sizes keep the light. */
 #include "image.h"
 #include "test.h"
 
@@ -88,7 +89,7 @@ static void test_refused(void)
     } bad[] = {{"", 0, "not a PFM"},
                {"P", 1, "not a PFM"},
                {"P3\n1 1\n255\n1 2 3\n", 18, "binary"},
-               {"\x89PNG\r\n\x1a\n", 8, "not a PFM"},
+               {"\x89PNG\r\n\x1a\n", 8, "last chunk"},
                {"PF", 2, "not a PFM"},
                {"PF\n1 1\n", 7, "scale"},
                {"PF\n1", 4, "width"},
@@ -230,9 +231,127 @@ static void test_code_lengths(void)
     }
 }
 
+/* --- PNG as others write it (tests/data/png.py, packed by zlib) --- */
+
+static void test_png_read(void)
+{
+    static const struct { int colour, samples, channels, depths[6]; } kinds[] = {
+        {0, 1, 1, {1, 2, 4, 8, 16, 0}}, {2, 3, 3, {8, 16, 0}}, {3, 1, 3, {1, 2, 4, 8, 0}}, {4, 2, 4, {8, 16, 0}}, {6, 4, 4, {8, 16, 0}}};
+    int k, d, interlaced, x, y, c, files = 0;
+    for (k = 0; k < 5; ++k)
+        for (d = 0; kinds[k].depths[d]; ++d)
+            for (interlaced = 0; interlaced < 2; ++interlaced, ++files) {
+                int bits = kinds[k].depths[d], most = (1 << bits) - 1, channels = kinds[k].colour == 3 && interlaced ? 4 : kinds[k].channels;
+                char path[80];
+                const char *problem;
+                image im;
+                snprintf(path, sizeof path, "tests/data/png/c%d_b%d_i%d.png", kinds[k].colour, bits, interlaced);
+                problem = image_read(path, &im);
+                if (problem) TEST_FAIL("%s: %s", path, problem);
+                CHECK_INT(im.channels, channels);
+                CHECK(im.width == 13 && im.height == 7);
+                for (y = 0; y < 7 && !problem; ++y)
+                    for (x = 0; x < 13; ++x)
+                        for (c = 0; c < channels; ++c) {
+                            int v = (37 * x + 11 * y) & most;
+                            double expected;
+                            if (kinds[k].colour == 3) expected = (c == 3 ? 255 - v : (7 - 2 * c) * v & 255) / 255.0;
+                            else if (kinds[k].colour == 4) expected = ((37 * x + 11 * y + 50 * (c == 3)) & most) / (double)most;
+                            else expected = ((37 * x + 11 * y + 50 * c) & most) / (double)most;
+                            CHECK_NEAR(im.pixels[(y * 13 + x) * channels + c], expected, 1e-7); /* rounding of a float */
+                        }
+                image_free(&im);
+            }
+    TEST_NOTE("%d files", files);
+}
+
+/* Cut anywhere or damaged in any byte, a PNG is refused: every byte is under a checksum or decides how it is read. */
+static void test_png_damage(void)
+{
+    static const char *const files[] = {"tests/data/png/c2_b8_i0.png", "tests/data/png/c3_b4_i1.png", "tests/data/png/c0_b16_i1.png"};
+    size_t size = 0, i, k;
+    for (k = 0; k < 3; ++k) {
+        unsigned char *data = (unsigned char *)test_read_file(files[k], &size), *copy;
+        image im;
+        if (data == NULL) {
+            TEST_FAIL("%s cannot be read", files[k]);
+            continue;
+        }
+        for (i = 0; i < size; ++i) {
+            copy = (unsigned char *)malloc(i ? i : 1); /* its end is the end of the memory */
+            memcpy(copy, data, i);
+            CHECK(image_decode(copy, i, &im) != NULL && im.pixels == NULL);
+            free(copy);
+        }
+        for (i = 0; i < 8 * size; ++i) {
+            data[i / 8] = (unsigned char)(data[i / 8] ^ 1 << i % 8);
+            CHECK(image_decode(data, size, &im) != NULL && im.pixels == NULL);
+            data[i / 8] = (unsigned char)(data[i / 8] ^ 1 << i % 8);
+        }
+        free(data);
+    }
+}
+
+/* What the writer makes of smooth, noisy and flat pictures comes back to the bit, large enough for several blocks. */
+static void test_png_round_trip(void)
+{
+    static const int sizes[4][3] = {{1, 1, 1}, {3, 5, 4}, {300, 200, 3}, {700, 130, 1}};
+    int k, kind;
+    uint64_t state = test_seed;
+    for (k = 0; k < 4; ++k)
+        for (kind = 0; kind < 3; ++kind) {
+            image im = image_new(sizes[k][0], sizes[k][1], sizes[k][2]), back;
+            size_t i, n = image_count(&im);
+            for (i = 0; i < n; ++i) im.pixels[i] = (float)(kind == 0 ? 7 : kind == 1 ? (int)(i / 40) % 256 : (int)(256 * test_uniform(&state))) / 255;
+            CHECK(image_write("build/test_image.png", &im) == NULL);
+            CHECK(image_read("build/test_image.png", &back) == NULL);
+            CHECK(back.pixels && back.channels == im.channels && image_count(&back) == n && memcmp(im.pixels, back.pixels, n * sizeof(float)) == 0);
+            image_free(&im);
+            image_free(&back);
+        }
+    remove("build/test_image.png");
+}
+
+/* The mean of every channel stays whatever the sizes; whole factors are plain means; alpha weighs colours. */
+static void test_resize(void)
+{
+    static const int sizes[][2] = {{1, 1}, {7, 3}, {64, 64}, {10, 31}, {5, 90}};
+    image im = image_new(20, 31, 3), out, rgba;
+    uint64_t state = test_seed + 1;
+    size_t k;
+    int i, c;
+    double mean[3] = {0, 0, 0};
+    for (i = 0; i < 20 * 31; ++i)
+        for (c = 0; c < 3; ++c) mean[c] += (im.pixels[3 * i + c] = (float)test_uniform(&state)) / 620.0;
+    for (k = 0; k < sizeof sizes / sizeof sizes[0]; ++k) {
+        double sum[3] = {0, 0, 0};
+        out = image_resize(&im, sizes[k][0], sizes[k][1]);
+        CHECK(out.width == sizes[k][0] && out.height == sizes[k][1]);
+        for (i = 0; i < out.width * out.height; ++i)
+            for (c = 0; c < 3; ++c) sum[c] += out.pixels[3 * i + c] / (double)(out.width * out.height);
+        for (c = 0; c < 3; ++c) CHECK_NEAR(sum[c], mean[c], 1e-6); /* floats twice rounded */
+        image_free(&out);
+    }
+    out = image_resize(&im, 10, 31);
+    CHECK_NEAR(out.pixels[3 * (10 * 4 + 3) + 1], 0.5 * ((double)im.pixels[3 * (20 * 4 + 6) + 1] + (double)im.pixels[3 * (20 * 4 + 7) + 1]), 1e-7);
+    image_free(&out);
+    rgba = image_new(2, 1, 4);
+    rgba.pixels[0] = 1;
+    rgba.pixels[3] = 0.25f;
+    rgba.pixels[7] = 0.75f;
+    out = image_resize(&rgba, 1, 1);
+    CHECK_NEAR(out.pixels[0], 0.25, 1e-7);
+    CHECK_NEAR(out.pixels[3], 0.5, 1e-7);
+    image_free(&out);
+    image_free(&rgba);
+    image_free(&im);
+}
+
 static const test_case cases[] = {
     {"pfm_bytes", test_pfm_bytes},         {"pnm_bytes", test_pnm_bytes}, {"round_trip", test_round_trip},
     {"not_finite", test_not_finite},       {"refused", test_refused},     {"prefixes", test_prefixes},
     {"write_refused", test_write_refused}, {"srgb", test_srgb},           {"png_chunks", test_png_chunks},
-    {"code_lengths", test_code_lengths}};
+    {"code_lengths", test_code_lengths},
+    {"png_read", test_png_read},           {"png_damage", test_png_damage},
+    {"png_round_trip", test_png_round_trip}, {"resize", test_resize}};
 TEST_MAIN(cases)
