@@ -2,7 +2,8 @@
 
    Material i is a function of i alone, so that any range can be made anywhere: jobs on several machines take ranges of
    indices, their folders are copied together. 32 pictures go to a file part_NNNNNN.bin (NNNNNN = first index / 32), which
-   appears under its name only when it is whole: start again after an interruption and what is there is skipped.
+   appears under its name only when it is whole: start again after an interruption and what is there is skipped. The last file
+   of a COUNT that is no multiple of 32 holds fewer, and is made again when more of it are asked for.
 
    A file: "msds", then little-endian u32: version 1, size, samples, first index, pictures n; then n times 19 f32
    parameters; then n times size x size x 3 f16, linear radiance, top row first.
@@ -57,8 +58,18 @@ static void put_u32(FILE *f, uint32_t v)
     for (k = 0; k < 4; ++k) fputc((int)(v >> 8 * k & 255), f);
 }
 
-/* One file; 0 where it could not be written. */
-static int write_part(const material_scene *stage, const char *folder, uint32_t first, int size, int samples, uint32_t take)
+/* How many pictures a file holds, from its header; 0: there is no such file. */
+static uint32_t pictures_in(const char *path)
+{
+    unsigned char header[24];
+    FILE *f = fopen(path, "rb");
+    size_t got = f ? fread(header, 1, sizeof header, f) : 0;
+    if (f) fclose(f);
+    return got == sizeof header ? header[20] | (uint32_t)header[21] << 8 : 0;
+}
+
+/* One file of n pictures; 0 where it could not be written. */
+static int write_part(const material_scene *stage, const char *folder, uint32_t first, uint32_t n, int size, int samples, uint32_t take)
 {
     char path[1024], temporary[1040];
     FILE *f;
@@ -68,8 +79,7 @@ static int write_part(const material_scene *stage, const char *folder, uint32_t 
     size_t p;
     snprintf(path, sizeof path, "%s/part_%06u.bin", folder, (unsigned)(first / PART));
     snprintf(temporary, sizeof temporary, "%s.part", path);
-    f = fopen(path, "rb");
-    if (f) return fclose(f) == 0;
+    if (pictures_in(path) >= n) return 1;
     f = fopen(temporary, "wb");
     if (f == NULL) return 0;
     fputs("msds", f);
@@ -77,15 +87,15 @@ static int write_part(const material_scene *stage, const char *folder, uint32_t 
     put_u32(f, (uint32_t)size);
     put_u32(f, (uint32_t)samples);
     put_u32(f, first);
-    put_u32(f, PART);
-    for (i = 0; i < PART; ++i) {
+    put_u32(f, n);
+    for (i = 0; i < n; ++i) {
         choose_material(first + i, x);
         for (k = 0; k < MATERIAL_PARAMETERS; ++k) {
             memcpy(&bits, &x[k], 4);
             put_u32(f, bits);
         }
     }
-    for (i = 0; i < PART; ++i) {
+    for (i = 0; i < n; ++i) {
         image picture;
         choose_material(first + i, x);
         if (!material_render(stage, x, size, size, samples, (first + i) ^ trace__hash(take), &picture)) break;
@@ -96,7 +106,7 @@ static int write_part(const material_scene *stage, const char *folder, uint32_t 
         }
         image_free(&picture);
     }
-    bad = i < PART || ferror(f);
+    bad = i < n || ferror(f);
     bad |= fclose(f) != 0;
     if (bad || rename(temporary, path) != 0) {
         remove(temporary);
@@ -122,7 +132,7 @@ int main(int argc, char **argv)
         return 1;
     }
     for (i = first; i < first + count; i += PART)
-        if (!write_part(stage, argv[1], (uint32_t)i, size, samples, (uint32_t)take)) {
+        if (!write_part(stage, argv[1], (uint32_t)i, (uint32_t)(first + count - i < PART ? first + count - i : PART), size, samples, (uint32_t)take)) {
             fprintf(stderr, "dataset: cannot write to %s\n", argv[1]);
             material_scene_destroy(stage);
             return 1;
