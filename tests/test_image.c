@@ -142,7 +142,25 @@ static void test_write_refused(void)
     CHECK(strstr(image_write("build/test_image.ppm", &im), "3 channels") != NULL);
     CHECK(strstr(image_write("build/test_image.jpg", &im), "should end") != NULL);
     CHECK(strstr(image_write("build/test_image.png", &none), "empty") != NULL);
-    CHECK(strstr(image_write("build/no/such/folder.png", &im), "cannot open") != NULL);
+    CHECK(strstr(image_write("build", &im), "should end") != NULL);
+    CHECK(strstr(image_save("build", "x", 1), "regular") != NULL);
+    CHECK(strstr(image_save("/dev/null", "x", 1), "regular") != NULL);
+    CHECK(image_save("build/test_image.txt", "old", 3) == NULL); /* a file is no folder, and stays */
+    CHECK(strstr(image_write("build/test_image.txt/x.png", &im), "cannot open") != NULL);
+    CHECK(image_save("build/test_image.txt", "new", 3) == NULL);
+    f = fopen("build/test_image.txt", "rb");
+    CHECK(f != NULL && fgetc(f) == 'n' && fgetc(f) == 'e' && fgetc(f) == 'w' && fgetc(f) == EOF);
+    if (f) fclose(f);
+    remove("build/test_image.txt");
+    CHECK(image_write("build/test_image_made/deep/x.png", &im) == NULL);
+    remove("build/test_image_made/deep/x.png");
+    remove("build/test_image_made/deep");
+    remove("build/test_image_made");
+    f = fopen("/dev/full", "rb");
+    if (f) { /* the device of full disks is left alone as well */
+        fclose(f);
+        CHECK(strstr(image_save("/dev/full", "x", 1), "regular") != NULL);
+    }
     CHECK(strstr(image_read("build/no/such/file.pfm", &none), "cannot open") != NULL);
     f = fopen("build/test_image.ppm", "rb");
     CHECK(f == NULL); /* nothing was left behind */
