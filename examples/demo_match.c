@@ -56,9 +56,9 @@ int main(int argc, char **argv)
     float *planes;
     ms_error error;
     int i, k, x, y;
-    if (argc != 2) {
-        fprintf(stderr, "usage: demo_match OUT.png\n");
-        return 2;
+    if (argc != 2 || strcmp(argv[1], "--help") == 0) {
+        fprintf(argc == 2 ? stdout : stderr, "usage: demo_match OUT.png\n");
+        return argc == 2 ? 0 : 2;
     }
     problem = image_read("examples/data/materials.ppm", &pictures);
     if (problem) return fail(problem);

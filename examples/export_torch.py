@@ -3,16 +3,28 @@
 
     import export_torch as ms
     ms.save_torch("net.safetensors", net, (3, 410, 410))  # the shape of an input; PyTorch flattens channels first
-    ms.save_keras("net.safetensors", net)  # channels last: inputs and kernels are turned, the flatten order is recorded"""
-import json, struct
+    ms.save_keras("net.safetensors", net)  # channels last: inputs and kernels are turned, the flatten order is recorded
+
+Sequentials within one another are joined; a BatchNorm behind a linear or convolution layer goes into its weights (as in eval()). What
+ms_nn.h cannot run raises Unsupported with the module's name and type, before anything is written."""
+import json, os, struct
 import numpy as np
 
 ACTIVATIONS = {"ReLU": "relu", "LeakyReLU": "leaky_relu", "ELU": "elu", "Tanh": "tanh", "Sigmoid": "sigmoid", "Softplus": "softplus"}
 
 
-def write(path, input_shape, layers, tensors):
-    """The file: the layer list, then the tensors (numpy arrays by name), the largest first."""
-    header = {"__metadata__": {"format": "pt", "ms_nn_version": "1", "ms_nn_input": json.dumps(list(input_shape)), "ms_nn_layers": json.dumps(layers)}}
+class Unsupported(ValueError):
+    """A module that ms_nn.h cannot run."""
+
+
+def unless(module, good, what):
+    """Raises Unsupported: module (a name and a type) and what of it is not known, unless good."""
+    if not good: raise Unsupported("module '%s' of type %s cannot be saved: %s" % (*module, what))
+
+
+def write(path, input_shape, layers, tensors, metadata={}):
+    """The file: the layer list, then the tensors (numpy arrays by name), the largest first. Written beside, then renamed."""
+    header = {"__metadata__": {"format": "pt", "ms_nn_version": "1", "ms_nn_input": json.dumps(list(input_shape)), "ms_nn_layers": json.dumps(layers), **metadata}}
     names, end = sorted(tensors, key=lambda name: -tensors[name].nbytes), 0
     for name in names:
         t = tensors[name]
@@ -20,8 +32,9 @@ def write(path, input_shape, layers, tensors):
         header[name] = {"dtype": dtype, "shape": list(t.shape), "data_offsets": [end, end := end + t.nbytes]}
     text = json.dumps(header).encode()
     text += b" " * (-(8 + len(text)) % 64)
-    with open(path, "wb") as f:
+    with open(path + ".new", "wb") as f:
         f.write(struct.pack("<Q", len(text)) + text + b"".join(np.ascontiguousarray(tensors[name]).tobytes() for name in names))
+    os.replace(path + ".new", path)
 
 
 def store(layer, tensors, dtype, weight, bias=None):
@@ -35,25 +48,54 @@ def store(layer, tensors, dtype, weight, bias=None):
     layer["bias"] = bias is not None
 
 
-def save_torch(path, net, input_shape, dtype="float32"):
-    layers, tensors = [], {}
+def modules(net, prefix=""):
+    """Names and modules of a Sequential and of those within it, in order."""
     for name, m in net.named_children():
+        if type(m).__name__ == "Sequential": yield from modules(m, prefix + name + ".")
+        else: yield prefix + name, m
+
+
+def array(x): return None if x is None else np.asarray(x.detach().numpy(), np.float64)
+
+
+def save_torch(path, net, input_shape, dtype="float32"):
+    layers, tensors, weights = [], {}, {}
+    for name, m in modules(net):
         kind, layer, numbers = type(m).__name__, {"name": "l" + name}, lambda x: [int(v) for v in x] if np.ndim(x) else int(x)
+        me = name, kind
         if kind in ("Conv1d", "Conv2d"):
             same = m.padding == "same" or all(2 * p == k - 1 for p, k in zip(m.padding, m.kernel_size))
-            assert m.groups == 1 and set(m.dilation) == {1} and m.padding_mode == "zeros" and (same or set(m.padding) <= {0, *"valid"}), m
+            unless(me, m.groups == 1, "groups is %s" % m.groups)
+            unless(me, set(m.dilation) == {1}, "dilation is %s" % (m.dilation,))
+            unless(me, m.padding_mode == "zeros", "padding_mode is %s" % m.padding_mode)
+            unless(me, same or set(m.padding) <= {0, *"valid"}, "padding is %s, which is neither none nor half the kernel" % (m.padding,))
             layer.update(type=kind.lower(), kernel=numbers(m.kernel_size), stride=numbers(m.stride), padding="same" if same else "valid")
         elif kind in ("MaxPool1d", "MaxPool2d"):
-            assert not np.any(m.padding) and np.all(np.equal(m.dilation, 1)) and not m.ceil_mode, m
+            unless(me, not np.any(m.padding) and np.all(np.equal(m.dilation, 1)) and not m.ceil_mode, "it pads, dilates or rounds up")
             layer.update(type=kind.lower(), size=numbers(m.kernel_size), stride=numbers(m.stride))
-        elif kind == "Upsample" and m.mode == "nearest":
+        elif kind == "Upsample":
+            unless(me, m.mode == "nearest" and m.scale_factor, "mode is %s; only nearest with a scale_factor is known" % m.mode)
             layer.update(type="upsample%dd" % (len(input_shape) - 1), factor=numbers(m.scale_factor))
-        elif kind in ACTIVATIONS and getattr(m, "beta", 1) == 1:
+        elif kind in ACTIVATIONS:
+            unless(me, getattr(m, "beta", 1) == 1, "beta is not 1")
             layer.update(type="activation", activation=ACTIVATIONS[kind], alpha=getattr(m, "negative_slope", getattr(m, "alpha", 1.0)))
+        elif kind in ("BatchNorm1d", "BatchNorm2d"):
+            unless(me, layers and layers[-1]["name"] in weights, "it does not follow a linear or convolution layer")
+            unless(me, m.running_var is not None, "it has no running statistics")
+            weight, bias = weights[layers[-1]["name"]]
+            gain = 1 / np.sqrt(array(m.running_var) + m.eps) * (1 if m.weight is None else array(m.weight))
+            weights[layers[-1]["name"]] = (weight * gain.reshape((-1,) + (1,) * (weight.ndim - 1)),
+                                           gain * ((0 if bias is None else bias) - array(m.running_mean)) + (0 if m.bias is None else array(m.bias)))
+            continue
         else:
-            layer["type"] = {"Linear": "dense", "Flatten": "flatten", "Dropout": "dropout"}[kind]  # KeyError: ms_nn.h lacks it
-        if hasattr(m, "weight"): store(layer, tensors, dtype, m.weight.detach().numpy(), None if m.bias is None else m.bias.detach().numpy())
+            plain = {"Linear": "dense", "Flatten": "flatten", "Dropout": "dropout"}
+            unless(me, kind in plain, "ms_nn.h has no such layer")
+            unless(me, kind != "Flatten" or (getattr(m, "start_dim", 1), getattr(m, "end_dim", -1)) == (1, -1), "it flattens a part only")
+            layer["type"] = plain[kind]
+        if hasattr(m, "weight"): weights[layer["name"]] = array(m.weight), array(m.bias)
         layers.append(layer)
+    for layer in layers:
+        if layer["name"] in weights: store(layer, tensors, dtype, *weights[layer["name"]])
     write(path, input_shape, layers, tensors)
 
 
@@ -61,9 +103,11 @@ def save_keras(path, net, dtype="float32"):
     layers, tensors, shape = [], {}, tuple(net.input_shape[1:])
     for m in net.layers:
         kind, c, layer = type(m).__name__, m.get_config(), {"name": m.name}
+        me = m.name, kind
         if kind == "InputLayer": continue
         if kind in ("Conv1D", "Conv2D"):
-            assert c["padding"] == "valid" or set(c["strides"]) == {1}, "Keras pads otherwise with strides"
+            unless(me, c["padding"] == "valid" or c["padding"] == "same" and set(c["strides"]) == {1}, "padding is %s with strides %s" % (c["padding"], c["strides"]))
+            unless(me, set(np.atleast_1d(c.get("dilation_rate", 1))) == {1} and c.get("groups", 1) == 1, "it has dilation or groups")
             layer.update(type=kind.lower(), kernel=list(c["kernel_size"]), stride=list(c["strides"]), padding=c["padding"])
         elif kind in ("MaxPooling1D", "MaxPooling2D") and c["padding"] == "valid":
             layer.update(type="maxpool" + kind[-2:].lower(), size=np.atleast_1d(c["pool_size"]).tolist(), stride=np.atleast_1d(c["strides"]).tolist())
@@ -72,8 +116,12 @@ def save_keras(path, net, dtype="float32"):
         elif kind in ACTIVATIONS and not (c.get("max_value") or c.get("threshold") or kind == "ReLU" and c.get("negative_slope")):
             layer.update(type="activation", activation=ACTIVATIONS[kind], alpha=float(c.get("negative_slope", c.get("alpha", 1.0))))
         else:
-            layer["type"] = {"Dense": "dense", "Activation": "activation", "Flatten": "flatten", "Dropout": "dropout"}[kind]  # KeyError: ms_nn.h lacks it
+            plain = {"Dense": "dense", "Activation": "activation", "Flatten": "flatten", "Dropout": "dropout"}
+            unless(me, kind in plain, "ms_nn.h has no such layer, or not with these settings: %s" % c)
+            layer["type"] = plain[kind]
         if kind == "Flatten": layer["order"] = "channels_last"
+        known = {"linear", "leaky_relu", *ACTIVATIONS.values()}
+        unless(me, c.get("activation", "linear") in known, "activation is %s" % c.get("activation"))
         if "activation" in c: layer.update(activation=c["activation"], alpha=0.2 if c["activation"] == "leaky_relu" else 1.0)
         if m.get_weights():  # the kernel's last dimensions, inputs and outputs, come first in PyTorch's layout, exchanged
             weight = np.moveaxis(np.asarray(m.get_weights()[0]), (-1, -2), (0, 1))

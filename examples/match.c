@@ -1,27 +1,30 @@
 /* From an edited picture to a material: finds the parameters whose picture, drawn by a neural renderer, is closest to it.
-
      cc -O2 -I. examples/match.c -o build/match -lm
-     build/match RENDERER.safetensors TARGET.(ppm|pfm) [--inversion DIR] [--weights MASK.pgm] [--start X.csv]
-                 [--cost 50] [--out-params CSV] [--out-png PNG]
 
-   The renderer takes parameters in [0, 1] and makes 3 x S x S values; the target is S x S pixels of them, display values
-   in a PPM, any floats in a PFM (taken as they are). DIR holds inversion networks for first guesses, X.csv one more: the
-   source material, or the last frame's answer; without either the search starts in the middle of the box. MASK: the
-   weight of each pixel. --cost: renders to spend on the refinement. The parameters go to CSV as one row. */
+     build/match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK.(png|pgm|ppm|pfm)] [--start X.csv]
+                 [--cost 50] [--seconds 0] [--out-params CSV] [--out-png PNG]
+
+   The renderer takes parameters in [0, 1] and makes 3 x S x S display values. The target may have any size and be grey, RGB or
+   with alpha (a pixel counts as much as it covers); display values in PNG, PPM and PGM, linear light in a PFM, which is
+   converted. DIR holds inversion networks for first guesses, X.csv one more: the source material, or the last frame's answer;
+   without either the search starts in the middle of the box. MASK: the weight of each pixel, a channel each where it has colour.
+   --cost: renders to spend on the refinement, --seconds: no longer than that. The parameters go to CSV as a line of names and a row:
+   the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
 #include "ms_pme.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/time.h>
 #include "matcher.h"
 #include "materials.h"
-#include <time.h>
 
-static int usage(void)
-{
-    fprintf(stderr, "usage: match RENDERER.safetensors TARGET.(ppm|pfm) [--inversion DIR] [--weights MASK.pgm] [--start X.csv]\n"
-                    "             [--cost 50] [--out-params CSV] [--out-png PNG]\n");
-    return 2;
-}
+static const char usage_text[] =
+    "usage: match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK] [--start X.csv] [--cost 50] [--seconds 0] "
+    "[--out-params CSV] [--out-png PNG]";
 
 static int fail(const char *path, const char *what)
 {
@@ -29,31 +32,134 @@ static int fail(const char *path, const char *what)
     return 1;
 }
 
-/* A picture of this size and number of channels, or NULL and a message. */
-static float *read_picture(const char *path, int size, int channels, image *im)
+/* Seconds on the wall. */
+static double now(void)
 {
-    const char *problem = image_read(path, im);
-    if (problem) {
-        fail(path, problem);
-    } else if (im->width != size || im->height != size || im->channels != channels) {
-        fprintf(stderr, "match: %s: %d x %d pixels of %d channels, the renderer needs %d x %d of %d\n", path, im->width, im->height,
-                im->channels, size, size, channels);
-    } else {
-        return im->pixels;
-    }
+    struct timeval t;
+    gettimeofday(&t, NULL);
+    return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
+}
+
+/* A number in (low, 1e9], the whole word; 0: it is none. */
+static int number(const char *text, double low, double *value)
+{
+    char *end;
+    *value = strtod(text, &end);
+    return end != text && *end == 0 && *value >= low && *value <= 1e9;
+}
+
+/* To the renderer's size by areas, in linear light where the values are displayed ones; says so. */
+static const char *fit(const char *path, int size, int displayed, image *im)
+{
+    image other;
+    if (im->width == size && im->height == size) return NULL;
+    fprintf(stderr, "match: %s: %d x %d pixels, brought to the renderer's %d x %d%s\n", path, im->width, im->height, size, size,
+            im->width != im->height ? " (its sides are not equal: it is stretched)" : "");
+    if (displayed) image_to_linear(im);
+    other = image_resize(im, size, size);
+    if (other.pixels == NULL) return "out of memory";
+    if (displayed) image_to_srgb(&other);
     image_free(im);
+    *im = other;
     return NULL;
+}
+
+/* Channel c of pixel i as a picture in colour has it. */
+static float sample(const image *im, int i, int c) { return im->pixels[i * im->channels + (im->channels == 1 ? 0 : c)]; }
+
+/* The picture as planes [3][size][size] of display values; alpha [size][size] of one that has it (*has_alpha), else untouched.
+   Where weight [3][size][size] (NULL: 1) is 0, a picture of that size may hold anything. */
+static const char *read_target(const char *path, int size, const float *weight, float *planes, float *alpha, int *has_alpha)
+{
+    static char wrong[120];
+    image im;
+    const char *problem = image_read(path, &im);
+    int linear = image__has_extension(path, ".pfm"), pixels, i, c, above = 0;
+    if (problem) return problem;
+    pixels = im.width * im.height;
+    for (i = 0; i < pixels && !problem; ++i)
+        for (c = 0; c < (im.channels == 1 ? 1 : 3); ++c) {
+            float v = sample(&im, i, c);
+            if (v > 1 && v < 1e30f) ++above;
+            if (v >= 0 && v < 1e30f) continue;
+            if (weight && im.width == size && im.height == size && !(weight[c * pixels + i] > 0)) {
+                im.pixels[i * im.channels + c] = 0;
+                continue;
+            }
+            snprintf(wrong, sizeof wrong, "column %d, row %d has a value that is negative or not finite", i % im.width, i / im.width);
+            problem = wrong;
+        }
+    if (above) fprintf(stderr, "match: %s: %d values above 1 shine as brightly as 1\n", path, above);
+    for (i = 0; i < (int)image_count(&im); ++i)
+        if (im.pixels[i] > 1) im.pixels[i] = 1;
+    if (!problem && linear) image_to_srgb(&im);
+    if (!problem) problem = fit(path, size, 1, &im);
+    for (i = 0; i < size * size && !problem; ++i) {
+        for (c = 0; c < 3; ++c) planes[c * size * size + i] = sample(&im, i, c);
+        if (im.channels == 4) alpha[i] = im.pixels[4 * i + 3];
+    }
+    *has_alpha = im.channels == 4;
+    image_free(&im);
+    return problem;
+}
+
+/* A mask into weight [3][size][size]. */
+static const char *read_mask(const char *path, int size, float *weight)
+{
+    image im;
+    const char *problem = image_read(path, &im);
+    int i, c, total = size * size;
+    if (!problem) problem = fit(path, size, 0, &im);
+    for (i = 0; i < total && !problem; ++i)
+        for (c = 0; c < 3; ++c) weight[c * total + i] = sample(&im, i, c) * (im.channels == 4 ? im.pixels[4 * i + 3] : 1);
+    image_free(&im);
+    return problem;
+}
+
+/* Name i of a list separated by commas or semicolons, quotes and spaces around it dropped; an empty one where there is none. */
+static void name_of(const char *list, int i, char *name, size_t size)
+{
+    size_t length;
+    while (list && i-- > 0) list = strpbrk(list, ",;") ? strpbrk(list, ",;") + 1 : NULL;
+    *name = 0;
+    if (list == NULL) return;
+    list += strspn(list, " \t\"");
+    length = strcspn(list, ",;\r\n");
+    while (length > 0 && strchr(" \t\"", list[length - 1])) --length;
+    snprintf(name, size, "%.*s", (int)(length < size ? length : size - 1), list);
+}
+
+/* The first line of a CSV where it holds names, into text. */
+static void header_of(const char *path, char *text, size_t size)
+{
+    FILE *f = fopen(path, "rb");
+    char *start = text, *end;
+    *text = 0;
+    if (f == NULL) return;
+    if (fgets(text, (int)size, f) == NULL) *text = 0;
+    fclose(f);
+    if (strncmp(text, "\xEF\xBB\xBF", 3) == 0) memmove(text, text + 3, strlen(text + 3) + 1);
+    (void)strtod(start, &end);
+    if (end != start || *text == '#') *text = 0;
 }
 
 /* Parameters that the picture leaves open: errors of the size of the RMSE in every value would move them by more than a
    tenth of their range. */
-static void print_open(const matcher *m, const double *x, double rmse)
+static void print_open(const matcher *m, const double *x, double rmse, const char *names)
 {
     double singular_value[MS_PME_PARAMETERS_MAX], deviation[MS_PME_PARAMETERS_MAX];
+    char name[64];
+    ms_error error;
     int i, count = 0;
-    if (m->collapse == NULL || ms_pme_sensitivity(&m->reduced, NULL, x, singular_value, NULL, deviation, NULL) != MS_OK) return;
+    if (ms_pme_sensitivity(&m->reduced, NULL, x, singular_value, NULL, deviation, &error) != MS_OK) {
+        printf("what the picture determines is not known: %s\n", error.message);
+        return;
+    }
     for (i = 0; i < m->renderer.parameter_count; ++i)
-        if (!(rmse * deviation[i] < 0.1)) printf("%s%d", count++ ? ", " : "parameters that the picture hardly determines: ", i);
+        if (!(rmse * deviation[i] < 0.1)) {
+            name_of(names, i, name, sizeof name);
+            printf("%s%d%s%s", count++ ? ", " : "parameters that the picture hardly determines: ", i, *name ? " " : "", name);
+        }
     if (count) printf("\n");
 }
 
@@ -61,32 +167,39 @@ int main(int argc, char **argv)
 {
     static const char *const stop[] = {"converged", "target reached", "cost spent", "time spent"};
     static matcher m;
+    static char header[32768], text[40000];
     const char *renderer = NULL, *target_path = NULL, *inversions = NULL, *mask_path = NULL, *start = NULL, *csv = NULL, *png = NULL;
-    const char *problem;
-    double x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX], cost = 50, seconds;
+    const char *problem, *names;
+    double x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX], cost = 50, limit = 0, seconds;
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
-    image target_image, mask, answer;
+    image answer;
     materials guess;
-    float *target, *weight = NULL, *picture;
+    float *target, *weight, *alpha, *picture;
     ms_error error;
     ms_status status;
-    clock_t began;
-    FILE *f;
-    int i, n, pixels;
+    size_t used = 0;
+    int i, n, pixels, has_alpha = 0;
     for (i = 1; i < argc; ++i) {
+        if (strcmp(argv[i], "--help") == 0) return puts(usage_text) < 0;
         if (argv[i][0] != '-' && renderer == NULL) renderer = argv[i];
         else if (argv[i][0] != '-' && target_path == NULL) target_path = argv[i];
-        else if (argv[i][0] != '-' || i + 1 == argc) return usage();
+        else if (argv[i][0] != '-' || i + 1 == argc) break;
         else if (strcmp(argv[i], "--inversion") == 0) inversions = argv[++i];
         else if (strcmp(argv[i], "--weights") == 0) mask_path = argv[++i];
         else if (strcmp(argv[i], "--start") == 0) start = argv[++i];
-        else if (strcmp(argv[i], "--cost") == 0) cost = strtod(argv[++i], NULL);
         else if (strcmp(argv[i], "--out-params") == 0) csv = argv[++i];
         else if (strcmp(argv[i], "--out-png") == 0) png = argv[++i];
-        else return usage();
+        else if (strcmp(argv[i], "--cost") == 0) {
+            if (!number(argv[++i], 1, &cost)) return fail(argv[i], "--cost takes a number from 1 to 1e9") + 1;
+        } else if (strcmp(argv[i], "--seconds") == 0) {
+            if (!number(argv[++i], 0, &limit)) return fail(argv[i], "--seconds takes a number from 0 (no limit) to 1e9") + 1;
+        } else break;
     }
-    if (target_path == NULL || !(cost > 0)) return usage();
+    if (i < argc || target_path == NULL) {
+        fprintf(stderr, "%s\n", usage_text);
+        return 2;
+    }
 
     /* networks, target, weights, first guess */
     status = matcher_open(&m, renderer, &error);
@@ -97,31 +210,36 @@ int main(int argc, char **argv)
     }
     n = m.renderer.parameter_count;
     pixels = m.network.size * m.network.size;
-    if (!read_picture(target_path, m.network.size, 3, &target_image)) return 1;
-    if (mask_path && !read_picture(mask_path, m.network.size, 1, &mask)) return 1;
-    if (start && (problem = materials_read(start, n, &guess)) != NULL) return fail(start, problem);
-    for (i = 0; start && i < n; ++i) source[i] = (double)guess.x[i];
-    target = (float *)malloc(9 * (size_t)pixels * sizeof(float));
+    target = (float *)malloc(10 * (size_t)pixels * sizeof(float));
     answer = image_new(m.network.size, m.network.size, 3);
     if (target == NULL || answer.pixels == NULL) return fail(target_path, "out of memory");
     picture = target + 3 * pixels;
-    neural_planes(&target_image, target);
-    if (mask_path) weight = picture + 3 * pixels;
-    for (i = 0; weight && i < 3 * pixels; ++i) {
-        weight[i] = mask.pixels[i % pixels];
-        if (!(weight[i] > 0) && !(fabsf(target[i]) < 1e30f)) target[i] = 0; /* NaN where nothing counts */
-    }
+    weight = picture + 3 * pixels;
+    alpha = weight + 3 * pixels;
+    for (i = 0; i < 3 * pixels; ++i) weight[i] = 1;
+    problem = mask_path ? read_mask(mask_path, m.network.size, weight) : NULL;
+    if (problem) return fail(mask_path, problem);
+    problem = read_target(target_path, m.network.size, mask_path ? weight : NULL, target, alpha, &has_alpha);
+    if (problem) return fail(target_path, problem);
+    for (i = 0; i < 3 * pixels && has_alpha; ++i) weight[i] *= alpha[i % pixels];
+    if (!mask_path && !has_alpha) weight = NULL;
+    names = ms_nn_file_metadata(ms_nn_tensors(m.network.nn), "ms_parameters");
+    if (start && (problem = materials_read(start, n, &guess)) != NULL) return fail(start, problem);
+    for (i = 0; start && i < n; ++i) source[i] = (double)guess.x[i];
+    if (start && names == NULL) header_of(start, header, sizeof header);
+    if (names == NULL && header[0]) names = header;
 
     /* the match */
+    seconds = now();
     options.refine.max_cost = cost;
+    options.refine.max_seconds = limit;
     options.refine.restarts = 1000; /* while cost is left: from the other first guesses, then from random points */
     options.candidates = source;
     options.candidate_count = start != NULL;
     status = matcher_aim(&m, target, weight, &error);
-    began = clock();
     if (status == MS_OK) status = ms_pme_match(&m.renderer, target, weight, &options, x, picture, &result, &error);
     if (status != MS_OK) return fail(target_path, error.message);
-    seconds = (double)(clock() - began) / CLOCKS_PER_SEC;
+    seconds = now() - seconds;
 
     /* what was found */
     printf("first guess: %s, RMSE %.5f (%.2f of 255)\n",
@@ -129,20 +247,28 @@ int main(int argc, char **argv)
            result.rmse_initial, 255 * result.rmse_initial);
     printf("match: RMSE %.5f (%.2f of 255) after %.0f renders, %.1f ms, %s\n", result.rmse, 255 * result.rmse, result.cost, 1e3 * seconds,
            stop[result.refine.stop]);
-    for (i = 0; i < n; ++i) printf("%s%.4f", i ? " " : "x: ", x[i]);
-    printf("\n");
-    print_open(&m, x, result.rmse);
-    if (csv) {
-        f = fopen(csv, "w");
-        for (i = 0; f && i < n; ++i) fprintf(f, "%.9g%s", x[i], i + 1 < n ? "," : "\n");
-        if (f == NULL || fclose(f) != 0) return fail(csv, "cannot be written");
+    for (i = 0; i < n; ++i) {
+        char name[64];
+        name_of(names, i, name, sizeof name);
+        if (*name) printf("%s%s %.4f", i ? ", " : "x: ", name, x[i]);
+        else printf("%s%.4f", i ? " " : "x: ", x[i]);
     }
+    printf("\n");
+    print_open(&m, x, result.rmse, names);
+    for (i = 0; i < n && names; ++i) {
+        char name[64];
+        name_of(names, i, name, sizeof name);
+        if (*name == 0) snprintf(name, sizeof name, "x%d", i);
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s", name, i + 1 < n ? "," : "\n");
+    }
+    for (i = 0; i < n; ++i) used += (size_t)snprintf(text + used, sizeof text - used, "%.9g%s", x[i], i + 1 < n ? "," : "\n");
+    problem = csv ? image_save(csv, text, used) : NULL;
+    if (problem) return fail(csv, problem);
     neural_paste(picture, m.network.size, &answer, 0, 0);
     problem = png ? image_write(png, &answer) : NULL;
     if (problem) return fail(png, problem);
+    if (fflush(stdout) != 0 || ferror(stdout)) return fail("standard output", "cannot be written");
     matcher_close(&m);
-    image_free(&target_image);
-    if (mask_path) image_free(&mask);
     if (start) materials_free(&guess);
     image_free(&answer);
     free(target);

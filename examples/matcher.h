@@ -28,7 +28,8 @@ typedef struct matcher {
     char name[matcher_inversions_max][64]; /* of their files, without folder and extension */
     ms_nn_collapse *collapse;              /* NULL: pictures are compared as they are */
     int plain;                             /* non-zero: it is made for weights of 1 */
-    ms_pme_function reduced;
+    const float *target, *weight;          /* of the last aim: the caller's */
+    ms_pme_function reduced;               /* what is left between picture and target, collapsed or not */
     ms_pme_renderer renderer;
     matcher_block x, small, workspace; /* parameters as floats, the picture that an inversion network takes */
 } matcher;
@@ -53,6 +54,24 @@ static inline ms_status matcher__jacobian(void *user, const double *x, float *pi
 {
     const matcher *m = (const matcher *)user;
     return ms_nn_jacobian(m->network.nn, matcher__floats(m, x), picture, jacobian, m->workspace.data);
+}
+
+/* The pictures' own residuals, where nothing is collapsed: for the sensitivity. */
+static inline ms_status matcher__plain_residuals(void *user, const double *x, double *r, double *jacobian)
+{
+    const matcher *m = (const matcher *)user;
+    size_t i, j, p = m->renderer.image_size, n = (size_t)m->renderer.parameter_count;
+    float *picture = (float *)malloc(p * (jacobian ? n + 1 : 1) * sizeof(float)), *slopes = picture + p;
+    ms_status status = picture == NULL ? MS_OUT_OF_MEMORY
+                       : jacobian      ? matcher__jacobian(user, x, picture, slopes)
+                                       : matcher__render(user, x, picture);
+    for (i = 0; i < p && status == MS_OK; ++i) {
+        double w = m->weight ? sqrt((double)m->weight[i]) : 1;
+        r[i] = w > 0 ? w * ((double)picture[i] - (double)m->target[i]) : 0;
+        for (j = 0; j < n && jacobian; ++j) jacobian[i * n + j] = w * (double)slopes[i * n + j];
+    }
+    free(picture);
+    return status;
 }
 
 static inline ms_status matcher__residuals(void *user, const double *x, double *r, double *jacobian)
@@ -151,11 +170,14 @@ static inline ms_status matcher_add_inversion(matcher *m, const char *path, ms_e
     const char *base = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
     char wrong[160] = "";
     ms_error why;
+    ms_nn_options options;
     ms_nn *nn;
     int i = m->renderer.prediction_count, size = m->network.size, s, n;
     ms_status status;
     if (i == matcher_inversions_max) return matcher__fail(error, MS_UNSUPPORTED, path, "more than 64 inversion networks");
-    status = ms_nn_load_file(path, NULL, &nn, &why);
+    options = ms_nn_defaults();
+    options.copy = 1;
+    status = ms_nn_load_file(path, &options, &nn, &why);
     if (status != MS_OK) return matcher__fail(error, status, path, why.message);
     s = matcher__side(ms_nn_input_shape(nn));
     n = (int)ms_nn_output_size(nn);
@@ -209,37 +231,34 @@ static inline ms_status matcher_add_inversions(matcher *m, const char *folder, m
     return status;
 }
 
-/* The objective for these weights, collapsed where that saves something: a linear last layer, and fewer features than
-   values to compare. */
+/* The objective for these weights, collapsed where the last layer is linear. */
 static inline ms_status matcher__collapse(matcher *m, const float *weight, ms_error *error)
 {
-    size_t i, compared = 0;
     ms_status status;
     m->renderer.reduced = NULL;
     ms_nn_collapse_destroy(m->collapse);
     m->collapse = NULL;
     status = ms_nn_collapse_create(m->network.nn, weight, &m->collapse, error);
     if (status != MS_OK && status != MS_UNSUPPORTED) return status;
-    for (i = 0; i < m->renderer.image_size; ++i) compared += weight == NULL || weight[i] > 0;
-    if (status == MS_OK && ms_nn_collapse_features(m->collapse) < compared) {
-        m->reduced.user = m;
-        m->reduced.parameter_count = m->renderer.parameter_count;
-        m->reduced.residual_count = ms_nn_collapse_features(m->collapse) + 1;
-        m->reduced.residuals = matcher__residuals;
-        m->reduced.jacobian_cost = 5; /* pictures: with a value 6, as measured at 64 x 64 (`make bench FILTER=pme`) */
-        m->renderer.reduced = &m->reduced;
-        return matcher__room(&m->workspace, ms_nn_collapse_workspace_size(m->collapse, 1));
-    }
-    ms_nn_collapse_destroy(m->collapse);
-    m->collapse = NULL;
-    return matcher__room(&m->workspace, ms_nn_workspace_size(m->network.nn, MS_NN_JACOBIAN, 1));
+    m->reduced.user = m;
+    m->reduced.parameter_count = m->renderer.parameter_count;
+    m->reduced.residual_count = m->renderer.image_size;
+    m->reduced.residuals = matcher__plain_residuals;
+    if (status != MS_OK) return matcher__room(&m->workspace, ms_nn_workspace_size(m->network.nn, MS_NN_JACOBIAN, 1));
+    m->reduced.residual_count = ms_nn_collapse_features(m->collapse) + 1;
+    m->reduced.residuals = matcher__residuals;
+    m->reduced.jacobian_cost = 5; /* pictures: with a value 6, as measured at 64 x 64 (`make bench FILTER=pme`) */
+    m->renderer.reduced = &m->reduced;
+    return matcher__room(&m->workspace, ms_nn_collapse_workspace_size(m->collapse, 1));
 }
 
-/* Once for every target, before ms_pme_match, with the same weights. Where a weight is 0 the target may be anything finite.
+/* Once for every target, before ms_pme_match, with the same weights; both stay the caller's and must stay. Where a weight is 0 the target may be anything finite.
    Other weights than the last time cost a QR factorisation of the last layer. */
 static inline ms_status matcher_aim(matcher *m, const float *target, const float *weight, ms_error *error)
 {
     ms_status status = MS_OK;
+    m->target = target;
+    m->weight = weight;
     if (weight != NULL || !m->plain) status = matcher__collapse(m, weight, error);
     m->plain = status == MS_OK && weight == NULL;
     if (status == MS_OUT_OF_MEMORY) return matcher__fail(error, status, "objective", ms_status_string(status));

@@ -56,9 +56,10 @@ int main(int argc, char **argv)
     ms_nn *nn;
     ms_error error;
     ms_status status = MS_OK;
-    if (argc != 3 && !vjp) {
-        fprintf(stderr, "usage: nn_run FILE INPUT.csv [--vjp G.csv]\n");
-        return 1;
+    if ((argc != 3 && !vjp) || strcmp(argv[1], "--help") == 0) {
+        int help = argc > 1 && strcmp(argv[1], "--help") == 0;
+        fprintf(help ? stdout : stderr, "usage: nn_run FILE INPUT.csv [--vjp G.csv]\n");
+        return help ? 0 : 2;
     }
     if (ms_nn_load_file(argv[1], NULL, &nn, &error) != MS_OK) {
         fprintf(stderr, "%s: byte %lu: %s\n", argv[1], (unsigned long)error.position, error.message);
@@ -85,6 +86,10 @@ int main(int argc, char **argv)
             printf("\n");
         }
         if (status != MS_OK) fprintf(stderr, "%s\n", ms_status_string(status));
+        if (fflush(stdout) != 0 || ferror(stdout)) {
+            fprintf(stderr, "nn_run: standard output cannot be written\n");
+            status = MS_IO;
+        }
         free(text);
         free(gradients);
         free(x);

@@ -75,9 +75,10 @@ int main(int argc, char **argv)
     neural net;
     image sheet;
     int columns = 1;
-    if (argc != 4 && argc != 5) {
-        fprintf(stderr, "usage: preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.ppm]\n");
-        return 2;
+    if ((argc != 4 && argc != 5) || strcmp(argv[1], "--help") == 0) {
+        int help = argc > 1 && strcmp(argv[1], "--help") == 0;
+        fprintf(help ? stdout : stderr, "usage: preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.ppm]\n");
+        return help ? 0 : 2;
     }
     if ((problem = neural_load(argv[1], &net)) != NULL) return fail(argv[1], problem);
     if ((problem = materials_read(argv[2], net.parameters, &list)) != NULL) return fail(argv[2], problem);
@@ -89,5 +90,5 @@ int main(int argc, char **argv)
     image_free(&sheet);
     materials_free(&list);
     neural_free(&net);
-    return 0;
+    return fflush(stdout) != 0 || ferror(stdout) ? fail("standard output", "cannot be written") : 0;
 }

@@ -5,6 +5,9 @@ import torch
 
 # the 11 of the 19 parameters that one colour channel depends on: its four albedos, then the scalars
 CHANNELS = [[c, 3 + c, 8 + c, 13 + c, 6, 7, 11, 12, 16, 17, 18] for c in range(3)]
+NAMES = ["diffuse red", "diffuse green", "diffuse blue", "glossy red", "glossy green", "glossy blue", "glossy roughness", "glossy share", "glass red",
+         "glass green", "glass blue", "glass roughness", "index of refraction", "translucent red", "translucent green", "translucent blue",
+         "translucent share", "transmissive share", "absorption"]
 
 
 def read(folder):

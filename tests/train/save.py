@@ -41,7 +41,7 @@ def renderer(path, trunk, scale, basis, mean, variance, kind):
         dense(layers, tensors, "hidden%d" % (i + 1), layer.weight, layer.bias, "elu", "F16")
     dense(layers, tensors, "features", trunk.out.weight * (scale / s)[:, None], trunk.out.bias * scale / s, "linear", "F16")
     dense(layers, tensors, "pixels", basis * s, mean, "linear", kind)
-    ms.write(path, [19], layers, tensors)
+    ms.write(path, [19], layers, tensors, {"ms_parameters": ",".join(data.NAMES)})
     print("%s: %d bytes" % (path, os.path.getsize(path)), flush=True)
 
 

@@ -1,0 +1,219 @@
+/* The command build/match (examples/match.c) as people use it: one picture in every format and size, masks, alpha, names, exit codes,
+   and old results that stay after a failure. */
+#include "image.h"
+#include "test.h"
+#include <sys/wait.h>
+
+#define NET "tests/data/nn/renderer_f16.safetensors" /* 19 parameters to 8 x 8 pixels */
+#define FOLDER "build/test_match_tool/"
+#define CSV FOLDER "made/here/x.csv"
+#define LOG FOLDER "log"
+enum { S = 8, N = 19 };
+
+/* Runs build/match NET with arguments; its exit code, and what it said in `said`. */
+static char said[20000];
+static int run(const char *arguments)
+{
+    char command[2000], *text;
+    int status;
+    snprintf(command, sizeof command, "build/match " NET " %s >" LOG " 2>&1", arguments);
+    status = system(command);
+    text = test_read_file(LOG, NULL);
+    snprintf(said, sizeof said, "%s", text ? text : "");
+    free(text);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static int have_tool(void)
+{
+    FILE *f = fopen("build/match", "rb");
+    if (f) fclose(f);
+    image_save(FOLDER "log", "", 0); /* makes the folder */
+    return f != NULL;
+}
+
+/* The row of parameters that was written, and the RMSE that was printed. */
+static double answer(const char *arguments, double *x)
+{
+    char command[1500], *text, *at;
+    double rmse = -1;
+    int i;
+    remove(CSV);
+    snprintf(command, sizeof command, "%s --out-params " CSV, arguments);
+    if (run(command) != 0) TEST_FAIL("match %s: %s", arguments, said);
+    at = strstr(said, "match: RMSE ");
+    if (at) rmse = strtod(at + 12, NULL);
+    text = test_read_file(CSV, NULL);
+    if (text == NULL) return -1;
+    at = strrchr(text, '\n');
+    if (at) *at = 0;
+    at = strrchr(text, '\n') ? strrchr(text, '\n') + 1 : text;
+    for (i = 0; i < N; ++i) {
+        x[i] = strtod(at, &at);
+        if (*at == ',') ++at;
+    }
+    free(text);
+    return rmse;
+}
+
+/* A picture in 256 levels, blown up by `factor`; channels 1, 3 or 4 (alpha 1). */
+static image picture(int channels, int factor)
+{
+    image im = image_new(S * factor, S * factor, channels);
+    int x, y, c;
+    for (y = 0; y < S * factor; ++y)
+        for (x = 0; x < S * factor; ++x)
+            for (c = 0; c < channels; ++c)
+                im.pixels[(y * S * factor + x) * channels + c] =
+                    c == 3 ? 1 : (float)(60 + 17 * (x / factor) + 3 * (y / factor) * (y / factor) + (channels > 2 ? 13 * c : 0)) / 400 * 256 / 255;
+    for (x = 0; x < (int)image_count(&im); ++x) im.pixels[x] = (float)image_to_byte(im.pixels[x]) / 255;
+    return im;
+}
+
+static void test_formats(void)
+{
+    static const struct { const char *name; int channels, factor, linear; double tolerance; } list[] = {
+        {"a.ppm", 3, 1, 0, 0}, {"a.png", 3, 1, 0, 0}, {"alpha.png", 4, 1, 0, 1e-3}, {"large.png", 3, 5, 0, 1e-2}, {"linear.pfm", 3, 1, 1, 1e-2}, {"large.pfm", 3, 3, 1, 1e-2}};
+    double x[N], first[N];
+    size_t k;
+    int i;
+    if (!have_tool()) SKIP("build/match is not there; make builds it");
+    for (k = 0; k < sizeof list / sizeof list[0]; ++k) {
+        image im = picture(list[k].channels, list[k].factor);
+        char path[100];
+        double rmse;
+        if (list[k].linear) image_to_linear(&im);
+        snprintf(path, sizeof path, FOLDER "%s", list[k].name);
+        CHECK(image_write(path, &im) == NULL);
+        rmse = answer(path, k ? x : first);
+        CHECK(rmse > 0 && rmse < 1);
+        CHECK((strstr(said, "brought to the renderer's 8 x 8") != NULL) == (list[k].factor > 1));
+        /* a sRGB curve there and back costs a float's rounding, which 50 renders blow up; weights of 1 another objective's rounding */
+        for (i = 0; i < N && k; ++i)
+            if (!(fabs(x[i] - first[i]) <= list[k].tolerance)) TEST_FAIL("%s: x%d = %g, %g from the PPM", list[k].name, i, x[i], first[i]);
+        image_free(&im);
+    }
+    { /* grey is the same in three channels, from either format */
+        image grey = picture(1, 1), three = image_new(S, S, 3);
+        for (i = 0; i < 3 * S * S; ++i) three.pixels[i] = grey.pixels[i / 3];
+        image_write(FOLDER "grey.pgm", &grey);
+        image_write(FOLDER "grey.png", &grey);
+        image_write(FOLDER "three.ppm", &three);
+        answer(FOLDER "three.ppm", first);
+        answer(FOLDER "grey.pgm", x);
+        CHECK(memcmp(x, first, sizeof x) == 0);
+        answer(FOLDER "grey.png", x);
+        CHECK(memcmp(x, first, sizeof x) == 0);
+        image_free(&grey);
+        image_free(&three);
+    }
+}
+
+/* What a mask hides does not matter, whether the mask is grey, in colour, or the picture's own alpha; a mask of a few pixels says what
+   it leaves open. */
+static void test_masks(void)
+{
+    image im = picture(3, 1), rgba = picture(4, 1), grey = image_new(S, S, 1), colour = image_new(S, S, 3), few = image_new(2 * S, 2 * S, 1);
+    double x[N], first[N];
+    int i, c;
+    if (!have_tool()) SKIP("build/match is not there; make builds it");
+    for (i = 0; i < S * S; ++i) {
+        int hidden = i % S >= 5;
+        grey.pixels[i] = (float)!hidden;
+        for (c = 0; c < 3; ++c) {
+            colour.pixels[3 * i + c] = (float)!hidden;
+            if (hidden) im.pixels[3 * i + c] = rgba.pixels[4 * i + c] = c == 1;
+        }
+        rgba.pixels[4 * i + 3] = (float)!hidden;
+    }
+    for (i = 0; i < 4; ++i) few.pixels[2 * S * (6 + i / 2) + 8 + i % 2] = 1;
+    image_write(FOLDER "seen.ppm", &im);
+    image_write(FOLDER "seen.png", &rgba);
+    image_write(FOLDER "mask.pgm", &grey);
+    image_write(FOLDER "mask.png", &colour);
+    image_write(FOLDER "few.png", &few);
+    answer(FOLDER "seen.ppm --weights " FOLDER "mask.pgm", first);
+    answer(FOLDER "seen.ppm --weights " FOLDER "mask.png", x);
+    CHECK(memcmp(x, first, sizeof x) == 0);
+    answer(FOLDER "seen.png", x);
+    CHECK(memcmp(x, first, sizeof x) == 0);
+    for (i = 0; i < S * S; ++i)
+        if (i % S >= 5) im.pixels[3 * i] = 0.3f; /* something else where nothing counts */
+    image_write(FOLDER "seen.ppm", &im);
+    answer(FOLDER "seen.ppm --weights " FOLDER "mask.pgm", x);
+    CHECK(memcmp(x, first, sizeof x) == 0);
+    answer(FOLDER "seen.ppm --weights " FOLDER "few.png", x); /* three values for 19 parameters */
+    CHECK(strstr(said, "hardly determines: 0, 1, 2") != NULL);
+    image_free(&im);
+    image_free(&rgba);
+    image_free(&grey);
+    image_free(&colour);
+    image_free(&few);
+}
+
+/* Names of a header line come back, in what is printed and in what is written. */
+static void test_names(void)
+{
+    char header[400] = "", row[400] = "", text[900], *written;
+    double x[N];
+    int i;
+    image im = picture(3, 1);
+    if (!have_tool()) SKIP("build/match is not there; make builds it");
+    for (i = 0; i < N; ++i) {
+        snprintf(header + strlen(header), sizeof header - strlen(header), "%sp%d", i ? "," : "", 3 * i);
+        snprintf(row + strlen(row), sizeof row - strlen(row), "%s0.5", i ? "," : "");
+    }
+    snprintf(text, sizeof text, "%s\n%s\n", header, row);
+    image_save(FOLDER "start.csv", text, strlen(text));
+    image_write(FOLDER "a.ppm", &im);
+    answer(FOLDER "a.ppm --start " FOLDER "start.csv", x);
+    CHECK(strstr(said, "x: p0 ") != NULL && strstr(said, ", p54 ") != NULL);
+    written = test_read_file(CSV, NULL);
+    CHECK(written != NULL && strncmp(written, header, strlen(header)) == 0 && written[strlen(header)] == '\n');
+    free(written);
+    CHECK(rename(CSV, FOLDER "written.csv") == 0);
+    answer(FOLDER "a.ppm --start " FOLDER "written.csv --cost 5", x); /* what it wrote, it reads */
+    image_free(&im);
+}
+
+static void test_mistakes(void)
+{
+    static const char *const list[][2] = {
+        {"", "usage"}, {FOLDER "a.ppm --quickly", "usage"}, {FOLDER "a.ppm --cost", "usage"}, {FOLDER "a.ppm b c", "usage"}, {FOLDER "a.ppm --cost 1e9999", "--cost"},
+        {FOLDER "a.ppm --cost nan", "--cost"}, {FOLDER "a.ppm --cost 0", "--cost"}, {FOLDER "a.ppm --cost 50x", "--cost"}, {FOLDER "a.ppm --seconds -1", "--seconds"}};
+    static const char *const files[][2] = {
+        {FOLDER "missing.png", "missing.png"}, {FOLDER "nan.pfm", "column 2, row 1 has a value that is negative or not finite"}, {FOLDER "negative.pfm", "column 0, row 0"},
+        {FOLDER "a.ppm --out-params build", "regular"}, {FOLDER "a.ppm --out-png " FOLDER "a.ppm/x.png", "cannot"}, {FOLDER "a.ppm --out-png " FOLDER "x.jpg", "should end"},
+        {FOLDER "a.ppm --weights " FOLDER "negative.pfm", "weight 0 is -1"}};
+    image im = picture(3, 1), bad = picture(3, 1);
+    char *text;
+    size_t k;
+    if (!have_tool()) SKIP("build/match is not there; make builds it");
+    image_write(FOLDER "a.ppm", &im);
+    bad.pixels[3 * (S + 2) + 1] = (float)NAN;
+    image_write(FOLDER "nan.pfm", &bad);
+    bad.pixels[0] = -1;
+    image_write(FOLDER "negative.pfm", &bad);
+    for (k = 0; k < sizeof list / sizeof list[0]; ++k) {
+        CHECK_INT(run(list[k][0]), 2);
+        if (strstr(said, list[k][1]) == NULL || strchr(said, '\n') != strrchr(said, '\n')) TEST_FAIL("match %s: %s", list[k][0], said);
+    }
+    for (k = 0; k < sizeof files / sizeof files[0]; ++k) {
+        CHECK_INT(run(files[k][0]), 1);
+        if (strstr(said, files[k][1]) == NULL) TEST_FAIL("match %s: %s", files[k][0], said);
+    }
+    CHECK_INT(run("--help"), 0);
+    CHECK(strncmp(said, "usage: match", 12) == 0);
+    /* a full disk: the old result stays, and the exit code says so (files of at most 0 blocks) */
+    image_save(FOLDER "old.csv", "old\n", 4);
+    CHECK(system("ulimit -f 0; trap '' XFSZ; build/match " NET " " FOLDER "a.ppm --out-params " FOLDER "old.csv >/dev/null 2>&1") != 0);
+    text = test_read_file(FOLDER "old.csv", NULL);
+    CHECK(text != NULL && strcmp(text, "old\n") == 0);
+    free(text);
+    CHECK(system("[ ! -e /dev/full ] || build/match " NET " " FOLDER "a.ppm >/dev/full 2>/dev/null") != 0); /* what is printed is a result too */
+    image_free(&im);
+    image_free(&bad);
+}
+
+static const test_case cases[] = {{"formats and sizes", test_formats}, {"masks", test_masks}, {"names", test_names}, {"mistakes", test_mistakes}};
+TEST_MAIN(cases)
