@@ -99,6 +99,7 @@ check_jobs() {
     [ ! -f tests/examples.sh ] || job examples "sh tests/examples.sh $out/examples"
     test_jobs "" "$CC" "-std=c99 $CFLAGS" "" ""
     job common "sh tests/common.sh check"
+    job macros "sh tests/dropin/macros.sh $out/macros $(echo $headers)"
     for h in $headers; do
         n=${h%.h}
         job "manual_$n" "sh tests/dropin/manual.sh $h $out/manual_$n"
