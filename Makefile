@@ -6,6 +6,9 @@
 #   make test       all tests
 #   make bench      speed against error: tables and plots in build/bench/, peers where they are installed
 #   make sanitize, check-style, thread, valgrind, fuzz, soak     other ways to run the tests
+#   make mutate    do the tests notice when a line changes? (HEADER, COUNT, SEED)
+#   make coverage  lines and branches that the tests of each header reach (gcov)
+#   make calls     stack, traps and flushed subnormals of every public call
 #   make test-cross other machines, each where its compiler and emulator are installed
 #   make sizes      what each header adds to a program, in kilobytes
 #   make dataset    path-traced pictures of random materials for training (FIRST, COUNT, SIZE, SAMPLES, TAKE, JOBS)
@@ -109,6 +112,12 @@ soak:
 	@$(RUN) soak
 test-cross:
 	@$(RUN) cross
+mutate:
+	@python3 tests/mutate.py $${HEADER:-ms_pme.h} --count $${COUNT:-20} --seed $${SEED:-1} --jobs $${JOBS:-2}
+coverage:
+	@sh tests/coverage.sh $${HEADER:-}
+calls:
+	@$(RUN) calls
 sizes:
 	@CC="$(CC)" sh tests/dropin/sizes.sh
 bench: all sizes
@@ -127,4 +136,4 @@ common:
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross sizes bench dataset hero train common clean
+.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench dataset hero train common clean

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Every public call of a header while the header's own tests run: sh tests/calls.sh OUT HEADER stack|traps|flush [-O2|-O0]
+# Every public call of a header while the header's own tests run: sh tests/calls.sh OUT HEADER MODES [-O2|-O0],
+# MODES being one or several of stack, traps and flush with commas between.
 #   stack   at most 32 KB of stack at -O2 and 64 KB at -O0; also lists the functions that no test calls. (A task that the
 #           caller's threads run takes no more than the call that hands it out, which runs them itself without threads.)
 #   traps   unmasked floating-point exceptions never trap; lists function and line of those that do
@@ -9,7 +10,7 @@
 set -u
 out=$1
 header=$2
-mode=$3
+modes=$(echo "$3" | tr , ' ')
 level=${4:--O2}
 mkdir -p "$out"
 case $level in -O0) limit=65536 ;; *) limit=32768 ;; esac
@@ -42,17 +43,20 @@ for t in tests/test_*.c; do
     gcc $flags $level -g1 -w -fPIC -fsemantic-interposition -S "$t" -o "$out/$n.raw.s" || exit 1
     sed -f "$out/rename.sed" "$out/$n.raw.s" >"$out/$n.s"
     gcc -no-pie "$out/$n.s" "$out/enter.o" "$out/calls.o" -o "$out/$n" -lm -lpthread -Wl,--unresolved-symbols=ignore-all || exit 1
-    if ! CALLS=$mode CALLS_REPORT="$out/report.$n" "$out/$n" ${FILTER:-} >"$out/$n.log" 2>&1; then
-        failed=$((failed + 1))
-        echo "FAIL $n with $mode:"
-        grep -v '^ok' "$out/$n.log" | tail -12
-    fi
-    grep '^TRAP' "$out/report.$n" | while read -r trap function address; do
-        echo "FAIL $function: $(addr2line -e "$out/$n" "$address" | sed 's/.*\///')"
-    done | sort -u | tee -a "$out/trapped.$n"
-    [ ! -s "$out/trapped.$n" ] || failed=$((failed + 1))
-    grep -v '^TRAP' "$out/report.$n" >>"$out/report"
-    rm -f "$out/report.$n" "$out/trapped.$n"
+    for mode in $modes; do
+        if ! CALLS=$mode CALLS_REPORT="$out/report.$n" "$out/$n" ${FILTER:-} >"$out/$n.log" 2>&1; then
+            failed=$((failed + 1))
+            echo "FAIL $n with $mode:"
+            grep -v '^ok' "$out/$n.log" | tail -12
+        fi
+        grep '^TRAP' "$out/report.$n" | while read -r trap function address; do
+            echo "FAIL $function traps: $(addr2line -e "$out/$n" "$address" | sed 's/.*\///; s/ (.*//')"
+        done | sort -u >"$out/trapped"
+        cat "$out/trapped"
+        failed=$((failed + $(wc -l <"$out/trapped")))
+        grep -v '^TRAP' "$out/report.$n" >>"$out/report"
+        rm -f "$out/report.$n"
+    done
 done
 [ -n "${FILTER:-}" ] || awk 'NR == FNR {seen[$1] = 1; next} !($1 in seen) {print "  no test calls " $1}' "$out/report" "$out/names"
 sort -k1,1 -k2,2nr "$out/report" | awk '!seen[$1]++' | sort -k2,2nr >"$out/sorted"

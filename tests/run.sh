@@ -5,6 +5,7 @@
 #   sh tests/run.sh style      warnings as errors: GCC and Clang, C99 and C++11, -O0 and -O3, 32-bit where there is one
 #   sh tests/run.sh sanitize   address and undefined-behaviour sanitizers
 #   sh tests/run.sh thread     thread sanitizer;   valgrind, fuzz, soak: as they say
+#   sh tests/run.sh calls      every public call: stack, traps, flushed subnormals, at -O2 and -O0
 #   sh tests/run.sh cross      other machines and C libraries, those whose compiler (and emulator) is installed
 # Called by make from the repository's root. CC, CXX, CFLAGS, JOBS (2), FILTER (part of a job's name), FUZZ_SECONDS (20).
 # Each job writes build/run/GROUP/NAME.log; the log of a failed one is shown. The seconds are those of the clock.
@@ -38,7 +39,7 @@ if [ "${1:-}" = --one ]; then
     exit 0
 fi
 
-group=${1:?usage: sh tests/run.sh check|test|style|sanitize|thread|valgrind|fuzz|soak|cross}
+group=${1:?usage: sh tests/run.sh check|test|style|sanitize|thread|valgrind|fuzz|soak|calls|cross}
 CC=${CC:-cc}
 CXX=${CXX:-c++}
 CFLAGS=${CFLAGS:--O2}
@@ -115,6 +116,7 @@ test_group() {
         n=${h%.h}
         job "dropin_$n" "sh tests/dropin/dropin.sh $out/dropin_$n $h"
         job "symbols_$n" "sh tests/dropin/symbols.sh $h $out/symbols_$n"
+        job "calls_$n" "sh tests/calls.sh $out/calls_$n $h stack,traps,flush"
     done
     job dropin_together "sh tests/dropin/dropin.sh $out/dropin_together $(echo $headers)"
     job page "sh tests/page.sh $out/page"
@@ -201,6 +203,11 @@ valgrind)
     fi ;;
 fuzz) fuzz_jobs ;;
 soak) job soak "$CC $posix $paths -std=c99 -O2 tests/test_memory.c -o $out/soak -lm -lpthread && $out/soak --full soak" ;;
+calls)
+    for h in $headers; do
+        job "calls_${h%.h}" "sh tests/calls.sh $out/calls_${h%.h} $h stack,traps,flush"
+        job "calls_${h%.h}_O0" "sh tests/calls.sh $out/calls_${h%.h}_O0 $h stack -O0"
+    done ;;
 cross) for machine in $(sh tests/cross.sh); do job "$machine" "sh tests/cross.sh $machine $out/$machine"; done ;;
 *) echo "unknown group '$group'" >&2; exit 2 ;;
 esac
