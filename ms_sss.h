@@ -5656,6 +5656,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         job.frame.width = width;
         job.frame.height = height;
         job.options = *options;
+        job.options.flat = 1;
+        job.options.exact = 1;
         ms_sss__set_kernel(&job, k, 0);
         picture.aspect[0] = job.pass.aspect[0];
         picture.aspect[1] = job.pass.aspect[1];
@@ -6202,8 +6204,10 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
         const MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
         MS_SSS__V sx, sy, k;
         if (normal) {
-            const MS_SSS__V a = MS_SSS__LOAD(normal[0] + x), b = MS_SSS__LOAD(normal[1] + x);
-            const MS_SSS__V facing = MS_SSS__SUB(MS_SSS__LOAD(normal[2] + x), MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b)));
+            const MS_SSS__V c = MS_SSS__LOAD(normal[2] + x), any = MS_SSS__ADD(MS_SSS__LOAD(normal[0] + x), MS_SSS__ADD(MS_SSS__LOAD(normal[1] + x), c));
+            const MS_SSS__MASK finite = MS_SSS__LESS(MS_SSS__ABS(any), infinity);
+            const MS_SSS__V a = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[0] + x), zero), b = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[1] + x), zero);
+            const MS_SSS__V facing = MS_SSS__SUB(c, MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b)));
             const MS_SSS__V most = MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)), eighth = MS_SSS__MUL(most, MS_SSS__SET(0.125f));
             k = MS_SSS__DIV(one, MS_SSS__SELECT(MS_SSS__LESS(eighth, facing), facing, eighth)); /* at most 8 */
             sx = MS_SSS__MUL(k, a);
