@@ -552,7 +552,6 @@ typedef struct ms_sss_filter_options {
     ms_parallel parallel;
     float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                                 1: not at all, as if every pixel faced the camera; between: slopes are that much less */
-    int exact;               /* depth weights, 0: (1 - (dz / (3.0746 sigma))^2)^4; 1: the Gaussian, for comparisons */
 } ms_sss_filter_options;
 
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
@@ -574,9 +573,8 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
      reaches another pixel. Nor does light cross between profiles.
    - Slope (see `flat`): taps are spaced on the surface's tangent plane, and depth counts against it, so that a plane is
      filtered alike at any tilt up to 83 degrees. Exact about the screen's axes; diagonal tilts shear the kernel.
-   - Elevation (see ELEVATION): sin(theta) = how far the tap lies below the pixel's tangent plane over the tap's distance, which
-     on a sphere is the same. No pass multiplies the mean by more than reflectance^(-1/2): reflectance times output is never above
-     the brightest input.
+   - Elevation (see ELEVATION): with sin(theta) = half the angle that the normals turn along the axis. The factor is at most
+     reflectance^(-1/2) a pass: reflectance times output is never above the brightest input.
      Slopes and normals are those of depth, one-sided differences where an edge or crease is on the other side; 0 where edges are
      on both. Half-precision depth is too coarse for that: give normals, or set flat to 1.
    - What of a kernel falls outside the picture or on such pixels is made up for by the rest: on planes, and everywhere with
@@ -648,42 +646,59 @@ typedef enum ms_sss_source {
     MS_SSS_ALPHA = 2    /* in alpha of the input, which saves reads */
 } ms_sss_source;
 
-/* One pass of the filter, as a fragment shader for a full-screen triangle or as a compute shader. The first pass writes
-   RGB and, in alpha, what the second needs of depth and profile (0: takes no part) to an RGBA target; the second writes
-   the result, alpha 1. All zero but tap_count: the first pass of a texture-space filter in GLSL 330.
+/* The steps of the filter. */
+typedef enum ms_sss_step {
+    MS_SSS_STEP_X = 0,      /* along x (or the turned axis) */
+    MS_SSS_STEP_Y = 1,      /* along y */
+    MS_SSS_STEP_PREPARE = 2 /* before both, where slopes count: makes one texture of what the taps of the next read */
+} ms_sss_step;
 
-   Textures, of float or half RGBA (but for depth, strength, profile: any with red), read by texel only. Vulkan and WGSL
-   bind them at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST for both filters of each, or no
-   mip levels and a format that may be filtered: with its defaults a float texture is incomplete and reads as black. The
-   others need no sampler.
+/* One step, as a fragment shader for a full-screen triangle or as a compute shader. All zero but tap_count: the first
+   pass of a texture-space filter in GLSL 330.
+   Where slopes count (depth, MS_SSS_DEPTH_AWARE, flat below 1) PREPARE comes first; without slopes it is optional and
+   worth it where depth, profile or strength have textures of their own. Then X, then Y:
+     PREPARE  reads the input as ms_sss_colour; writes RGB and, in alpha, depth and profile (0: takes no part) and, where
+              slopes count, a second target: slopes and tilts. Both RGBA of 32-bit floats.
+     X        reads PREPARE's first target (set prepared), else the input, as ms_sss_colour; writes the same kind of texel
+     Y        reads X's target as ms_sss_colour; writes the result, alpha 1
+   Textures are float or half RGBA (depth, strength, profile: any with red), read by texel only. Vulkan and WGSL bind them
+   at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST for both filters of each: with its
+   defaults a float texture is incomplete and reads as black. The other languages need no sampler.
      n  name             read by
-     0  ms_sss_colour    the input in the first pass, the first pass's target in the second
-     1  ms_sss_depth     first pass, depth MS_SSS_TEXTURE: as ms_sss_frame.depth
-     2  ms_sss_strength  with_strength: first pass at every tap, second pass once
-     3  ms_sss_input     second pass, once: the input
-     4  ms_sss_profile   profile MS_SSS_TEXTURE: index / 255, so that 8-bit UNORM holds ms_sss_frame.profile as it is
-     5  ms_sss_sum       compute, second pass of terms after the first: the sum of those before
-     7  ms_sss_target    compute: what is written, rgba32f or (half_target) rgba16f
+     0  ms_sss_colour    every step
+     1  ms_sss_depth     the first step, depth MS_SSS_TEXTURE: as ms_sss_frame.depth
+     2  ms_sss_strength  the first step and Y, with_strength: in red
+     3  ms_sss_input     Y: the input
+     4  ms_sss_profile   the first step, profile MS_SSS_TEXTURE: index / 255, so that 8-bit UNORM holds ms_sss_frame.profile
+     5  ms_sss_sum       compute, Y of terms after the first: the sum of those before
+     6  ms_sss_normal    PREPARE, with_normal: as ms_sss_frame.normal
+     7  ms_sss_shape     X and Y where slopes count: PREPARE's second target
+     8  ms_sss_target    compute: what is written, rgba32f or (half_target) rgba16f; GLSL 330: image unit 0, HLSL: u0
+     9  ms_sss_shape_target  compute, PREPARE: its second target, rgba32f; image unit 1, u1
 
    Light does not cross between profiles, nor to pixels that take no part (see ms_sss_filter): an index from profile_count
-   on is such a mask. Reads a pixel for n taps in both passes: 4 n - 1 with depth and profile in alpha or absent, so 27
-   for 7 taps; a texture of its own costs 2 n - 1 more for each of depth, profile and strength.
-   In alpha: depth as it is, or (without depth) index / 255. Both: a 32-bit float depth whose last four bits hold the
-   index, intBitsToFloat(floatBitsToInt(depth) & ~15 | index), for 16 profiles; depth 0 masks.
-   A target of binary16 between the passes rounds depth to 11 bits: keep that under a tenth of the depth sigma. With
-   profiles and depth in one alpha it would lose the index: half_target then reads ms_sss_profile in both passes. */
+   on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 1 in X and Y, 27 for 7 taps;
+   where slopes count PREPARE reads 5 (its neighbours' depths; 2 with_normal) and X and Y one more each. Without PREPARE,
+   depth, profile and strength in textures of their own cost 2 n - 1 each. Turned axes read twice as many.
+   In alpha of the input: depth as it is, or (without depth) index / 255. Both: a 32-bit float depth whose last four bits
+   hold the index, intBitsToFloat(floatBitsToInt(depth) & ~15 | index), for 16 profiles; depth 0 masks.
+   Targets of X in binary16 round depth to 11 bits: keep that under a tenth of the depth sigma. With profiles and depth in
+   one alpha it would lose the index: half_target then reads ms_sss_profile in Y too. Slopes need 32 bits, for the tilts
+   lie in the last 6 bits of each channel (1e-5 of the colour). */
 typedef struct ms_sss_shader {
-    int second;             /* 0: along x (or the turned axis), 1: along y */
     int tap_count;          /* of the kernels */
     int profile_count;      /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1 */
     int half_kernel;        /* 0: all taps are constants; 1: the centre and one of each pair */
+    ms_sss_step step;
     ms_sss_language language;
     ms_sss_source depth;    /* perspective needs it */
     ms_sss_source profile;  /* more than one kernel need it */
     int with_strength;
-    int half_target;        /* 1: the target of the first pass (and of compute) is binary16 */
+    int with_normal;        /* 0: normals from depth */
+    int prepared;           /* X: PREPARE has run (where slopes count it must) */
+    int half_target;        /* 1: X's target (and any of compute) is binary16 */
     int compute;            /* 0: fragment shader, 1: compute shader, its tile of the picture in shared memory */
-    int later;              /* compute: 1 for the second pass of terms after the first, adds ms_sss_sum */
+    int later;              /* compute: 1 for Y of terms after the first, adds ms_sss_sum */
 } ms_sss_shader;
 
 /* Pixels of a compute shader's work group: dispatch the picture's size over them, rounded up. 0: x, 1: y. */
@@ -696,16 +711,17 @@ MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filte
                                      size_t capacity, ms_error *error);
 
 /* The constants, for callers that fill them without this header; the same for both passes. All float, offsets in bytes:
-   one ms_sss_shader_picture at 0, then for profile i at 48 + i * (64 + 16 taps), taps being tap_count or with half_kernel
+   one ms_sss_shader_picture at 0, then for profile i at 48 + i * (80 + 16 taps), taps being tap_count or with half_kernel
    tap_count / 2 + 1, one ms_sss_shader_profile and its taps {red, green, blue, offset in mm} (ms_sss_kernel_upload).
 
      when                 what changes
      a pass is drawn      nothing: both passes of a term share the constants
      another term         first, and scale, total, mixed and taps of each profile
-     resize               width, height, pixels in proportion to height; both targets
-     camera, zoom         pixels; perspective: height / (2 tan(fov / 2) mm_per_unit), else height / (ortho_height mm_per_unit)
+     resize               width, height; pixels and focal in proportion to height; all targets
+     camera, zoom         pixels; perspective: height / (2 tan(fov / 2) mm_per_unit), else height / (ortho_height mm_per_unit); focal
      frame                rotation, where the kernel is made for it; nothing else
-     option, kernel       all: ms_sss_shader_constants; another language, source, depth mode or tap count: the text */
+     option, kernel       all: ms_sss_shader_constants; another language, source, depth mode, tap count,
+                          rotation or jitter to or from 0, flat to or from 1: the texts */
 typedef struct ms_sss_shader_picture {
     float width, height; /*  0,  4: pixels */
     float pixels;        /*  8: a mm; in perspective at depth 1 */
@@ -714,7 +730,8 @@ typedef struct ms_sss_shader_picture {
     float rotation;      /* 24: radians */
     float jitter;        /* 28 */
     float first;         /* 32: 1 for the first term, else 0 */
-    float unused[3];     /* 36 */
+    float focal[2];      /* 36: pixels along x and y times mm_per_unit */
+    float upright;       /* 44: 1 - flat */
 } ms_sss_shader_picture;
 
 typedef struct ms_sss_shader_profile {
@@ -724,11 +741,13 @@ typedef struct ms_sss_shader_profile {
     float depth_scale; /* 28: 1 / (sqrt(2 ln 2) sigma) or 1 / follow, times the mm of a scene unit */
     float delta[3];    /* 32: weight of the unblurred input */
     float cut;         /* 44: square of the scaled depth difference from which on a tap does not count, 120 at most */
-    float unused[3];   /* 48 */
+    float curve[3];    /* 48: elevation_axis / 8 */
     float mixed;       /* 60: 1 red, 2 green, 4 blue, added: what is missing goes to the pixel's own colour */
+    float most[3];     /* 64: bound of the fourth root of the elevation's factor */
+    float reach;       /* 76: square of the scaled radius, the step in depth that ends a surface */
 } ms_sss_shader_profile;
 
-/* Float4 constants that a shader reads: 3, and for each profile 4 and its taps. OpenGL ES 3.0 promises 224. */
+/* Float4 constants that a shader reads: 3, and for each profile 5 and its taps. OpenGL ES 3.0 promises 224. */
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 
 /* Their values for term `term` of kernels[profile_count]. Terms after the first are drawn with additive blending over the
@@ -3314,9 +3333,6 @@ enum {
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
 };
 
-/* (1 - (dz / (3.0746 sigma))^2)^4, which stands for exp(-dz^2 / (2 sigma^2)): within 0.013 of it everywhere. */
-#define MS_SSS__FALLOFF_END 3.0746
-
 /* Taps of one pass at whole-pixel offsets, for kernels of one size everywhere. */
 typedef struct ms_sss__fixed {
     int count, offset[MS_SSS__FIXED_MAX], lowest, highest;
@@ -3340,15 +3356,13 @@ typedef struct ms_sss__pass {
     int perspective, follow, second;
     float cut; /* dz^2 from which on nothing counts */
     const float (*direction)[2];
-    int exact; /* the Gaussian of dz^2; 0: (1 - dz^2)^4 */
-    /* With slopes: depths are taken against the tangent plane, and light from below it counts more. */
-    const float *slope[2]; /* planes as colour's */
+    /* With slopes: depths are taken against the tangent plane, and light that enters where the normal is tilted away counts more. */
+    const float *slope[2], *tilt[2]; /* planes as colour's; tilt: angle of the normal to the view axis, times its direction */
     float focal[2];     /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the farther pixel */
-    float reach;        /* dz^2 of the kernel's radius: between neighbours a step in depth beyond is an edge */
+    float reach;        /* dz^2 of the kernel's radius */
     float upright;      /* 1 - flat */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
-    float unit;         /* mm of dz 1 */
-    float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
+    float curve[3], most[3];  /* K / 8 and the bound of 1 + K sin(theta) / 4 */
 } ms_sss__pass;
 
 /* A row of a pyramid level, even and odd columns apart: colour, depth, share of the area that takes part. */
@@ -3381,7 +3395,7 @@ typedef struct ms_sss__kernels {
     void (*shaped_y)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
     void (*shaped_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
     void (*shape)(const ms_sss__pass *p, const float *const depth[3], const float *const normal[3], int y, int begin, int end,
-                  float *const slope[2]);
+                  float *const slope[2], float *const tilt[2]);
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
@@ -3639,7 +3653,7 @@ typedef struct ms_sss__job {
     float depth_scale, gain;
     int unwritten;        /* pixels that take no part still have to be copied to the output */
     int raw;              /* and their elements can be copied as they are */
-    float *middle[3], *source[3], *depth, *sum[3], *slope[2], *rows;
+    float *middle[3], *source[3], *depth, *sum[3], *slope[2], *tilt[2], *rows;
     float *fresh; /* a row of depths where all pixels take part */
     int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
     int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
@@ -3876,7 +3890,10 @@ static void ms_sss__first_pass(void *context, int task)
             else if (!job->shaped) job->simd->taps_x(&pass, y, first, last, out);
             else {
                 for (c = 0; c < 3; ++c) pass.colour[c] = job->source[c] + row;
-                for (c = 0; c < 2; ++c) pass.slope[c] = job->slope[c] + row;
+                for (c = 0; c < 2; ++c) {
+                    pass.slope[c] = job->slope[c] + row;
+                    pass.tilt[c] = job->tilt[c] + row;
+                }
                 pass.depth = job->depth + row;
                 job->simd->shaped_x(&pass, y, first, last, out);
             }
@@ -4053,7 +4070,7 @@ static void ms_sss__prepare_band(void *context, int task)
     }
 }
 
-/* Slopes of the prepared rows. */
+/* Slopes and tilts of the prepared rows. */
 static void ms_sss__shape_band(void *context, int task)
 {
     const ms_sss__job *job = (const ms_sss__job *)context;
@@ -4064,9 +4081,12 @@ static void ms_sss__shape_band(void *context, int task)
         const int first = job->first[y], last = job->last[y];
         const ptrdiff_t row = (ptrdiff_t)y * job->stride;
         const float *depth[3], *normal[3];
-        float *slope[2], *buffer[3];
+        float *slope[2], *tilt[2], *buffer[3];
         for (i = 0; i < 2; ++i) {
             slope[i] = job->slope[i] + row;
+            tilt[i] = job->tilt[i] + row;
+            ms_sss__clear(job, slope[i], 0.0f);
+            ms_sss__clear(job, tilt[i], 0.0f);
         }
         for (i = 0; i < 3; ++i) {
             depth[i] = job->depth + row + (i - 1) * job->stride;
@@ -4077,7 +4097,7 @@ static void ms_sss__shape_band(void *context, int task)
             ms_sss__load(&job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
             for (i = 0; i < 3; ++i) normal[i] -= first;
         }
-        job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
+        job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope, tilt);
     }
 }
 
@@ -4106,7 +4126,7 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     l.plane = ms__size_mul(l.stride, (size_t)height + 2); /* an empty row above and below */
     l.planes = 4;
     if (ms_sss__differ(options->rotation, 0) || options->jitter > 0 || ms_sss__may_shape(options)) l.planes += 3;
-    if (ms_sss__may_shape(options)) l.planes += 2;
+    if (ms_sss__may_shape(options)) l.planes += 4;
     if (terms > 1) l.planes += 3;
     floats = ms__size_mul(l.plane, (size_t)l.planes);
     floats = ms__size_add(floats, ms__size_mul(l.stride, (size_t)MS_SSS__TASKS * MS_SSS__ROWS + 1));
@@ -4225,7 +4245,6 @@ static ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error 
     if (ms_sss__differ(o->follow_mm, 0) && !ms_sss__positive(o->follow_mm))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "follow_mm %g is not positive", (double)o->follow_mm);
     if (!(o->fade >= 0 && o->fade <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fade %g is not within [0, 1]", (double)o->fade);
-    if (o->exact != 0 && o->exact != 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "exact is %d, not 0 or 1", o->exact);
     if (!(o->flat >= 0 && o->flat <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "flat %g is not within [0, 1]", (double)o->flat);
     if (!(o->jitter >= 0 && o->jitter <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "jitter %g is not within [0, 1]", (double)o->jitter);
     if (!ms__finite_f(o->rotation)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rotation is not finite");
@@ -4258,21 +4277,16 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     }
     p->perspective = o->fov_degrees > 0;
     p->follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
-    p->exact = o->exact;
     p->cut = 1.0f;
     if (p->follow) {
         kappa = mm / (o->follow_mm > 0 ? (double)o->follow_mm : radius);
-    } else if (o->depth_mode == MS_SSS_DEPTH_AWARE) {
+    } else if (o->depth_mode == MS_SSS_DEPTH_AWARE) { /* exp(-(mm dz)^2 / (2 sigma^2)) = 2^-(kappa dz)^2 */
         const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
         const double part = job->shaped ? 0.12 + 0.13 * (1 - (double)o->flat) : 0.12;
-        const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : part * extent;
-        double end = MS_SSS__FALLOFF_END * sigma, unit = 0.84932180028801904 / sigma; /* exp(-dz^2 / (2 sigma^2)) = 2^-(unit dz)^2 */
-        if (!job->shaped && (o->exact || radius < end)) end = radius;
-        if (!o->exact) unit = 1 / end;
+        const double unit = 0.84932180028801904 / (o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : part * extent);
         kappa = mm * unit;
-        p->cut = (float)(end * unit * end * unit < 120 ? end * unit * end * unit : 120);
         p->reach = (float)(radius * unit * radius * unit);
-        p->unit = (float)(1 / unit);
+        p->cut = p->reach < 120 && !job->shaped ? p->reach : 120;
     }
     job->depth_scale = (float)kappa;
     widest = (double)(p->aspect[0] > p->aspect[1] ? p->aspect[0] : p->aspect[1]);
@@ -4285,11 +4299,10 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     p->tangent = p->perspective ? 1 / p->focal[0] : 0;
     p->middle[0] = 0.5f * (float)width;
     p->middle[1] = 0.5f * (float)height;
-    p->least = -1;
-    for (c = 0; c < 3; ++c) {
-        p->curve[c] = k->elevation_axis[c] / 4;
-        p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
-        if (p->curve[c] * p->least < -1) p->least = -1 / p->curve[c]; /* where 1 + K sin(theta) / 4 is 0 */
+    for (c = 0; c < 3; ++c) { /* 1 + K sin(theta) / 4 to the fourth, at most 1 / reflectance after both passes */
+        p->curve[c] = k->elevation_axis[c] / 8;
+        p->most[c] = k->reflectance[c] > 0 ? (float)pow((double)k->reflectance[c], -0.125) : 1e8f;
+        if (p->most[c] < 1) p->most[c] = 1;
     }
     if (p->perspective) size *= kappa;
     else if (size > (double)p->size_max) size = (double)p->size_max;
@@ -4466,6 +4479,7 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         else if (i < 7 && i < layout.planes) job->source[i - 4] = plane;
         if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
         if (ms_sss__may_shape(options) && i >= 7 && i < 9) job->slope[i - 7] = plane;
+        if (ms_sss__may_shape(options) && i >= 9 && i < 11) job->tilt[i - 9] = plane;
         ms_sss__clear(job, plane - layout.stride, i == 3 ? INFINITY : 0.0f);
         ms_sss__clear(job, plane + layout.stride * (size_t)h, i == 3 ? INFINITY : 0.0f);
         at += layout.plane;
@@ -4487,7 +4501,10 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         job->direction[i][0] = (float)cos(angle);
         job->direction[i][1] = (float)sin(angle);
     }
-    for (c = 0; c < 2; ++c) job->pass.slope[c] = job->slope[c];
+    for (c = 0; c < 2; ++c) {
+        job->pass.slope[c] = job->slope[c];
+        job->pass.tilt[c] = job->tilt[c];
+    }
     job->pass.stride = job->stride;
     job->pass.width = w;
     job->pass.height = h;
@@ -4975,8 +4992,9 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
    and lines of #if NAME, #if !NAME, #else and #endif choose by ms_sss__feature. The comments of FILTER KERNELS hold for
    these lines too. */
 static const char *const ms_sss__shader_body[] = {
-    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter; 2 first\n",
-    "// at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut; 3 unused, mixed; 4 taps: weight, offset\n",
+    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n",
+    "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n",
+    "// 3 curve, mixed; 4 most, reach; from 5 on taps: weight, offset\n",
     "\n",
     "// By bits: compilers may take it that no number is NaN.\n",
     "bool finite(float x)\n",
@@ -4991,20 +5009,19 @@ static const char *const ms_sss__shader_body[] = {
     "}\n",
     "\n",
     "#endif\n",
-    "#if BOTH_DEPTH_AND_PROFILE\n",
+    "#if BOTH\n",
     "float profile_of(float code)\n",
     "{\n",
     "    return float(bits_of(code) & 15u);\n",
     "}\n",
     "\n",
-    "#else\n",
-    "#if PROFILE\n",
+    "#endif\n",
+    "#if PROFILE_ALONE\n",
     "float profile_of(float code)\n",
     "{\n",
     "    return code - 1.0;\n",
     "}\n",
     "\n",
-    "#endif\n",
     "#endif\n",
     "#if READS_PROFILE\n",
     "// Index of the pixel's kernel; PROFILES where it has none.\n",
@@ -5020,14 +5037,7 @@ static const char *const ms_sss__shader_body[] = {
     "{\n",
     "    float4 c = fetch_colour(p);\n",
     "    float4 none = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "#if SECOND\n",
-    "#if CODED\n",
-    "    if (c.a > 0.0) {\n",
-    "        c = float4(c.rgb, code_of(c.a, profile_at(fetch_profile(p).r)));\n",
-    "    }\n",
-    "#endif\n",
-    "    return pick(none, c, c.a > 0.0);\n",
-    "#else\n",
+    "#if RAW\n",
     "    float code = 1.0;\n",
     "    bool part = finite(c.r) && finite(c.g) && finite(c.b);\n",
     "#if DEPTH_TEXTURE\n",
@@ -5058,6 +5068,13 @@ static const char *const ms_sss__shader_body[] = {
     "    part = part && profile_of(code) < float(PROFILES);\n",
     "#endif\n",
     "    return pick(none, float4(c.rgb, code), part);\n",
+    "#else\n",
+    "#if CODED\n",
+    "    if (c.a > 0.0) {\n",
+    "        c = float4(c.rgb, code_of(c.a, profile_at(fetch_profile(p).r)));\n",
+    "    }\n",
+    "#endif\n",
+    "    return pick(none, c, c.a > 0.0);\n",
     "#endif\n",
     "}\n",
     "\n",
@@ -5069,7 +5086,7 @@ static const char *const ms_sss__shader_body[] = {
     "float4 texel(int2 p)\n",
     "{\n",
     "    float4 c = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "#if COMPUTE\n",
+    "#if TILED\n",
     "    int2 t = p - ms_sss_corner;\n",
     "    if (t.x >= 0 && t.y >= 0 && t.x < TILE_X && t.y < TILE_Y) {\n",
     "        return ms_sss_tile[t.y * TILE_X + t.x];\n",
@@ -5081,59 +5098,194 @@ static const char *const ms_sss__shader_body[] = {
     "    return c;\n",
     "}\n",
     "\n",
-    "// Adds share f (colour, 1) of the pixel p, where f is what its depth leaves of it.\n",
-    "float4 add_pixel(float4 sum, int2 p, float share, float own, float2 nearness)\n",
+    "// Both take part and have one profile.\n",
+    "bool same(float there, float own)\n",
     "{\n",
-    "    if (!(share > 0.0)) {\n",
-    "        return sum;\n",
-    "    }\n",
-    "    float4 c = texel(p);\n",
-    "    float dz = (c.a - own) * nearness.x;\n",
-    "    float q = dz * dz;\n",
-    "#if BOTH_DEPTH_AND_PROFILE\n",
-    "    if (((bits_of(c.a) ^ bits_of(own)) & 15u) != 0u) {\n",
-    "        return sum;\n",
-    "    }\n",
+    "#if BOTH\n",
+    "    return there > 0.0 && ((bits_of(there) ^ bits_of(own)) & 15u) == 0u;\n",
     "#else\n",
     "#if PROFILE\n",
-    "    if (abs(c.a - own) > 0.5) {\n",
-    "        return sum;\n",
-    "    }\n",
-    "#endif\n",
-    "#endif\n",
-    "    if (!(c.a > 0.0)) {\n",
-    "        return sum;\n",
-    "    }\n",
-    "    float f = share;\n",
-    "#if DEPTH\n",
-    "    if (!(q < nearness.y)) {\n",
-    "        return sum;\n",
-    "    }\n",
-    "#if FOLLOW\n",
-    "    f = share * (1.0 - abs(dz));\n",
+    "    return there > 0.0 && abs(there - own) < 0.5;\n",
     "#else\n",
-    "    f = share * exp2(-q);\n",
+    "    return there > 0.0;\n",
     "#endif\n",
     "#endif\n",
-    "    return sum + float4(c.rgb * f, f);\n",
     "}\n",
     "\n",
-    "// Adds the pixels beside position p + offset.\n",
-    "float4 add_tap(float4 before, int2 p, float2 offset, float own, float2 nearness)\n",
+    "#if PACKED\n",
+    "// The last 6 bits of each channel hold the tilt along the axis of the pass that reads them; of black they would be lost.\n",
+    "float with_bits(float x, uint low)\n",
+    "{\n",
+    "    float y = pick(x, 1e-30, abs(x) < 1e-30);\n",
+    "    return float_of((bits_of(y) & 0xffffffc0u) | (low & 63u));\n",
+    "}\n",
+    "\n",
+    "float3 with_tilt(float3 c, float tilt)\n",
+    "{\n",
+    "    uint low = uint(clamp(floor(tilt * 81920.0 + 0.5), -131071.0, 131071.0) + 131072.0);\n",
+    "    return float3(with_bits(c.r, low >> 12u), with_bits(c.g, low >> 6u), with_bits(c.b, low));\n",
+    "}\n",
+    "\n",
+    "float tilt_of(float3 c)\n",
+    "{\n",
+    "    uint low = ((bits_of(c.r) & 63u) << 12u) | ((bits_of(c.g) & 63u) << 6u) | (bits_of(c.b) & 63u);\n",
+    "    return (float(low) - 131072.0) / 81920.0;\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "#if SHAPE\n",
+    "float2 ray_of(int2 p)\n",
+    "{\n",
+    "    float2 ray = float2(0.0, 0.0);\n",
+    "#if PERSPECTIVE\n",
+    "    ray = (float2(float(p.x) + 0.5, float(p.y) + 0.5) - 0.5 * constant[0].xy) / constant[2].y;\n",
+    "#endif\n",
+    "    return ray;\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "#if PREPARE\n",
+    "#if SHAPE\n",
+    "#if !WITH_NORMAL\n",
+    "// The slope from the depths before and after: their mean where the surface turns little, else the smaller one.\n",
+    "float slope_of(float before, float own, float after, float focal, float2 limit)\n",
+    "{\n",
+    "    float a = 0.0;\n",
+    "    float b = 0.0;\n",
+    "    float da = own - before;\n",
+    "    float db = after - own;\n",
+    "    bool on_a = same(before, own) && da * da * limit.x * limit.x < limit.y;\n",
+    "    bool on_b = same(after, own) && db * db * limit.x * limit.x < limit.y;\n",
+    "#if PERSPECTIVE\n",
+    "    da = da / before;\n",
+    "    db = db / after;\n",
+    "#endif\n",
+    "    if (on_b) {\n",
+    "        b = focal * db;\n",
+    "    }\n",
+    "    a = pick(b, focal * da, on_a);\n",
+    "    b = pick(a, b, on_b);\n",
+    "    float mean = 0.5 * (a + b);\n",
+    "    float less = mean;\n",
+    "    if (abs(a) < abs(b)) {\n",
+    "        less = a;\n",
+    "    }\n",
+    "    if (abs(b) < abs(a)) {\n",
+    "        less = b;\n",
+    "    }\n",
+    "    return clamp(pick(less, mean, abs(a - b) < 0.5 * (a * b + 1.0)), -8.0, 8.0);\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "// Slopes along x and y, and the normal's angle to the view axis times its direction.\n",
+    "float4 shape_of(int2 p, float own)\n",
+    "{\n",
+    "    float4 flat_shape = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "    if (!(own > 0.0)) {\n",
+    "        return flat_shape;\n",
+    "    }\n",
+    "    int at = 3;\n",
+    "#if PROFILE\n",
+    "    at = 3 + STRIDE * int(profile_of(own));\n",
+    "#endif\n",
+    "    float2 ray = ray_of(p);\n",
+    "    float2 slope = float2(0.0, 0.0);\n",
+    "#if WITH_NORMAL\n",
+    "    float3 normal = fetch_normal(p).rgb;\n",
+    "    float eighth = max(abs(normal.x), abs(normal.y)) * 0.125;\n",
+    "    float facing = max(normal.z - (ray.x * normal.x + ray.y * normal.y), eighth);\n",
+    "    if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) {\n",
+    "        slope = normal.xy / facing;\n",
+    "    }\n",
+    "#else\n",
+    "    float2 limit = float2(constant[at + 1].w, constant[at + 4].w);\n",
+    "    slope = float2(slope_of(texel(p - int2(1, 0)).a, own, texel(p + int2(1, 0)).a, constant[2].y, limit),\n",
+    "                   slope_of(texel(p - int2(0, 1)).a, own, texel(p + int2(0, 1)).a, constant[2].z, limit));\n",
+    "#endif\n",
+    "    slope = slope * constant[2].w;\n",
+    "    float2 s = slope / max(1.0 + dot(ray, slope), 0.125);\n",
+    "    float m = dot(s, s);\n",
+    "    float root = 1.0 / (1.0 + sqrt(1.0 + m));\n",
+    "    m = m * root * root;\n",
+    "    float angle = 2.0 * root * ((((0.0208351 * m - 0.0851330) * m + 0.1801410) * m - 0.3302995) * m + 0.9998660);\n",
+    "    return float4(slope, s * angle);\n",
+    "}\n",
+    "\n",
+    "float4 with_shape(float4 own, float tilt)\n",
+    "{\n",
+    "#if PACKED\n",
+    "    return float4(with_tilt(own.rgb, tilt), own.a);\n",
+    "#else\n",
+    "    return own;\n",
+    "#endif\n",
+    "}\n",
+    "\n",
+    "#else\n",
+    "float4 filter_pixel(int2 p)\n",
+    "{\n",
+    "    return source(p);\n",
+    "}\n",
+    "#endif\n",
+    "#else\n",
+    "// Colour and share of the pixels beside position p + offset, a tap on that side of the pixel.\n",
+    "float4 add_tap(int2 p, float2 offset, float side, float4 own, float2 plane, float2 along, int at)\n",
     "{\n",
     "    float2 whole = floor(offset);\n",
     "    float2 part = offset - whole;\n",
-    "    int2 at = p + int2(int(whole.x), int(whole.y));\n",
-    "    float4 sum = before;\n",
+    "    float4 sum = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "#if SHAPE\n",
+    "    float turn = 0.0;\n",
+    "    float shares = 1e-30;\n",
+    "#endif\n",
+    "    for (int i = 0; i < CORNERS; i++) {\n",
     "#if TURNED\n",
-    "    sum = add_pixel(sum, at, (1.0 - part.x) * (1.0 - part.y), own, nearness);\n",
-    "    sum = add_pixel(sum, at + int2(1, 0), part.x * (1.0 - part.y), own, nearness);\n",
-    "    sum = add_pixel(sum, at + int2(0, 1), (1.0 - part.x) * part.y, own, nearness);\n",
-    "    sum = add_pixel(sum, at + int2(1, 1), part.x * part.y, own, nearness);\n",
+    "        int2 corner = int2(i % 2, i / 2);\n",
+    "        float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n",
     "#else\n",
-    "    float t = part.x + part.y;\n", /* one of them is 0 */
-    "    sum = add_pixel(sum, at, 1.0 - t, own, nearness);\n",
-    "    sum = add_pixel(sum, at + int2(1 - SECOND, SECOND), t, own, nearness);\n",
+    "        int2 corner = int2(i - i * SECOND, i * SECOND);\n",
+    "        float share = abs(1.0 - float(i) - part.x - part.y);\n",
+    "#endif\n",
+    "        if (!(share > 0.0)) {\n",
+    "            continue;\n",
+    "        }\n",
+    "        int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n",
+    "        float4 c = texel(p + beside);\n",
+    "        if (!same(c.a, own.a)) {\n",
+    "            continue;\n",
+    "        }\n",
+    "        float f = share;\n",
+    "#if DEPTH\n",
+    "        float dz = (c.a - own.a) * constant[at + 1].w;\n",
+    "#if SHAPE\n",
+    "        if (!(dz * dz < constant[at + 4].w)) {\n",
+    "            continue;\n",
+    "        }\n",
+    "        dz = (c.a - (own.a + dot(plane, float2(float(beside.x), float(beside.y))))) * constant[at + 1].w;\n",
+    "#endif\n",
+    "        if (!(dz * dz < constant[at + 2].w)) {\n",
+    "            continue;\n",
+    "        }\n",
+    "#if PACKED\n",
+    "        turn = turn + share * (tilt_of(c.rgb) - tilt_of(own.rgb));\n",
+    "        shares = shares + share;\n",
+    "#endif\n",
+    "#if FETCHES_TILT\n",
+    "        turn = turn + share * dot(along, fetch_shape(p + beside).zw - fetch_shape(p).zw);\n",
+    "        shares = shares + share;\n",
+    "#endif\n",
+    "#if FOLLOW\n",
+    "        f = share * (1.0 - abs(dz));\n",
+    "#else\n",
+    "        f = share * exp2(-dz * dz);\n",
+    "#endif\n",
+    "#endif\n",
+    "        sum = sum + float4(c.rgb * f, f);\n",
+    "    }\n",
+    "#if SHAPE\n",
+    "    turn = side * turn / shares;\n",
+    "    float3 lift = clamp(float3(1.0, 1.0, 1.0) + constant[at + 3].rgb * turn, float3(0.0, 0.0, 0.0), constant[at + 4].rgb);\n",
+    "    lift = lift * lift;\n",
+    "    sum = float4(sum.rgb * lift * lift, sum.a);\n",
     "#endif\n",
     "    return sum;\n",
     "}\n",
@@ -5153,16 +5305,14 @@ static const char *const ms_sss__shader_body[] = {
     "{\n",
     "    float4 own = texel(p);\n",
     "    float4 black = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "    bool part = own.a > 0.0;\n",
     "#if SECOND\n",
-    "    float first = constant[2].x;\n",
     "    float3 plain = fetch_input(p).rgb;\n",
-    "    float3 unblurred = pick(black.rgb, plain, first > 0.5);\n",
-    "    if (!part) {\n",
+    "    float3 unblurred = pick(black.rgb, plain, constant[2].x > 0.5);\n",
+    "    if (!(own.a > 0.0)) {\n",
     "        return float4(unblurred, 1.0);\n",
     "    }\n",
     "#else\n",
-    "    if (!part) {\n",
+    "    if (!(own.a > 0.0)) {\n",
     "        return black;\n",
     "    }\n",
     "#endif\n",
@@ -5171,7 +5321,6 @@ static const char *const ms_sss__shader_body[] = {
     "    at = 3 + STRIDE * int(profile_of(own.a));\n",
     "#endif\n",
     "    float4 total = constant[at];\n",
-    "    float2 nearness = float2(constant[at + 1].w, constant[at + 2].w);\n",
     "    float2 aspect = constant[1].xy;\n",
     "    float pixels = constant[0].z;\n",
     "#if PERSPECTIVE\n",
@@ -5185,16 +5334,29 @@ static const char *const ms_sss__shader_body[] = {
     "    float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n",
     "    axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n",
     "#endif\n",
+    "    float2 plane = float2(0.0, 0.0);\n",
+    "    float2 along = axis;\n",
+    "#if SHAPE\n",
+    "    float4 shape = fetch_shape(p);\n",
+    "    float2 ray = ray_of(p);\n",
+    "    float slope = dot(axis, shape.xy);\n",
+    "    pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n",
+    "    plane = shape.xy / constant[2].yz;\n",
+    "#if PERSPECTIVE\n",
+    "    plane = plane * own.a;\n",
+    "#endif\n",
+    "#endif\n",
     "    axis = axis * aspect * pixels;\n",
-    "    float4 tap = constant[at + 4];\n",
+    "    float4 tap = constant[at + 5];\n",
     "    float3 result = own.rgb * tap.rgb;\n",
     "    float3 weight = tap.rgb;\n",
     "    if (large) {\n",
     "        for (int k = 1; k < TAPS; k++) {\n",
-    "            tap = constant[at + 4 + k];\n",
-    "            float4 sum = add_tap(black, p, axis * tap.w, own.a, nearness);\n",
+    "            tap = constant[at + 5 + k];\n",
+    "            float side = pick(1.0, -1.0, tap.w < 0.0);\n",
+    "            float4 sum = add_tap(p, axis * tap.w, side, own, plane, along, at);\n",
     "#if HALF_KERNEL\n",
-    "            sum = add_tap(sum, p, axis * -tap.w, own.a, nearness);\n",
+    "            sum = sum + add_tap(p, axis * -tap.w, -side, own, plane, along, at);\n",
     "#endif\n",
     "            result = result + tap.rgb * sum.rgb;\n",
     "            weight = weight + tap.rgb * sum.a;\n",
@@ -5215,15 +5377,20 @@ static const char *const ms_sss__shader_body[] = {
     "    result = pick(unblurred, strength * result + (1.0 - strength) * unblurred, large);\n",
     "    return float4(result, 1.0);\n",
     "#else\n",
+    "#if PACKED\n",
+    "    result = with_tilt(result, shape.w);\n",
+    "#endif\n",
     "    return float4(result, own.a);\n",
     "#endif\n",
     "}\n",
+    "#endif\n",
     "#if COMPUTE\n",
     "\n",
     "void filter_group(int2 group, int index)\n",
     "{\n",
     "    int2 first = int2(group.x * GROUP_X, group.y * GROUP_Y);\n",
     "    int2 p = first + int2(index % GROUP_X, index / GROUP_X);\n",
+    "#if TILED\n",
     "    ms_sss_corner = first - int2(APRON_X, APRON_Y);\n",
     "    for (int i = index; i < TILE_X * TILE_Y; i += GROUP_X * GROUP_Y) {\n",
     "        int2 q = ms_sss_corner + int2(i % TILE_X, i / TILE_X);\n",
@@ -5234,12 +5401,20 @@ static const char *const ms_sss__shader_body[] = {
     "        ms_sss_tile[i] = c;\n",
     "    }\n",
     "    tile_ready();\n",
+    "#endif\n",
     "    if (inside(p)) {\n",
+    "#if TWO_TARGETS\n",
+    "        float4 own = source(p);\n",
+    "        float4 shape = shape_of(p, own.a);\n",
+    "        store_shape(p, shape);\n",
+    "        store(p, with_shape(own, shape.z));\n",
+    "#else\n",
     "#if LATER\n",
     "        float4 before = fetch_sum(p);\n",
     "        store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n",
     "#else\n",
     "        store(p, filter_pixel(p));\n",
+    "#endif\n",
     "#endif\n",
     "    }\n",
     "}\n",
@@ -5247,9 +5422,10 @@ static const char *const ms_sss__shader_body[] = {
 
 /* What lines are chosen by, and what stands as a number in them. */
 #define MS_SSS__FEATURE_LIST(X)                                                                                        \
-    X(SECOND) X(TAPS) X(STRIDE) X(PROFILES) X(HALF_KERNEL) X(WITH_STRENGTH) X(DEPTH) X(DEPTH_TEXTURE) X(DEPTH_ALPHA)   \
-    X(PROFILE) X(PROFILE_TEXTURE) X(READS_PROFILE) X(CODED) X(BOTH_DEPTH_AND_PROFILE) X(BOTH_ALPHA) X(PERSPECTIVE)     \
-    X(FOLLOW) X(TURNED) X(COMPUTE) X(LATER) X(GROUP_X) X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y)
+    X(PREPARE) X(SECOND) X(RAW) X(TAPS) X(STRIDE) X(PROFILES) X(CORNERS) X(HALF_KERNEL) X(WITH_STRENGTH) X(WITH_NORMAL)  \
+    X(DEPTH) X(DEPTH_TEXTURE) X(DEPTH_ALPHA) X(PROFILE) X(PROFILE_TEXTURE) X(PROFILE_ALONE) X(READS_PROFILE) X(CODED)    \
+    X(BOTH) X(BOTH_ALPHA) X(PERSPECTIVE) X(FOLLOW) X(TURNED) X(SHAPE) X(PACKED) X(FETCHES_TILT) X(COMPUTE) X(TILED)      \
+    X(TWO_TARGETS) X(LATER) X(GROUP_X) X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y)
 
 enum {
 #define MS_SSS__FEATURE_ENUM(name) MS_SSS__HAS_##name,
@@ -5417,60 +5593,86 @@ static void ms_sss__say_body(ms_sss__text *text, const char *const *line, size_t
     }
 }
 
-static int ms_sss__shader_stride(const ms_sss_shader *s) { return 4 + (s->half_kernel ? s->tap_count / 2 + 1 : s->tap_count); }
+enum { MS_SSS__PICTURE_HEAD = 3, MS_SSS__PROFILE_HEAD = 5 }; /* float4 of the structs */
+
+static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + (s->half_kernel ? s->tap_count / 2 + 1 : s->tap_count); }
 
 static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
 
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
-    return 3 + ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
+    return MS_SSS__PICTURE_HEAD + ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
 }
 
 MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis)
 {
-    return shader->second ? (axis ? 32 : 8) : (axis ? 4 : 64); /* along the pass, and rows of at least 128 bytes */
+    return shader->step == MS_SSS_STEP_Y ? (axis ? 32 : 8) : (axis ? 4 : 64); /* along the pass, and rows of at least 128 bytes */
 }
 
 /* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register, $f a format, $x and $y the
    work group, $z texels of the tile. */
 typedef struct ms_sss__dialect {
     int column; /* of ms_sss__word */
-    const char *version, *constants, *texture, *tile, *fragment;
+    const char *version, *constants, *texture;
+    const char *tile, *tile_shape;         /* compute; and a second target */
+    const char *fragment, *fragment_shape; /* the same */
 } ms_sss__dialect;
 
 #define MS_SSS__PICK "#define pick(b, a, c) ((c) ? (a) : (b))\n"
 #define MS_SSS__GLSL_TEXTURE "uniform sampler2D ms_sss_$s;\nvec4 fetch_$s(ivec2 p) { return texelFetch(ms_sss_$s, p, 0); }\n"
 #define MS_SSS__GLSL_TILE                                                                                              \
     ") writeonly uniform image2D ms_sss_target;\nlayout(local_size_x = $x, local_size_y = $y) in;\n"                   \
-    "shared vec4 ms_sss_tile[$z];\nivec2 ms_sss_corner = ivec2(0, 0);\nvoid filter_group(ivec2 group, int index);\n"                 \
+    "shared vec4 ms_sss_tile[$z];\nivec2 ms_sss_corner = ivec2(0, 0);\nvoid filter_group(ivec2 group, int index);\n"   \
     "void store(ivec2 p, vec4 c) { imageStore(ms_sss_target, p, c); }\n"                                               \
     "void main() { filter_group(ivec2(gl_WorkGroupID.xy), int(gl_LocalInvocationIndex)); }\n"
+#define MS_SSS__GLSL_TILE_SHAPE                                                                                        \
+    ") writeonly uniform image2D ms_sss_shape_target;\nvoid store_shape(ivec2 p, vec4 c) { imageStore(ms_sss_shape_target, p, c); }\n"
 #define MS_SSS__GLSL_MAIN "ms_sss_out;\nvec4 filter_pixel(ivec2 p);\nvoid main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }\n"
+#define MS_SSS__GLSL_SHAPE                                                                                             \
+    "layout(location = 0) out vec4 ms_sss_out;\nlayout(location = 1) out vec4 ms_sss_out_shape;\nvec4 source(ivec2 p);\n" \
+    "vec4 shape_of(ivec2 p, float own);\nvec4 with_shape(vec4 own, float tilt);\nvoid main() {\n"                       \
+    "    ivec2 p = ivec2(gl_FragCoord.xy);\n    vec4 own = source(p);\n    vec4 shape = shape_of(p, own.a);\n"           \
+    "    ms_sss_out = with_shape(own, shape.z);\n    ms_sss_out_shape = shape;\n}\n"
 
 static const ms_sss__dialect ms_sss__dialects[5] = {
-    {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "layout($f" MS_SSS__GLSL_TILE,
-     "out vec4 " MS_SSS__GLSL_MAIN},
+    {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "layout($f, binding = 0" MS_SSS__GLSL_TILE,
+     "layout($f, binding = 1" MS_SSS__GLSL_TILE_SHAPE, "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_SHAPE},
     {1, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" MS_SSS__PICK,
-     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "", "out vec4 " MS_SSS__GLSL_MAIN},
+     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "", "", "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_SHAPE},
     {1, "#version 450\n" MS_SSS__PICK, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[$n]; };\n",
-     "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(set = 0, binding = 8, $f" MS_SSS__GLSL_TILE,
-     "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN},
+     "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(set = 0, binding = 9, $f" MS_SSS__GLSL_TILE,
+     "layout(set = 0, binding = 10, $f" MS_SSS__GLSL_TILE_SHAPE, "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_SHAPE},
     {2, MS_SSS__PICK, "cbuffer ms_sss_block : register(b0) { float4 ms_sss[$n]; };\n",
      "Texture2D<float4> ms_sss_$s : register(t$t);\nfloat4 fetch_$s(int2 p) { return ms_sss_$s.Load(int3(p, 0)); }\n",
      "RWTexture2D<float4> ms_sss_target : register(u0);\ngroupshared float4 ms_sss_tile[$z];\nstatic int2 ms_sss_corner;\n"
      "void filter_group(int2 group, int index);\nvoid store(int2 p, float4 c) { ms_sss_target[p] = c; }\n[numthreads($x, $y, 1)]\n"
      "void main(uint3 group : SV_GroupID, uint index : SV_GroupIndex) { filter_group(int2(group.xy), int(index)); }\n",
-     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target { return filter_pixel(int2(position.xy)); }\n"},
+     "RWTexture2D<float4> ms_sss_shape_target : register(u1);\nvoid store_shape(int2 p, float4 c) { ms_sss_shape_target[p] = c; }\n",
+     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target { return filter_pixel(int2(position.xy)); }\n",
+     "float4 source(int2 p);\nfloat4 shape_of(int2 p, float own);\nfloat4 with_shape(float4 own, float tilt);\n"
+     "void main(float4 position : SV_Position, out float4 result : SV_Target0, out float4 shape : SV_Target1) {\n"
+     "    int2 p = int2(position.xy);\n    float4 own = source(p);\n    shape = shape_of(p, own.a);\n    result = with_shape(own, shape.z);\n}\n"},
     {3, "", "struct ms_sss_block { v: array<vec4<f32>, $n> };\n@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n",
      "@group(0) @binding($b) var ms_sss_$s: texture_2d<f32>;\n"
      "fn fetch_$s(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$s, p, 0); }\n",
-     "@group(0) @binding(8) var ms_sss_target: texture_storage_2d<$floatformat, write>;\n"
+     "@group(0) @binding(9) var ms_sss_target: texture_storage_2d<$f, write>;\n"
      "var<workgroup> ms_sss_tile: array<vec4<f32>, $z>;\nvar<private> ms_sss_corner: vec2<i32>;\n"
      "fn store(p: vec2<i32>, c: vec4<f32>) { textureStore(ms_sss_target, p, c); }\n@compute @workgroup_size($x, $y)\n"
      "fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) index: u32) {\n"
      "    filter_group(vec2<i32>(group.xy), i32(index));\n}\n",
+     "@group(0) @binding(10) var ms_sss_shape_target: texture_storage_2d<$f, write>;\n"
+     "fn store_shape(p: vec2<i32>, c: vec4<f32>) { textureStore(ms_sss_shape_target, p, c); }\n",
      "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {\n"
-     "    return filter_pixel(vec2<i32>(position.xy));\n}\n"}};
+     "    return filter_pixel(vec2<i32>(position.xy));\n}\n",
+     "struct ms_sss_result { @location(0) colour: vec4<f32>, @location(1) shape: vec4<f32> };\n"
+     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> ms_sss_result {\n    let p = vec2<i32>(position.xy);\n"
+     "    let own = source(p);\n    let shape = shape_of(p, own.a);\n    return ms_sss_result(with_shape(own, shape.z), shape);\n}\n"}};
+
+#undef MS_SSS__GLSL_SHAPE
+#undef MS_SSS__GLSL_MAIN
+#undef MS_SSS__GLSL_TILE_SHAPE
+#undef MS_SSS__GLSL_TILE
+#undef MS_SSS__GLSL_TEXTURE
 
 static void ms_sss__say_dialect(ms_sss__text *text, const char *s, const ms_sss_shader *shader, const char *name, int index)
 {
@@ -5493,50 +5695,74 @@ static void ms_sss__say_dialect(ms_sss__text *text, const char *s, const ms_sss_
     }
 }
 
+/* Whether slopes count; ms_sss_filter asks the same. */
+static int ms_sss__shader_shaped(const ms_sss_shader *s, const ms_sss_filter_options *o)
+{
+    return s->depth != MS_SSS_NONE && o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
+}
+
 static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
-    static const char *const name[6] = {"colour", "depth", "strength", "input", "profile", "sum"};
+    static const char *const name[8] = {"colour", "depth", "strength", "input", "profile", "sum", "normal", "shape"};
     const ms_sss__dialect *d = &ms_sss__dialects[s->language];
+    const int second = s->step == MS_SSS_STEP_Y, prepare = s->step == MS_SSS_STEP_PREPARE;
     const int both = s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE;
     const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
-    const int again = both && s->second && s->half_target; /* its alpha can't hold the index as well */
-    const int used[6] = {1, s->depth == MS_SSS_TEXTURE && !s->second, s->with_strength, s->second,
-                         s->profile == MS_SSS_TEXTURE && (!s->second || again), s->later};
+    const int shape = ms_sss__shader_shaped(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
+    const int raw = prepare || (!second && !s->prepared && !shape);
+    const int again = both && !raw && s->half_target; /* alpha of 16 bits can't hold the index as well */
+    const int used[8] = {1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || second), second,
+                         s->profile == MS_SSS_TEXTURE && (raw || again), s->later, s->with_normal && prepare && shape, !prepare && shape};
     int *f = text->feature, i;
     text->column = d->column;
-    f[MS_SSS__HAS_SECOND] = s->second;
+    f[MS_SSS__HAS_PREPARE] = prepare;
+    f[MS_SSS__HAS_SECOND] = second;
+    f[MS_SSS__HAS_RAW] = raw;
     f[MS_SSS__HAS_STRIDE] = ms_sss__shader_stride(s);
-    f[MS_SSS__HAS_TAPS] = f[MS_SSS__HAS_STRIDE] - 4;
+    f[MS_SSS__HAS_TAPS] = f[MS_SSS__HAS_STRIDE] - MS_SSS__PROFILE_HEAD;
     f[MS_SSS__HAS_PROFILES] = ms_sss__shader_profiles(s);
+    f[MS_SSS__HAS_CORNERS] = turned ? 4 : 2;
     f[MS_SSS__HAS_HALF_KERNEL] = s->half_kernel;
     f[MS_SSS__HAS_WITH_STRENGTH] = s->with_strength;
+    f[MS_SSS__HAS_WITH_NORMAL] = s->with_normal;
     f[MS_SSS__HAS_DEPTH] = s->depth != MS_SSS_NONE;
     f[MS_SSS__HAS_DEPTH_TEXTURE] = s->depth == MS_SSS_TEXTURE;
     f[MS_SSS__HAS_DEPTH_ALPHA] = s->depth == MS_SSS_ALPHA;
     f[MS_SSS__HAS_PROFILE] = s->profile != MS_SSS_NONE;
     f[MS_SSS__HAS_PROFILE_TEXTURE] = s->profile == MS_SSS_TEXTURE;
-    f[MS_SSS__HAS_READS_PROFILE] = again || (!s->second && s->profile != MS_SSS_NONE && !both_alpha);
+    f[MS_SSS__HAS_PROFILE_ALONE] = s->profile != MS_SSS_NONE && !both;
+    f[MS_SSS__HAS_READS_PROFILE] = again || (raw && s->profile != MS_SSS_NONE && !both_alpha);
     f[MS_SSS__HAS_CODED] = f[MS_SSS__HAS_READS_PROFILE] && both;
-    f[MS_SSS__HAS_BOTH_DEPTH_AND_PROFILE] = both;
+    f[MS_SSS__HAS_BOTH] = both;
     f[MS_SSS__HAS_BOTH_ALPHA] = both_alpha;
     f[MS_SSS__HAS_PERSPECTIVE] = o->fov_degrees > 0;
     f[MS_SSS__HAS_FOLLOW] = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
-    f[MS_SSS__HAS_TURNED] = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
+    f[MS_SSS__HAS_TURNED] = turned;
+    f[MS_SSS__HAS_SHAPE] = shape;
+    f[MS_SSS__HAS_PACKED] = shape && !turned;
+    f[MS_SSS__HAS_FETCHES_TILT] = shape && turned;
     f[MS_SSS__HAS_COMPUTE] = s->compute;
+    f[MS_SSS__HAS_TILED] = s->compute && !prepare;
+    f[MS_SSS__HAS_TWO_TARGETS] = prepare && shape;
     f[MS_SSS__HAS_LATER] = s->later;
     f[MS_SSS__HAS_GROUP_X] = ms_sss_shader_group(s, 0);
     f[MS_SSS__HAS_GROUP_Y] = ms_sss_shader_group(s, 1);
-    f[MS_SSS__HAS_APRON_X] = s->second ? 0 : 32;
-    f[MS_SSS__HAS_APRON_Y] = s->second ? 32 : 0;
-    f[MS_SSS__HAS_TILE_X] = f[MS_SSS__HAS_GROUP_X] + 2 * f[MS_SSS__HAS_APRON_X];
-    f[MS_SSS__HAS_TILE_Y] = f[MS_SSS__HAS_GROUP_Y] + 2 * f[MS_SSS__HAS_APRON_Y];
+    f[MS_SSS__HAS_APRON_X] = second || prepare ? 0 : 32;
+    f[MS_SSS__HAS_APRON_Y] = second ? 32 : 0;
+    f[MS_SSS__HAS_TILE_X] = prepare ? 1 : f[MS_SSS__HAS_GROUP_X] + 2 * f[MS_SSS__HAS_APRON_X];
+    f[MS_SSS__HAS_TILE_Y] = prepare ? 1 : f[MS_SSS__HAS_GROUP_Y] + 2 * f[MS_SSS__HAS_APRON_Y];
 
     if (s->compute && s->language == MS_SSS_GLSL_330) ms_sss__say(text, "#version 430\n" MS_SSS__PICK);
     else ms_sss__say(text, d->version);
     ms_sss__say_dialect(text, d->constants, s, "", 0);
-    for (i = 0; i < 6; ++i)
+    for (i = 0; i < 8; ++i)
         if (used[i]) ms_sss__say_dialect(text, d->texture, s, name[i], i);
-    ms_sss__say_dialect(text, s->compute ? d->tile : d->fragment, s, "", 0);
+    if (s->compute) {
+        ms_sss__say_dialect(text, d->tile, s, "", 0);
+        if (prepare && shape) ms_sss__say_dialect(text, d->tile_shape, s, "", 0);
+    } else {
+        ms_sss__say_dialect(text, prepare && shape ? d->fragment_shape : d->fragment, s, "", 0);
+    }
     ms_sss__say(text, "\n");
     ms_sss__say_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
 }
@@ -5558,9 +5784,13 @@ static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filte
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile_count %d needs profile, the source of the index", s->profile_count);
     if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fov_degrees %g needs depth", (double)o->fov_degrees);
+    if ((int)s->step < 0 || (int)s->step > (int)MS_SSS_STEP_PREPARE)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d is unknown", (int)s->step);
+    if (s->half_target && ms_sss__shader_shaped(s, o))
+        return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with flat %g: slopes need more of depth than binary16 holds; flat must be 1", (double)o->flat);
     if (s->half_target && s->depth != MS_SSS_NONE && s->profile == MS_SSS_ALPHA)
         return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with depth needs profile MS_SSS_TEXTURE");
-    if (s->later && !(s->compute && s->second))
+    if (s->later && !(s->compute && s->step == MS_SSS_STEP_Y))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "later is of second passes in compute shaders; others blend additively");
     if (s->compute && s->language == MS_SSS_GLSL_ES_300)
         return ms__fail(error, MS_UNSUPPORTED, 0, "compute: OpenGL ES 3.0 has none");
@@ -5646,9 +5876,10 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
     picture.rotation = options->rotation;
     picture.jitter = options->jitter;
     picture.first = term == 0 ? 1.0f : 0.0f;
+    picture.upright = 1.0f - options->flat;
     for (i = 0; i < count; ++i) {
         const ms_sss_kernel *k = &kernels[i];
-        float(*at)[4] = out + 3 + i * stride;
+        float(*at)[4] = out + MS_SSS__PICTURE_HEAD + i * stride;
         ms_sss_shader_profile profile;
         ms_sss__job job;
         memset(&job, 0, sizeof job);
@@ -5656,17 +5887,21 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         job.frame.width = width;
         job.frame.height = height;
         job.options = *options;
-        job.options.flat = 1;
-        job.options.exact = 1;
+        job.shaped = ms_sss__shader_shaped(shader, options);
         ms_sss__set_kernel(&job, k, 0);
         picture.aspect[0] = job.pass.aspect[0];
         picture.aspect[1] = job.pass.aspect[1];
+        picture.focal[0] = (float)(pixels * mm);
+        picture.focal[1] = (float)(pixels * mm * (options->pixels_per_mm[0] > 0 ? (double)job.pass.aspect[1] : 1));
         profile.radius_mm = k->radius_mm;
         profile.depth_scale = job.depth_scale;
         profile.cut = job.pass.cut;
+        profile.reach = job.pass.reach;
+        memcpy(profile.curve, job.pass.curve, sizeof profile.curve);
+        memcpy(profile.most, job.pass.most, sizeof profile.most);
         if (term < k->term_count) {
             ms_sss__totals(k, term, job.pass.follow && shader->depth != MS_SSS_NONE, job.pass.total, job.pass.mixed);
-            ms_sss_kernel_upload(k, term, shader->half_kernel, 0, at + 4, NULL);
+            ms_sss_kernel_upload(k, term, shader->half_kernel, 0, at + MS_SSS__PROFILE_HEAD, NULL);
             for (c = 0; c < 3; ++c) {
                 profile.total[c] = job.pass.total[c];
                 profile.scale[c] = k->scale[term][c];
@@ -5680,6 +5915,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
     return MS_OK;
 }
 
+#undef MS_SSS__FEATURE_LIST
+#undef MS_SSS__PICK
 #undef MS_SSS__INLINE
 #endif /* MS_SSS_IMPLEMENTATION */
 
@@ -5955,35 +6192,41 @@ static void MS_SSS__NAME(convolve_valid)(const ms_sss__fixed *f, const float *co
 
 typedef struct MS_SSS__NAME(sum) {
     MS_SSS__V r, g, b, n; /* sum of h f colour, sum of h f */
-    MS_SSS__V below;      /* sum of h f depth below the tangent plane */
+    MS_SSS__V turn, h;    /* sums of h and of h times how much the tilt along the axis differs from the pixel's, of what counts */
 } MS_SSS__NAME(sum);
 
 /* One pixel beside a tap's position: h is its share (bilinear), f what its depth leaves of it, against the plane's there. */
-static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, const int shaped, ptrdiff_t at, MS_SSS__V plane, MS_SSS__V h,
-                                              MS_SSS__NAME(sum) *s)
+static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, const int axes, const int shaped, ptrdiff_t at, MS_SSS__V z, MS_SSS__V plane,
+                                              MS_SSS__V h, MS_SSS__V own_tilt, MS_SSS__V dx, MS_SSS__V dy, MS_SSS__NAME(sum) *s)
 {
-    MS_SSS__V dz = MS_SSS__SUB(MS_SSS__LOAD(p->depth + at), plane), q = MS_SSS__MUL(dz, dz), f;
+    MS_SSS__V there = MS_SSS__LOAD(p->depth + at), dz = MS_SSS__SUB(there, plane), q = MS_SSS__MUL(dz, dz), f;
     MS_SSS__MASK near_by = MS_SSS__LESS(q, MS_SSS__SET(p->cut));
-    if (!MS_SSS__BITS(near_by)) return;
-    if (p->follow) f = MS_SSS__SUB(MS_SSS__SET(1.0f), MS_SSS__ABS(dz));
-    else if (p->exact) f = MS_SSS__NAME(exp2_minus)(q);
-    else {
-        f = MS_SSS__SUB(MS_SSS__SET(1.0f), q);
-        f = MS_SSS__MUL(f, f);
-        f = MS_SSS__MUL(f, f);
+    if (shaped) {
+        dz = MS_SSS__SUB(there, z);
+        near_by = MS_SSS__BOTH(near_by, MS_SSS__LESS(MS_SSS__MUL(dz, dz), MS_SSS__SET(p->reach)));
     }
+    if (!MS_SSS__BITS(near_by)) return;
+    if (shaped) {
+        const MS_SSS__V counts = MS_SSS__SELECT(near_by, h, MS_SSS__SET(0.0f));
+        MS_SSS__V tilt = MS_SSS__LOAD(p->tilt[axes == 2] + at);
+        if (axes == 3) tilt = MS_SSS__MADD(dx, tilt, MS_SSS__MUL(dy, MS_SSS__LOAD(p->tilt[1] + at)));
+        s->turn = MS_SSS__MADD(counts, MS_SSS__SUB(tilt, own_tilt), s->turn);
+        s->h = MS_SSS__ADD(s->h, counts);
+    }
+    if (p->follow) f = MS_SSS__SUB(MS_SSS__SET(1.0f), MS_SSS__ABS(dz));
+    else f = MS_SSS__NAME(exp2_minus)(q);
     f = MS_SSS__SELECT(near_by, MS_SSS__MUL(h, f), MS_SSS__SET(0.0f));
     s->r = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[0] + at), s->r);
     s->g = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[1] + at), s->g);
     s->b = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[2] + at), s->b);
     s->n = MS_SSS__ADD(s->n, f);
-    if (shaped) s->below = MS_SSS__MADD(f, MS_SSS__SELECT(near_by, dz, MS_SSS__SET(0.0f)), s->below);
 }
 
-/* (1 + K sin(theta) / 4)^4 */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lift)(const ms_sss__pass *p, int channel, MS_SSS__V sine)
+/* (1 + K sin(theta) / 4)^4, which stands for exp(K sin(theta)), from 0 to the bound; turn: sin(theta) 2. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lift)(const ms_sss__pass *p, int channel, MS_SSS__V turn)
 {
-    MS_SSS__V u = MS_SSS__MADD(MS_SSS__SET(p->curve[channel]), sine, MS_SSS__SET(1.0f));
+    MS_SSS__V u = MS_SSS__MADD(MS_SSS__SET(p->curve[channel]), turn, MS_SSS__SET(1.0f));
+    u = MS_SSS__MIN(MS_SSS__MAX(u, MS_SSS__SET(0.0f)), MS_SSS__SET(p->most[channel]));
     u = MS_SSS__MUL(u, u);
     return MS_SSS__MUL(u, u);
 }
@@ -6009,8 +6252,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
     for (x = begin; x < end; x += MS_SSS__LANES) {
         MS_SSS__V z = MS_SSS__LOAD(p->depth + row + x), size, dx = one, dy = one;
         MS_SSS__V own_r, own_g, own_b, r, g, b, nr, ng, nb;
-        MS_SSS__V mr, mg, mb; /* as nr, ng, nb, lifted */
-        MS_SSS__V plane = zero, plane_x = zero, plane_y = zero, facing = zero, rise = zero; /* plane: a column, a row; rise: a mm of the taps */
+        MS_SSS__V plane = zero, plane_x = zero, plane_y = zero, tilt = zero, along_x = zero, along_y = zero; /* of the pixel; plane: a column, a row */
         MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(INFINITY)), large;
         unsigned pending;
         if (!MS_SSS__BITS(part)) {
@@ -6032,7 +6274,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
             MS_SSS__STORE(out[2] + x - begin, MS_SSS__MUL(own_b, MS_SSS__SET(p->total[2])));
             continue;
         }
-        r = g = b = nr = ng = nb = mr = mg = mb = zero;
+        r = g = b = nr = ng = nb = zero;
         if (axes == 3) {
             float turn_x[MS_SSS__LANES], turn_y[MS_SSS__LANES];
             for (k = 0; k < MS_SSS__LANES; ++k) {
@@ -6056,12 +6298,12 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
             if (p->perspective) {
                 plane_x = MS_SSS__MUL(plane_x, z);
                 plane_y = MS_SSS__MUL(plane_y, z);
-                rise = MS_SSS__MUL(MS_SSS__MUL(along, MS_SSS__MUL(size, z)), MS_SSS__SET(1 / p->focal[0]));
             }
             plane = axes == 2 ? plane_y : plane_x;
-            square = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, one));
-            square = MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(square, square)));
-            facing = MS_SSS__DIV(MS_SSS__SET(p->unit), MS_SSS__SQRT(square)); /* cosine to the ray, in mm of dz 1 */
+            along_x = dx;
+            along_y = dy;
+            tilt = MS_SSS__LOAD(p->tilt[axes == 2] + row + x);
+            if (axes == 3) tilt = MS_SSS__MADD(dx, tilt, MS_SSS__MUL(dy, MS_SSS__LOAD(p->tilt[1] + row + x)));
         }
         dx = MS_SSS__MUL(MS_SSS__MUL(dx, size), MS_SSS__SET(p->aspect[0]));
         dy = MS_SSS__MUL(MS_SSS__MUL(dy, size), MS_SSS__SET(p->aspect[1]));
@@ -6069,7 +6311,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
             const MS_SSS__V o = MS_SSS__SET(p->offset_mm[k]);
             MS_SSS__V tx = MS_SSS__MUL(o, axes == 2 ? dy : dx), ix = MS_SSS__FLOOR(tx), ty = zero, iy = zero, wr, wg, wb;
             float at_x[MS_SSS__LANES], at_y[MS_SSS__LANES];
-            MS_SSS__NAME(sum) s = {zero, zero, zero, zero, zero};
+            MS_SSS__NAME(sum) s = {zero, zero, zero, zero, zero, zero};
             unsigned left = pending;
             tx = MS_SSS__SUB(tx, ix);
             MS_SSS__STORE(at_x, ix);
@@ -6093,22 +6335,17 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
                 h1 = MS_SSS__SELECT(same, tx, zero);
                 h0 = MS_SSS__SELECT(same, MS_SSS__SUB(one, tx), zero);
 #endif
-                MS_SSS__V z0 = z, z1 = z; /* of the plane, in perspective to the second order */
-                if (shaped) {
-                    z0 = MS_SSS__MUL(o, rise);
-                    z0 = MS_SSS__ADD(z, p->perspective ? MS_SSS__DIV(MS_SSS__MUL(z0, z0), z) : zero);
-                    z1 = z0;
-                }
+                MS_SSS__V z0 = z, z1 = z; /* of the plane */
                 if (shaped && axes < 3) {
-                    z0 = MS_SSS__MADD(MS_SSS__SET((float)i), plane, z0);
+                    z0 = MS_SSS__MADD(MS_SSS__SET((float)i), plane, z);
                     z1 = MS_SSS__ADD(z0, plane);
                 }
                 if (axes == 1) {
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i), z0, h0, &s);
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i + 1), z1, h1, &s);
+                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__column(p, x + i), z, z0, h0, tilt, zero, zero, &s);
+                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__column(p, x + i + 1), z, z1, h1, tilt, zero, zero, &s);
                 } else if (axes == 2) {
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y + i, x) + x, z0, h0, &s);
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y + i + 1, x) + x, z1, h1, &s);
+                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__row(p, y + i, x) + x, z, z0, h0, tilt, zero, zero, &s);
+                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__row(p, y + i + 1, x) + x, z, z1, h1, tilt, zero, zero, &s);
                 } else {
                     const ptrdiff_t c0 = ms_sss__column(p, x + i), c1 = ms_sss__column(p, x + i + 1);
                     const int j = (int)at_y[lane];
@@ -6118,31 +6355,27 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
                     for (corner = 0; corner < 4; ++corner) {
                         const int right = corner % 2, below = corner / 2;
                         const MS_SSS__V h = MS_SSS__MUL(right ? h1 : h0, below ? ty : MS_SSS__SUB(one, ty));
-                        if (shaped) z1 = MS_SSS__MADD(MS_SSS__SET((float)(i + right)), plane_x, MS_SSS__MADD(MS_SSS__SET((float)(j + below)), plane_y, z0));
-                        MS_SSS__NAME(read)(p, shaped, (below ? r1 : r0) + (right ? c1 : c0), z1, h, &s);
+                        if (shaped) z0 = MS_SSS__MADD(MS_SSS__SET((float)(i + right)), plane_x, MS_SSS__MADD(MS_SSS__SET((float)(j + below)), plane_y, z));
+                        MS_SSS__NAME(read)(p, axes, shaped, (below ? r1 : r0) + (right ? c1 : c0), z, z0, h, tilt, along_x, along_y, &s);
                     }
                 }
             } while (left);
+            if (shaped) {
+                MS_SSS__V turn = MS_SSS__DIV(s.turn, MS_SSS__MAX(s.h, MS_SSS__SET(1e-30f)));
+                if (p->offset_mm[k] < 0) turn = MS_SSS__SUB(zero, turn);
+                s.r = MS_SSS__MUL(s.r, MS_SSS__NAME(lift)(p, 0, turn));
+                s.g = MS_SSS__MUL(s.g, MS_SSS__NAME(lift)(p, 1, turn));
+                s.b = MS_SSS__MUL(s.b, MS_SSS__NAME(lift)(p, 2, turn));
+            }
             wr = MS_SSS__SET(p->weight[k][0]);
             wg = MS_SSS__SET(p->weight[k][1]);
             wb = MS_SSS__SET(p->weight[k][2]);
-            nr = MS_SSS__MADD(wr, s.n, nr);
-            ng = MS_SSS__MADD(wg, s.n, ng);
-            nb = MS_SSS__MADD(wb, s.n, nb);
-            if (shaped) {
-                const float distance = fabsf(p->offset_mm[k]);
-                MS_SSS__V sine = MS_SSS__MUL(s.below, MS_SSS__MUL(facing, MS_SSS__SET(distance > 1e-20f ? 1 / distance : 0.0f)));
-                sine = MS_SSS__MAX(MS_SSS__MIN(sine, one), MS_SSS__SET(p->least));
-                wr = MS_SSS__MUL(wr, MS_SSS__NAME(lift)(p, 0, sine));
-                wg = MS_SSS__MUL(wg, MS_SSS__NAME(lift)(p, 1, sine));
-                wb = MS_SSS__MUL(wb, MS_SSS__NAME(lift)(p, 2, sine));
-                mr = MS_SSS__MADD(wr, s.n, mr);
-                mg = MS_SSS__MADD(wg, s.n, mg);
-                mb = MS_SSS__MADD(wb, s.n, mb);
-            }
             r = MS_SSS__MADD(wr, s.r, r);
             g = MS_SSS__MADD(wg, s.g, g);
             b = MS_SSS__MADD(wb, s.b, b);
+            nr = MS_SSS__MADD(wr, s.n, nr);
+            ng = MS_SSS__MADD(wg, s.n, ng);
+            nb = MS_SSS__MADD(wb, s.n, nb);
         }
         r = MS_SSS__MADD(own_r, MS_SSS__SET(p->weight[0][0]), r);
         g = MS_SSS__MADD(own_g, MS_SSS__SET(p->weight[0][1]), g);
@@ -6150,9 +6383,6 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
         nr = MS_SSS__ADD(nr, MS_SSS__SET(p->weight[0][0]));
         ng = MS_SSS__ADD(ng, MS_SSS__SET(p->weight[0][1]));
         nb = MS_SSS__ADD(nb, MS_SSS__SET(p->weight[0][2]));
-        if (shaped && !p->mixed[0]) nr = MS_SSS__MAX(nr, MS_SSS__MUL(MS_SSS__SET(p->root[0]), MS_SSS__ADD(mr, MS_SSS__SET(p->weight[0][0]))));
-        if (shaped && !p->mixed[1]) ng = MS_SSS__MAX(ng, MS_SSS__MUL(MS_SSS__SET(p->root[1]), MS_SSS__ADD(mg, MS_SSS__SET(p->weight[0][1]))));
-        if (shaped && !p->mixed[2]) nb = MS_SSS__MAX(nb, MS_SSS__MUL(MS_SSS__SET(p->root[2]), MS_SSS__ADD(mb, MS_SSS__SET(p->weight[0][2]))));
         r = MS_SSS__NAME(restore)(r, nr, own_r, p->total[0], p->mixed[0]);
         g = MS_SSS__NAME(restore)(g, ng, own_g, p->total[1], p->mixed[1]);
         b = MS_SSS__NAME(restore)(b, nb, own_b, p->total[2], p->mixed[2]);
@@ -6192,9 +6422,9 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float
     return MS_SSS__MIN(MS_SSS__MAX(s, MS_SSS__SUB(zero, limit)), limit);
 }
 
-/* Slopes of row y, columns [begin, end), from the depths of rows y - 1, y and y + 1, or from normals. */
+/* Slopes and tilts of row y, columns [begin, end), from the depths of rows y - 1, y and y + 1, or from normals. */
 static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[3], const float *const normal[3], int y, int begin, int end,
-                                float *const slope[2])
+                                float *const slope[2], float *const tilt[2])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
     const MS_SSS__V ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
@@ -6202,12 +6432,10 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
     for (x = begin; x < end; x += MS_SSS__LANES) {
         const MS_SSS__V z = MS_SSS__LOAD(depth[1] + x), rx = MS_SSS__NAME(ray)(p, x);
         const MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
-        MS_SSS__V sx, sy, k;
+        MS_SSS__V sx, sy, k, m, root, angle;
         if (normal) {
-            const MS_SSS__V c = MS_SSS__LOAD(normal[2] + x), any = MS_SSS__ADD(MS_SSS__LOAD(normal[0] + x), MS_SSS__ADD(MS_SSS__LOAD(normal[1] + x), c));
-            const MS_SSS__MASK finite = MS_SSS__LESS(MS_SSS__ABS(any), infinity);
-            const MS_SSS__V a = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[0] + x), zero), b = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[1] + x), zero);
-            const MS_SSS__V facing = MS_SSS__SUB(c, MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b)));
+            const MS_SSS__V a = MS_SSS__LOAD(normal[0] + x), b = MS_SSS__LOAD(normal[1] + x);
+            const MS_SSS__V facing = MS_SSS__SUB(MS_SSS__LOAD(normal[2] + x), MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b)));
             const MS_SSS__V most = MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)), eighth = MS_SSS__MUL(most, MS_SSS__SET(0.125f));
             k = MS_SSS__DIV(one, MS_SSS__SELECT(MS_SSS__LESS(eighth, facing), facing, eighth)); /* at most 8 */
             sx = MS_SSS__MUL(k, a);
@@ -6220,6 +6448,19 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
         sy = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sy), infinity)), MS_SSS__MUL(sy, MS_SSS__SET(p->upright)), zero);
         MS_SSS__STORE(slope[0] + x, sx);
         MS_SSS__STORE(slope[1] + x, sy);
+        /* the normal is (sx, sy, 1 + ray . s): its angle a to the view axis by tan(a / 2), atan by Hastings 1955, sheet 11, to 1e-5 */
+        k = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, one));
+        k = MS_SSS__DIV(one, MS_SSS__MAX(k, MS_SSS__SET(0.125f)));
+        sx = MS_SSS__MUL(sx, k);
+        sy = MS_SSS__MUL(sy, k);
+        m = MS_SSS__MADD(sx, sx, MS_SSS__MUL(sy, sy));
+        root = MS_SSS__DIV(one, MS_SSS__ADD(one, MS_SSS__SQRT(MS_SSS__ADD(one, m)))); /* tan(a / 2) / tan(a) */
+        m = MS_SSS__MUL(m, MS_SSS__MUL(root, root));
+        angle = MS_SSS__MADD(m, MS_SSS__MADD(m, MS_SSS__SET(0.0208351f), MS_SSS__SET(-0.0851330f)), MS_SSS__SET(0.1801410f));
+        angle = MS_SSS__MADD(m, MS_SSS__MADD(m, angle, MS_SSS__SET(-0.3302995f)), MS_SSS__SET(0.9998660f));
+        angle = MS_SSS__MUL(MS_SSS__ADD(root, root), angle);
+        MS_SSS__STORE(tilt[0] + x, MS_SSS__MUL(sx, angle));
+        MS_SSS__STORE(tilt[1] + x, MS_SSS__MUL(sy, angle));
     }
 }
 
