@@ -5491,7 +5491,7 @@ static size_t ms_sss__name_length(const char *s)
     return n;
 }
 
-static int ms_sss__same_name(const char *s, size_t n, const char *name) { return strlen(name) == n && memcmp(s, name, n) == 0; }
+static int ms_sss__same_name(const char *s, size_t n, const char *name) { return strlen(name) == n && strncmp(s, name, n) == 0; }
 
 static int ms_sss__find_feature(const char *s, size_t n)
 {
@@ -5557,7 +5557,7 @@ static void ms_sss__say_line(ms_sss__text *text, const char *s)
 {
     const int outside = *s != ' ';
     while (*s == ' ') s += ms_sss__say_word(text, s);
-    if (memcmp(s, "for (", 5) == 0) {
+    if (strncmp(s, "for (", 5) == 0) {
         ms_sss__say(text, "for (");
         s += 5;
     }
@@ -5575,16 +5575,16 @@ static void ms_sss__say_body(ms_sss__text *text, const char *const *line, size_t
     size_t i;
     for (i = 0; i < count; ++i) {
         const char *s = line[i];
-        if (memcmp(s, "#if ", 4) == 0) {
+        if (strncmp(s, "#if ", 4) == 0) {
             const int not_it = s[4] == '!';
             const int feature = ms_sss__find_feature(s + 4 + not_it, ms_sss__name_length(s + 4 + not_it));
             MS_ASSERT(feature >= 0);
             ++depth;
             if (!skipped && (text->feature[feature] != 0) == not_it) skipped = depth;
-        } else if (memcmp(s, "#else", 5) == 0) {
+        } else if (strncmp(s, "#else", 5) == 0) {
             if (skipped == depth) skipped = 0;
             else if (!skipped) skipped = depth;
-        } else if (memcmp(s, "#endif", 6) == 0) {
+        } else if (strncmp(s, "#endif", 6) == 0) {
             if (skipped == depth) skipped = 0;
             --depth;
         } else if (!skipped) {
