@@ -29,7 +29,7 @@ TOOLS = build/mcml build/mcml_split build/profile build/sss_kernel build/sss_fil
 DEMOS = build/demo_sss build/demo_match
 OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o
 MADE = -DMS_MCML_IMPLEMENTED -DMS_SSS_IMPLEMENTED -DMS_GPR_IMPLEMENTED -DMS_NN_IMPLEMENTED -DMS_PME_IMPLEMENTED
-IMAGE = examples/image.h
+IMAGE = examples/image.h examples/files.h
 PLOT = examples/plot.h
 COMPILE = $(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -I.
 OBJECT = @mkdir -p build && echo "compiling $@" && $(COMPILE) -c -o $@ -x c

@@ -13,6 +13,8 @@
 #include "edits.h"
 #include <time.h>
 
+static const char usage[] = "usage: demo_match OUT.png\n";
+
 enum { SIZE = 128, GAP = 2, PITCH = SIZE + GAP, BREAK = 12, COUNT = 8, DIFFERENCE = 4 };
 
 static const struct {
@@ -56,10 +58,8 @@ int main(int argc, char **argv)
     float *planes;
     ms_error error;
     int i, k, x, y;
-    if (argc != 2 || strcmp(argv[1], "--help") == 0) {
-        fprintf(argc == 2 ? stdout : stderr, "usage: demo_match OUT.png\n");
-        return argc == 2 ? 0 : 2;
-    }
+    if (file_help(argc, argv, usage)) return file_end_stdout("demo_match");
+    if (argc != 2) return file_usage(usage);
     problem = image_read("examples/data/materials.ppm", &pictures);
     if (problem) return fail(problem);
     if (matcher_open(&m, "examples/data/renderer_128.safetensors", &error) != MS_OK ||
@@ -95,5 +95,5 @@ int main(int argc, char **argv)
     image_free(&pictures);
     image_free(&sheet);
     free(planes);
-    return 0;
+    return file_end_stdout("demo_match");
 }

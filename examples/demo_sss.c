@@ -11,6 +11,7 @@
 #include "plot.h"
 #include "scene.h"
 
+static const char usage[] = "usage: demo_sss FOLDER [--width 64..7680]\n";
 static const char *folder;
 
 static const char *file(const char *name)
@@ -370,16 +371,16 @@ static void show_models(FILE *page)
 
 int main(int argc, char **argv)
 {
+    file_out out;
     FILE *page;
     image bust, knot;
     int width = argc == 4 && strcmp(argv[2], "--width") == 0 ? atoi(argv[3]) : 1920;
-    if ((argc != 2 && argc != 4) || width < 64 || width > 7680) {
-        fputs("usage: demo_sss FOLDER [--width 64..7680]\n", stderr);
-        return 2;
-    }
+    if (file_help(argc, argv, usage)) return file_end_stdout("demo_sss");
+    if ((argc != 2 && argc != 4) || width < 64 || width > 7680)
+        return file_usage(usage);
     folder = argv[1];
-    page = fopen(file("index.html"), "w");
-    if (page == NULL) need("cannot write", file("index.html"));
+    page = file_create(file("index.html"), &out);
+    if (page == NULL) need(out.problem, file("index.html"));
     fputs("<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>Subsurface scattering</title>\n"
           "<style>body{font:16px sans-serif;max-width:1200px;margin:2em auto;color:#222} img{max-width:100%} "
           "td,th{padding:4px 12px;"
@@ -401,7 +402,7 @@ int main(int argc, char **argv)
     image_free(&bust);
     image_free(&knot);
     fputs("</table>\n", page);
-    if (fclose(page) != 0) need("cannot write", file("index.html"));
+    need(file_finish(&out, 1), file("index.html"));
     printf("%s\n", file("index.html"));
-    return 0;
+    return file_end_stdout("demo_sss");
 }

@@ -18,11 +18,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <sys/types.h>
-#if defined(_WIN32)
-#include <direct.h>
-#endif
+#include "files.h"
 
 typedef struct image {
     int width, height, channels; /* 1 gray, 3 RGB, 4 RGBA */
@@ -124,49 +120,8 @@ static inline void image__put_bits(image__bytes *b, uint32_t value, int count) /
     }
 }
 
-/* Bytes into a file that takes the old one's place only when it is whole: written beside it, flushed, renamed. Missing folders
-   are made; what is no regular file is left alone. For pictures and for anything else. */
-static inline const char *image_save(const char *path, const void *data, size_t size)
-{
-    struct stat info;
-    char beside[4096];
-    FILE *f = NULL, *taken;
-    int i, ok;
-    if (path[0] == 0 || strlen(path) + 8 > sizeof beside) return "the name is empty or too long";
-#if defined(_WIN32)
-    if (stat(path, &info) == 0 && (info.st_mode & _S_IFMT) != _S_IFREG) return "not a regular file: left alone";
-#else
-    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode)) return "not a regular file: left alone";
-#endif
-    for (i = 1; path[i]; ++i)
-        if (path[i] == '/') {
-            snprintf(beside, sizeof beside, "%.*s", i, path);
-#if defined(_WIN32)
-            (void)_mkdir(beside);
-#else
-            (void)mkdir(beside, 0777);
-#endif
-        }
-    for (i = 0; i < 100 && f == NULL; ++i) {
-        snprintf(beside, sizeof beside, "%s.new%02d", path, i);
-        if ((taken = fopen(beside, "rb")) != NULL) fclose(taken);
-        else f = fopen(beside, "wb");
-    }
-    if (f == NULL) return "cannot open a file beside it for writing";
-    ok = fwrite(data, 1, size, f) == size;
-    ok &= fflush(f) == 0;
-    ok &= fclose(f) == 0;
-    if (!ok) {
-        remove(beside);
-        return "cannot write the whole file";
-    }
-#if defined(_WIN32)
-    remove(path); /* rename() does not replace there */
-#endif
-    if (rename(beside, path) == 0) return NULL;
-    remove(beside);
-    return "cannot replace the file";
-}
+/* Bytes into a file as file_save does: for pictures and for anything else. */
+static inline const char *image_save(const char *path, const void *data, size_t size) { return file_save(path, data, size); }
 
 static inline const char *image__save(const char *path, const image__bytes *b)
 {
@@ -178,8 +133,9 @@ static inline const char *image__load(const char *path, image__bytes *b)
     unsigned char block[8192];
     size_t got;
     int bad;
-    FILE *f = fopen(path, "rb");
-    if (f == NULL) return "cannot open the file";
+    const char *problem = NULL;
+    FILE *f = file_open(path, &problem);
+    if (f == NULL) return problem;
     while ((got = fread(block, 1, sizeof block, f)) > 0) image__put(b, block, got);
     bad = ferror(f);
     fclose(f);

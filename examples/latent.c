@@ -16,6 +16,8 @@
 #define SIDE 320 /* pixels of a panel */
 enum { GRID = 50, COARSE = 20, LIKED = 48, VARIANTS = 7 };
 
+static const char usage[] = "usage: latent SCORES.csv OUT.png\n";
+
 static int fail(const char *what)
 {
     fprintf(stderr, "latent: %s\n", what);
@@ -57,7 +59,8 @@ int main(int argc, char **argv)
     image im;
     scores s;
     int count, i, k;
-    if (argc != 3) return fail("usage: latent SCORES.csv OUT.png");
+    if (file_help(argc, argv, usage)) return file_end_stdout("latent");
+    if (argc != 3) return file_usage(usage);
     problem = scores_read(argv[1], &s);
     if (problem) return fail(problem);
     x = (double *)malloc(LIKED * (size_t)s.m * sizeof *x);
@@ -103,5 +106,5 @@ int main(int argc, char **argv)
     image_free(&im);
     scores_free(&s);
     free(x);
-    return 0;
+    return file_end_stdout("latent");
 }

@@ -9,10 +9,12 @@
 #include "ms_sss.h"
 #include "image.h"
 
-static int fail(int code, const char *what, const char *why)
+static const char usage[] = "usage: lightmap LIGHT.pfm OUT.(pfm|png) --texels-per-mm S [--coverage MASK.pgm] [--scale MM]\n";
+
+static int fail(const char *what, const char *why)
 {
     fprintf(stderr, "lightmap: %s: %s\n", what, why);
-    return code;
+    return 1;
 }
 
 static const char *value_of(int argc, char **argv, const char *name, const char *otherwise)
@@ -40,21 +42,22 @@ int main(int argc, char **argv)
     size_t size;
     void *workspace;
     int large;
+    if (file_help(argc, argv, usage)) return file_end_stdout("lightmap");
     if (argc < 5 || argc % 2 == 0 || !(texels > 0) || !(scale > 0))
-        return fail(2, "usage", "LIGHT.pfm OUT.(pfm|png) --texels-per-mm S [--coverage MASK.pgm] [--scale MM]");
-    if ((problem = image_read(argv[1], &light)) != NULL) return fail(1, argv[1], problem);
-    if (mask_path && (problem = image_read(mask_path, &mask)) != NULL) return fail(1, mask_path, problem);
+        return file_usage(usage);
+    if ((problem = image_read(argv[1], &light)) != NULL) return fail(argv[1], problem);
+    if (mask_path && (problem = image_read(mask_path, &mask)) != NULL) return fail(mask_path, problem);
     if (light.channels != 3 || (mask_path && (mask.width != light.width || mask.height != light.height)))
-        return fail(1, argv[1], "expected RGB, and a mask of the same size");
+        return fail(argv[1], "expected RGB, and a mask of the same size");
 
     status = ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, &error);
-    if (status != MS_OK) return fail(1, "profile", error.message);
+    if (status != MS_OK) return fail("profile", error.message);
     ms_sss_profile_radius(profile, 0.99, radius);
     large = radius[0] * texels >= 64;
     if (large) status = ms_sss_pyramid_make(&pyramid, profile, &error);
     else status = ms_sss_kernel_make(&kernel, NULL, profile, radius[0] * texels, NULL, NULL, &error);
     ms_sss_profile_destroy(profile);
-    if (status != MS_OK) return fail(1, "kernel", error.message);
+    if (status != MS_OK) return fail("kernel", error.message);
 
     memset(&frame, 0, sizeof frame);
     frame.width = light.width;
@@ -64,15 +67,15 @@ int main(int argc, char **argv)
     options.pixels_per_mm[0] = (float)texels;
     size = large ? ms_sss_pyramid_workspace(light.width, light.height)
                  : ms_sss_filter_workspace(light.width, light.height, &kernel, 1, &options);
-    if ((workspace = malloc(size)) == NULL) return fail(1, argv[1], "out of memory");
+    if ((workspace = malloc(size)) == NULL) return fail(argv[1], "out of memory");
     status = large ? ms_sss_pyramid_filter(&frame, &pyramid, &options, workspace, size, &error)
                    : ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, &error);
     free(workspace);
-    if (status != MS_OK) return fail(1, "filter", error.message);
+    if (status != MS_OK) return fail("filter", error.message);
     if (strlen(argv[2]) > 4 && strcmp(argv[2] + strlen(argv[2]) - 4, ".pfm") != 0) image_to_srgb(&light);
-    if ((problem = image_write(argv[2], &light)) != NULL) return fail(1, argv[2], problem);
+    if ((problem = image_write(argv[2], &light)) != NULL) return fail(argv[2], problem);
     printf("radius %.1f texels, %s\n", radius[0] * texels, large ? "pyramid" : "7 taps");
     image_free(&light);
     image_free(&mask);
-    return 0;
+    return file_end_stdout("lightmap");
 }

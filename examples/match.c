@@ -181,7 +181,7 @@ int main(int argc, char **argv)
     size_t used = 0;
     int i, n, pixels, has_alpha = 0;
     for (i = 1; i < argc; ++i) {
-        if (strcmp(argv[i], "--help") == 0) return puts(usage_text) < 0;
+        if (strcmp(argv[i], "--help") == 0) return puts(usage_text) < 0 || file_end_stdout("match");
         if (argv[i][0] != '-' && renderer == NULL) renderer = argv[i];
         else if (argv[i][0] != '-' && target_path == NULL) target_path = argv[i];
         else if (argv[i][0] != '-' || i + 1 == argc) break;
@@ -267,7 +267,7 @@ int main(int argc, char **argv)
     neural_paste(picture, m.network.size, &answer, 0, 0);
     problem = png ? image_write(png, &answer) : NULL;
     if (problem) return fail(png, problem);
-    if (fflush(stdout) != 0 || ferror(stdout)) return fail("standard output", "cannot be written");
+    if (file_end_stdout("match")) return 1;
     matcher_close(&m);
     if (start) materials_free(&guess);
     image_free(&answer);

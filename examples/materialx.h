@@ -27,6 +27,7 @@
 #define EXAMPLES_MATERIALX_H
 #include <math.h>
 #include <stdio.h>
+#include "files.h"
 
 /* The inputs of a standard_surface that the shader sets. */
 typedef struct materialx_surface {
@@ -65,12 +66,15 @@ static inline materialx_surface materialx_from(const double x[19])
 
 static inline void materialx__float(FILE *f, const char *name, double v)
 {
-    fprintf(f, "    <input name=\"%s\" type=\"float\" value=\"%.5g\" />\n", name, v);
+    char text[48];
+    fprintf(f, "    <input name=\"%s\" type=\"float\" value=\"%s\" />\n", name, number_text(text, "%.5g", v));
 }
 
 static inline void materialx__color(FILE *f, const char *name, const double v[3])
 {
-    fprintf(f, "    <input name=\"%s\" type=\"color3\" value=\"%.5g, %.5g, %.5g\" />\n", name, v[0], v[1], v[2]);
+    char r[48], g[48], b[48];
+    fprintf(f, "    <input name=\"%s\" type=\"color3\" value=\"%s, %s, %s\" />\n", name, number_text(r, "%.5g", v[0]), number_text(g, "%.5g", v[1]),
+            number_text(b, "%.5g", v[2]));
 }
 
 static inline void materialx_begin(FILE *f)

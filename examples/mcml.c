@@ -3,6 +3,7 @@
    Alone: cc -O2 -I. examples/mcml.c -o build/mcml -lm */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
+#include "files.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -41,11 +42,7 @@ static int fail(const char *path, const ms_error *error)
     return 1;
 }
 
-static int usage(void)
-{
-    fprintf(stderr, "usage: mcml [-n PHOTONS] [-s SEED] FILE.mci\n");
-    return 2;
-}
+static const char usage[] = "usage: mcml [-n PHOTONS] [-s SEED] FILE.mci\n";
 
 int main(int argc, char **argv)
 {
@@ -55,20 +52,21 @@ int main(int argc, char **argv)
     ms_mcml_mci file;
     ms_error error;
 
+    if (file_help(argc, argv, usage)) return file_end_stdout("mcml");
     for (i = 1; i < argc; ++i) {
         if ((strcmp(argv[i], "-n") == 0 || strcmp(argv[i], "-s") == 0) && i + 1 < argc) {
             char *end;
             unsigned long long value = strtoull(argv[i + 1], &end, 10);
-            if (*end || argv[i + 1][0] < '0' || argv[i + 1][0] > '9' || (argv[i][1] == 'n' && value == 0)) return usage();
+            if (*end || argv[i + 1][0] < '0' || argv[i + 1][0] > '9' || (argv[i][1] == 'n' && value == 0)) return file_usage(usage);
             if (argv[i++][1] == 'n') photons = value;
             else seed = value;
         } else if (argv[i][0] != '-' && path == NULL) {
             path = argv[i];
         } else {
-            return usage();
+            return file_usage(usage);
         }
     }
-    if (path == NULL) return usage();
+    if (path == NULL) return file_usage(usage);
     if (ms_mcml_mci_load(path, NULL, &file, &error) != MS_OK) return fail(path, &error);
 
     for (i = 0; i < file.run_count; ++i) {

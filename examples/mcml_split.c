@@ -7,10 +7,13 @@
      build/mcml_split merge skin.mci *.tally */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
+#include "files.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+static const char usage[] = "usage: mcml_split run FILE.mci PART OF OUT.tally | mcml_split merge FILE.mci TALLY...\n";
 
 static int fail(const char *path, const char *message)
 {
@@ -29,16 +32,14 @@ static int run_share(const ms_mcml_run_spec *run, unsigned long long part, unsig
     if (status == MS_OK) {
         size_t size = ms_mcml_save_size(tally);
         void *bytes = malloc(size);
-        FILE *file = bytes ? fopen(path, "wb") : NULL;
-        int written = 0;
-        if (file) {
+        const char *problem = "out of memory";
+        if (bytes) {
             ms_mcml_save(tally, bytes);
-            written = fwrite(bytes, 1, size, file) == size;
-            written = fclose(file) == 0 && written;
+            problem = file_save(path, bytes, size);
         }
         free(bytes);
         ms_mcml_destroy(tally);
-        return written ? 0 : fail(path, "cannot be written");
+        return problem ? fail(path, problem) : 0;
     }
     ms_mcml_destroy(tally);
     return fail(run->output, error.message);
@@ -46,7 +47,8 @@ static int run_share(const ms_mcml_run_spec *run, unsigned long long part, unsig
 
 static ms_mcml *load(const char *path)
 {
-    FILE *file = fopen(path, "rb");
+    const char *problem = "cannot be read";
+    FILE *file = file_open(path, &problem);
     char *bytes = NULL;
     long size = -1;
     ms_mcml *tally = NULL;
@@ -56,7 +58,7 @@ static ms_mcml *load(const char *path)
     if (size >= 0 && fseek(file, 0, SEEK_SET) == 0) bytes = (char *)malloc((size_t)size + 1);
     if (bytes && fread(bytes, 1, (size_t)size, file) == (size_t)size)
         ms_mcml_load(bytes, (size_t)size, NULL, &tally, &error);
-    if (tally == NULL) fail(path, error.message[0] ? error.message : "cannot be read");
+    if (tally == NULL) fail(path, error.message[0] ? error.message : problem);
     if (file) fclose(file);
     free(bytes);
     return tally;
@@ -98,10 +100,9 @@ int main(int argc, char **argv)
     ms_error error;
     int running = argc == 6 && strcmp(argv[1], "run") == 0, merging = argc > 3 && strcmp(argv[1], "merge") == 0, status;
     unsigned long long part = running ? strtoull(argv[3], NULL, 10) : 1, of = running ? strtoull(argv[4], NULL, 10) : 1;
-    if ((!running && !merging) || part < 1 || part > of || of > 1000000) {
-        fprintf(stderr, "usage: mcml_split run FILE.mci PART OF OUT.tally\n       mcml_split merge FILE.mci TALLY...\n");
-        return 2;
-    }
+    if (file_help(argc, argv, usage)) return file_end_stdout("mcml_split");
+    if ((!running && !merging) || part < 1 || part > of || of > 1000000)
+        return file_usage(usage);
     if (ms_mcml_mci_load(argv[2], NULL, &file, &error) != MS_OK) return fail(argv[2], error.message);
     status = running ? run_share(&file.runs[0], part, of, argv[5]) : merge_shares(&file.runs[0], argv + 3, argc - 3);
     ms_mcml_mci_destroy(&file);

@@ -3,7 +3,10 @@
      build/nn_info FILE */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
+#include "files.h"
 #include <stdio.h>
+
+static const char usage[] = "usage: nn_info FILE\n";
 
 static void print_shape(const ms_nn_shape *s)
 {
@@ -60,18 +63,13 @@ int main(int argc, char **argv)
     ms_nn *nn = NULL;
     ms_error error;
     ms_status status;
-    if (argc != 2 || strcmp(argv[1], "--help") == 0) {
-        fprintf(argc == 2 ? stdout : stderr, "usage: nn_info FILE\n");
-        return argc == 2 ? 0 : 2;
-    }
+    if (file_help(argc, argv, usage)) return file_end_stdout("nn_info");
+    if (argc != 2) return file_usage(usage);
     status = ms_nn_file_read(argv[1], NULL, &file, &error);
     if (status == MS_OK && ms_nn_file_metadata(file, "ms_nn_layers") == NULL) print_tensors(file);
     else if (status == MS_OK && (status = ms_nn_load_file(argv[1], NULL, &nn, &error)) == MS_OK) print_network(nn);
     if (status != MS_OK) printf("%s: refused: byte %lu: %s\n", argv[1], (unsigned long)error.position, error.message);
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        fprintf(stderr, "nn_info: standard output cannot be written\n");
-        status = MS_IO;
-    }
+    if (file_end_stdout("nn_info")) status = MS_IO;
     ms_nn_destroy(nn);
     ms_nn_file_close(file);
     return status != MS_OK;

@@ -4,9 +4,12 @@
      build/nn_run FILE INPUT.csv --vjp G.csv   input gradients for the output gradients in G, row by row */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
+#include "files.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+static const char usage[] = "usage: nn_run FILE INPUT.csv [--vjp G.csv]\n";
 
 /* The next row of count numbers, separated by commas or spaces. 1: read, 0: end of the text, -1: malformed. */
 static int next_row(char **text, float *row, size_t count, const char *path, int line)
@@ -29,7 +32,8 @@ static int next_row(char **text, float *row, size_t count, const char *path, int
 
 static char *read_text(const char *path)
 {
-    FILE *f = fopen(path, "rb");
+    const char *problem = "cannot read it";
+    FILE *f = file_open(path, &problem);
     size_t size = 0, used = 0, got = 1;
     char *text = NULL;
     while (f != NULL && got > 0) {
@@ -44,7 +48,7 @@ static char *read_text(const char *path)
     }
     if (f != NULL) fclose(f);
     if (f == NULL || got > 0) {
-        fprintf(stderr, "cannot read %s\n", path);
+        fprintf(stderr, "nn_run: %s: %s\n", path, problem);
         exit(1);
     }
     return text;
@@ -56,11 +60,8 @@ int main(int argc, char **argv)
     ms_nn *nn;
     ms_error error;
     ms_status status = MS_OK;
-    if ((argc != 3 && !vjp) || strcmp(argv[1], "--help") == 0) {
-        int help = argc > 1 && strcmp(argv[1], "--help") == 0;
-        fprintf(help ? stdout : stderr, "usage: nn_run FILE INPUT.csv [--vjp G.csv]\n");
-        return help ? 0 : 2;
-    }
+    if (file_help(argc, argv, usage)) return file_end_stdout("nn_run");
+    if (argc != 3 && !vjp) return file_usage(usage);
     if (ms_nn_load_file(argv[1], NULL, &nn, &error) != MS_OK) {
         fprintf(stderr, "%s: byte %lu: %s\n", argv[1], (unsigned long)error.position, error.message);
         return 1;
@@ -86,10 +87,7 @@ int main(int argc, char **argv)
             printf("\n");
         }
         if (status != MS_OK) fprintf(stderr, "%s\n", ms_status_string(status));
-        if (fflush(stdout) != 0 || ferror(stdout)) {
-            fprintf(stderr, "nn_run: standard output cannot be written\n");
-            status = MS_IO;
-        }
+        if (file_end_stdout("nn_run")) status = MS_IO;
         free(text);
         free(gradients);
         free(x);

@@ -11,6 +11,7 @@
 #define EXAMPLES_PLOT_H
 #include <math.h>
 #include <stdio.h>
+#include "files.h"
 #include <string.h>
 
 #define PLOT_LOG_X 1
@@ -151,7 +152,8 @@ static int plot_write(const plot *p, const char *path)
     double x0, x1, y0, y1, tick[32];
     int log_x = p->flags & PLOT_LOG_X, log_y = p->flags & PLOT_LOG_Y, i, k, n;
     double left = 76, right = p->width - 210.0, top = 44, bottom = p->height - 56.0;
-    FILE *f = fopen(path, "w");
+    file_out out;
+    FILE *f = file_create(path, &out);
     if (f == NULL) return 0;
     plot__limits(p, 0, &x0, &x1);
     plot__limits(p, 1, &y0, &y1);
@@ -216,8 +218,7 @@ static int plot_write(const plot *p, const char *path)
         }
     }
     fprintf(f, "</svg>\n");
-    i = ferror(f);
-    return (fclose(f) == 0) & !i;
+    return file_finish(&out, 1) == NULL;
 }
 
 /* Keeps -Wunused-function quiet where a program needs only a part. */

@@ -8,6 +8,8 @@
 #include "ms_sss.h"
 #include "image.h"
 
+static const char usage[] = "usage: postprocess [OUT.png]\n";
+
 enum { WIDTH = 640, HEIGHT = 360 };
 
 /* The engine's part: light that arrives through a blind, and the distance along the view axis in cm. */
@@ -42,6 +44,8 @@ int main(int argc, char **argv)
     void *workspace;
     int i, number, ok;
 
+    if (file_help(argc, argv, usage)) return file_end_stdout("postprocess");
+    if (argc > 2 || (argc == 2 && argv[1][0] == '-')) return file_usage(usage);
     /* Once: the material's kernel, 7 taps. An asset tool would store it. */
     ok = rgbz && picture.pixels && ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, &error) == MS_OK;
     if (!ok) return 1;

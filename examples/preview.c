@@ -12,6 +12,8 @@
 #include "neural.h"
 #include "materials.h"
 
+static const char usage[] = "usage: preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.ppm]\n";
+
 enum { GAP = 2, DIFFERENCE = 8 };
 
 static int fail(const char *what, const char *problem)
@@ -75,11 +77,8 @@ int main(int argc, char **argv)
     neural net;
     image sheet;
     int columns = 1;
-    if ((argc != 4 && argc != 5) || strcmp(argv[1], "--help") == 0) {
-        int help = argc > 1 && strcmp(argv[1], "--help") == 0;
-        fprintf(help ? stdout : stderr, "usage: preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.ppm]\n");
-        return help ? 0 : 2;
-    }
+    if (file_help(argc, argv, usage)) return file_end_stdout("preview");
+    if (argc != 4 && argc != 5) return file_usage(usage);
     if ((problem = neural_load(argv[1], &net)) != NULL) return fail(argv[1], problem);
     if ((problem = materials_read(argv[2], net.parameters, &list)) != NULL) return fail(argv[2], problem);
     while (columns * columns < list.count) ++columns;
@@ -90,5 +89,5 @@ int main(int argc, char **argv)
     image_free(&sheet);
     materials_free(&list);
     neural_free(&net);
-    return fflush(stdout) != 0 || ferror(stdout) ? fail("standard output", "cannot be written") : 0;
+    return file_end_stdout("preview");
 }

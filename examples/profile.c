@@ -9,17 +9,19 @@
    file; then only the comment lines are printed. Exit: 0, 1 if something failed, 2 if the arguments are wrong. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
+#include "files.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+static const char usage_text[] = "usage: profile MATERIAL | --mua R,G,B --mus R,G,B --eta N [--photons N] [--csv FILE]\n"
+                                 "  profile --list    the materials; coefficients are per mm\n";
+
 static int usage(const char *problem, const char *value)
 {
     fprintf(stderr, "profile: %s%s%s\n", problem, value ? ": " : "", value ? value : "");
-    fprintf(stderr, "usage: profile MATERIAL | --mua R,G,B --mus R,G,B --eta N   [--photons N] [--csv FILE]\n"
-                    "       profile --list        the materials; coefficients are per mm\n");
-    return 2;
+    return file_usage(usage_text);
 }
 
 /* "1,2,3" into count numbers, or "1" into all of them: whether text is just that. */
@@ -82,11 +84,12 @@ int main(int argc, char **argv)
     int i, given = 0, failed;
     memset(&custom, 0, sizeof custom);
     memset(&options, 0, sizeof options);
+    if (file_help(argc, argv, usage_text)) return file_end_stdout("profile");
     for (i = 1; i < argc; ++i) {
         const char *value = i + 1 < argc ? argv[i + 1] : "";
         if (strcmp(argv[i], "--list") == 0) {
             list_materials();
-            return 0;
+            return file_end_stdout("profile");
         }
         if (strncmp(argv[i], "--", 2) != 0) {
             if (name) return usage("more than one material", argv[i]);
@@ -136,18 +139,20 @@ int main(int argc, char **argv)
     }
     print_head(stdout, name ? material->name : "medium", material, &profile, photons);
     if (csv) {
-        FILE *f = fopen(csv, "w");
+        file_out out;
+        const char *trouble;
+        FILE *f = file_create(csv, &out);
         if (f) {
             print_head(f, name ? material->name : "medium", material, &profile, photons);
             print_table(f, &profile);
         }
-        failed = f == NULL || ferror(f);
-        if (f) failed |= fclose(f) != 0;
+        trouble = f ? file_finish(&out, 1) : out.problem;
+        if (trouble) fprintf(stderr, "profile: %s: %s\n", csv, trouble);
+        failed = trouble != NULL;
     } else {
         print_table(stdout, &profile);
-        failed = fflush(stdout) != 0 || ferror(stdout);
+        failed = 0;
     }
     ms_mcml_profile_destroy(&profile);
-    if (failed) fprintf(stderr, "profile: cannot write %s\n", csv ? csv : "the table");
-    return failed;
+    return file_end_stdout("profile") || failed;
 }

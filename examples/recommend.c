@@ -10,23 +10,19 @@
 #include "ms_gpr.h"
 #include "scores.h"
 
-static int usage(void)
-{
-    fprintf(stderr, "usage: recommend SCORES.csv [--count 300] [--tau 0.6] [--seed S] [--out FILE]\n"
-                    "       count: 1 to 1000000; tau: above 0, at most 1\n");
-    return 2;
-}
+static const char usage[] = "usage: recommend SCORES.csv [--count 300] [--tau 0.6] [--seed S] [--out FILE]\n"
+                            "  count: 1 to 1000000; tau: above 0, at most 1\n";
 
 /* The value behind an option; ends the program where it is no number from low to high. */
 static double number(const char *text, double low, double high)
 {
     char *end;
     double v = strtod(text, &end);
-    if (end == text || *end || !(v >= low && v <= high)) exit(usage());
+    if (end == text || *end || !(v >= low && v <= high)) exit(file_usage(usage));
     return v;
 }
 
-static int write_csv(FILE *f, const double *x, const double *mean, const double *sigma, int count, int m)
+static void write_csv(FILE *f, const double *x, const double *mean, const double *sigma, int count, int m)
 {
     int i, k;
     for (k = 0; k < m; ++k) fprintf(f, "x%d,", k);
@@ -35,7 +31,6 @@ static int write_csv(FILE *f, const double *x, const double *mean, const double 
         for (k = 0; k < m; ++k) fprintf(f, "%.9g,", x[(size_t)i * (size_t)m + (size_t)k]);
         fprintf(f, "%.6g,%.6g\n", mean[i], sigma[i]);
     }
-    return !ferror(f);
 }
 
 int main(int argc, char **argv)
@@ -52,17 +47,19 @@ int main(int argc, char **argv)
     scores s;
     FILE *f = stdout;
     int i, n;
+    file_out saved;
     memset(&options, 0, sizeof options);
+    if (file_help(argc, argv, usage)) return file_end_stdout("recommend");
     for (i = 1; i < argc; ++i) {
         if (argv[i][0] != '-' && in == NULL) in = argv[i];
-        else if (argv[i][0] != '-' || i + 1 == argc) return usage();
+        else if (argv[i][0] != '-' || i + 1 == argc) return file_usage(usage);
         else if (strcmp(argv[i], "--count") == 0) count = number(argv[++i], 1, 1e6);
         else if (strcmp(argv[i], "--tau") == 0) options.tau = number(argv[++i], 1e-6, 1);
         else if (strcmp(argv[i], "--seed") == 0) options.seed = (uint64_t)number(argv[++i], 0, 9007199254740992.0);
         else if (strcmp(argv[i], "--out") == 0) out = argv[++i];
-        else return usage();
+        else return file_usage(usage);
     }
-    if (in == NULL || count > floor(count)) return usage();
+    if (in == NULL || count > floor(count)) return file_usage(usage);
     problem = scores_read(in, &s);
     if (problem) {
         fprintf(stderr, "recommend: %s: %s (line %d)\n", in, problem, s.line);
@@ -84,15 +81,16 @@ int main(int argc, char **argv)
         fprintf(stderr, "recommend: %s\n", error.message);
         return 1;
     }
-    if (out && (f = fopen(out, "w")) == NULL) {
-        fprintf(stderr, "recommend: %s cannot be written\n", out);
+    if (out && (f = file_create(out, &saved)) == NULL) {
+        fprintf(stderr, "recommend: %s: %s\n", out, saved.problem);
         return 1;
     }
-    i = write_csv(f, x, mean, sigma, report.found, s.m);
-    if ((f != stdout && fclose(f) != 0) || !i) {
-        fprintf(stderr, "recommend: writing failed\n");
+    write_csv(f, x, mean, sigma, report.found, s.m);
+    if (out && (problem = file_finish(&saved, 1)) != NULL) {
+        fprintf(stderr, "recommend: %s: %s\n", out, problem);
         return 1;
     }
+    if (!out && file_end_stdout("recommend")) return 1;
     fprintf(stderr, "%d scores of %d parameters; best predicted score %.3g; %d recommendations of at least %.3g by %s;\n"
                     "one uniform material in %.0f would do; mean distance to the nearest other %.3f\n",
             s.n, s.m, report.best, report.found, report.threshold, search[report.search],

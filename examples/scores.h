@@ -3,13 +3,16 @@
      scores s;
      const char *problem = scores_read("gallery.csv", &s);   NULL: fine; otherwise a sentence (static text)
      ... s.x[i * s.m + k], s.y[i] ...
-     scores_free(&s); */
+     scores_free(&s);
+
+   Commas, or semicolons or tabs and then decimal commas as well; lines that begin with # are skipped. */
 #ifndef EXAMPLES_SCORES_H
 #define EXAMPLES_SCORES_H
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files.h"
 
 typedef struct scores {
     int n, m, line; /* line: where reading stopped */
@@ -25,17 +28,17 @@ static inline void scores_free(scores *s)
 }
 
 /* Numbers of a line into value[limit]; how many, or -1 where something else stands there. */
-static int scores__line(const char *text, double *value, int limit)
+static int scores__line(const char *text, csv_dialect d, double *value, int limit)
 {
     int count = 0;
     for (;;) {
         char *end;
-        double v = strtod(text, &end);
+        double v = number_read(text, d.decimal, &end);
         if (end == text || !(v - v == 0) || count == limit) return -1;
         value[count++] = v;
-        end += strspn(end, " \t\r\n");
+        end += strspn(end, d.between == '\t' ? " \r\n" : " \t\r\n");
         if (*end == 0) return count;
-        if (*end != ',' && *end != ';') return -1;
+        if (*end != d.between) return -1;
         text = end + 1;
     }
 }
@@ -45,20 +48,25 @@ static inline const char *scores_read(const char *path, scores *s)
     enum { LIMIT = 1001, TEXT = 32768 };
     static char text[TEXT];
     static double value[LIMIT];
+    csv_dialect dialect = {',', '.'};
     const char *problem = NULL;
-    int room = 0, count;
-    FILE *f = fopen(path, "r");
+    int room = 0, count, seen = 0;
+    FILE *f = file_open(path, &problem);
     memset(s, 0, sizeof *s);
-    if (f == NULL) return "cannot be opened";
+    if (f == NULL) return problem;
     while (problem == NULL && fgets(text, TEXT, f)) {
-        ++s->line;
-        if (s->line == 1 && strncmp(text, "\xEF\xBB\xBF", 3) == 0) memmove(text, text + 3, strlen(text + 3) + 1); /* a byte order mark */
+        if (++s->line == 1) {
+            const char *start = csv_begin(text, strlen(text), &problem);
+            if (start == NULL) break;
+            memmove(text, start, strlen(start) + 1);
+        }
+        if (*text != '#' && text[strspn(text, " \t\r\n")] != 0 && !seen++) dialect = csv_dialect_of(text);
         if (strlen(text) == TEXT - 1) problem = "a line is too long";
-        else if (text[strspn(text, " \t\r\n")] == 0) continue; /* empty */
-        else if ((count = scores__line(text, value, LIMIT)) < 2) {
+        else if (*text == '#' || text[strspn(text, " \t\r\n")] == 0) continue;
+        else if ((count = scores__line(text, dialect, value, LIMIT)) < 2) {
             char *end;
-            (void)strtod(text, &end);
-            if (s->line > 1 || end != text) problem = "a line is not a list of at least two finite numbers";
+            (void)number_read(text, dialect.decimal, &end);
+            if (seen > 1 || end != text) problem = "a line is not a list of at least two finite numbers";
         } else if (s->n > 0 && count != s->m + 1) {
             problem = "a line has another number of columns than the first";
         } else {

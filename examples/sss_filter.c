@@ -115,8 +115,10 @@ static int parse(int argc, char **argv, settings *s)
         if (!good) return fail(2, name, "its value is malformed or out of range; --help lists the ranges");
         ++i;
     }
-    if (paths < 3) fputs(usage, stderr);
-    if (paths < 3) return fail(2, "arguments", "three file names are expected");
+    if (paths < 3) {
+        fail(2, "arguments", "three file names are expected");
+        return file_usage(usage);
+    }
     if ((s->material == NULL) == (s->csv == NULL))
         return fail(2, "arguments", "one of --material and --profile is expected");
     if (perspective && s->ortho > 0) return fail(2, "arguments", "--fov and --ortho exclude each other");
@@ -195,7 +197,7 @@ int main(int argc, char **argv)
     settings s;
     job j;
     int code;
-    if (argc == 2 && strcmp(argv[1], "--help") == 0) return fputs(usage, stdout) < 0;
+    if (file_help(argc, argv, usage)) return file_end_stdout("sss_filter");
     code = parse(argc, argv, &s);
     if (code) return code;
     memset(&j, 0, sizeof j);

@@ -13,6 +13,7 @@
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
+#include "files.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,16 +23,16 @@ static const char *const model_names[] = {"image", "preintegrated", "residual", 
 static const char *const placement_names[] = {"optimised", "quantile", "quadratic"};
 
 static const char usage_text[] =
-    "usage: sss_kernel MATERIAL|CSV [--radius PIXELS] [--taps N|dense] [--terms N] [--placement NAME]\n"
-    "                  [--model NAME] [--tolerance E [--budget N]] [--dial D] [--k K] [--frames N] [--no-delta]\n"
+    "usage: sss_kernel MATERIAL|CSV [--radius PIXELS] [--taps N|dense] [--tolerance E] [--model NAME] [more: --help]\n"
+    "       [--terms N] [--placement NAME] [--budget N] [--dial D] [--k K] [--frames N] [--no-delta]\n"
     "       --tolerance: the cheapest kernel, at most N taps in all its terms (66); of --model or --taps: its fewest taps\n"
     "       models: image preintegrated residual svd svdn gaussians guided artist slice rotated\n"
     "       placements: optimised quantile quadratic; materials: deon and those of build/profile --list\n";
 
 static int usage(const char *problem, const char *value)
 {
-    fprintf(stderr, "sss_kernel: %s%s%s\n%s", problem, value ? ": " : "", value ? value : "", usage_text);
-    return 2;
+    fprintf(stderr, "sss_kernel: %s%s%s\n", problem, value ? ": " : "", value ? value : "");
+    return file_usage(usage_text);
 }
 
 /* d'Eon and Luebke's six Gaussians for skin (GPU Gems 3, chapter 14): variances in mm^2. */
@@ -145,7 +146,7 @@ int main(int argc, char **argv)
     ms_status status;
     double radius = 0, tolerance = 0, number;
     int budget = 66, i, index, one_model = 0;
-    if (argc == 2 && strcmp(argv[1], "--help") == 0) return fputs(usage_text, stdout) < 0;
+    if (file_help(argc, argv, usage_text)) return file_end_stdout("sss_kernel");
     if (argc < 2 || argv[1][0] == '-') return usage("a material or a CSV file is missing", NULL);
     for (i = 2; i < argc; ++i) {
         const char *name = argv[i], *value = i + 1 < argc ? argv[i + 1] : "";
@@ -199,5 +200,5 @@ int main(int argc, char **argv)
     if (status != MS_OK) fprintf(stderr, "sss_kernel: %s (%s)\n", error.message, ms_status_string(status));
     ms_sss_designer_destroy(designer);
     ms_sss_profile_destroy(profile);
-    return status == MS_OK ? 0 : 1;
+    return file_end_stdout("sss_kernel") || status != MS_OK;
 }

@@ -4,7 +4,7 @@
      cc -O2 -I. examples/workflow.c -o build/workflow -lm
      build/workflow OUT [--taste metal|glass|jade] [--scores SCORES.csv] [--networks examples/data] [--seed S]
 
-   OUT: an existing folder. A scripted user scores 120 materials, or SCORES.csv does (19 parameters and a score a row, such
+   OUT: a folder, made if it is missing. A scripted user scores 120 materials, or SCORES.csv does (19 parameters and a score a row, such
    as OUT/gallery.csv after an earlier run, edited). Written into OUT:
      gallery.csv       what was scored, with the scores
      recommended.csv   300 materials with predicted score and its standard deviation
@@ -24,11 +24,7 @@
 #include "scores.h"
 #include "studio.h"
 
-static int usage(void)
-{
-    fprintf(stderr, "usage: workflow OUT [--taste metal|glass|jade] [--scores SCORES.csv] [--networks examples/data] [--seed S]\n");
-    return 2;
-}
+static const char usage[] = "usage: workflow OUT [--taste metal|glass|jade] [--scores SCORES.csv] [--networks examples/data] [--seed S]\n";
 
 static int fail(const char *what, const char *problem)
 {
@@ -307,21 +303,22 @@ int main(int argc, char **argv)
     call calls[5];
     double t;
     image page;
-    FILE *times;
+    file_out times;
     int i;
+    if (file_help(argc, argv, usage)) return file_end_stdout("workflow");
     f->user = &tastes[0];
     for (i = 1; i < argc; ++i) {
         if (argv[i][0] != '-' && out == NULL) out = argv[i];
-        else if (argv[i][0] != '-' || i + 1 == argc) return usage();
+        else if (argv[i][0] != '-' || i + 1 == argc) return file_usage(usage);
         else if (strcmp(argv[i], "--scores") == 0) file = argv[++i];
         else if (strcmp(argv[i], "--networks") == 0) networks = argv[++i];
         else if (strcmp(argv[i], "--seed") == 0) f->seed = (uint64_t)strtoul(argv[++i], NULL, 10);
         else if (strcmp(argv[i], "--taste") == 0) {
             for (f->user = tastes, ++i; f->user < tastes + 3 && strcmp(f->user->name, argv[i]) != 0; ++f->user) {}
-            if (f->user == tastes + 3) return usage();
-        } else return usage();
+            if (f->user == tastes + 3) return file_usage(usage);
+        } else return file_usage(usage);
     }
-    if (out == NULL) return usage();
+    if (out == NULL) return file_usage(usage);
 
     t = seconds();
     if ((problem = load(f, networks)) != NULL) return fail(networks, problem);
@@ -360,9 +357,9 @@ int main(int argc, char **argv)
     if ((problem = image_write(path, &page)) != NULL) return fail(path, problem);
     note(f, "page, CSV and MaterialX", 0, "", "", t);
     snprintf(path, sizeof path, "%s/times.md", out);
-    if ((times = fopen(path, "w")) == NULL) return fail(path, "cannot be written");
-    i = report(times, f, calls);
-    if (fclose(times) != 0 || !i) return fail(path, "cannot be written");
+    if (file_create(path, &times) == NULL) return fail(path, times.problem);
+    report(times.f, f, calls);
+    if ((problem = file_finish(&times, 1)) != NULL) return fail(path, problem);
 
     if (file) printf("%d scores of %s\n", f->n, file);
     else printf("%d scores of one who likes %s; of the first, random %d %.1f on average, of the recommended ones %.1f\n", f->n, f->user->words,
@@ -377,5 +374,5 @@ int main(int argc, char **argv)
     image_free(&page);
     free(f->x), free(f->y), free(f->edited);
     free(gallery), free(recommended), free(walk);
-    return 0;
+    return file_end_stdout("workflow");
 }

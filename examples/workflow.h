@@ -3,6 +3,7 @@
 #ifndef EXAMPLES_WORKFLOW_H
 #define EXAMPLES_WORKFLOW_H
 #include "neural.h"
+#include "files.h"
 #include "maps.h"
 #include "matcher.h"
 #include "materialx.h"
@@ -165,46 +166,53 @@ static const char *write_files(flow *f, const char *folder)
 {
     static const char *const kinds[] = {"chosen", "variant", "matched"};
     double picked[(VARIANTS + 2) * M], score[VARIANTS + 2];
-    char path[512], name[32], doc[80];
+    const char *problem;
+    char path[512], name[32], doc[80], text[48];
+    file_out tables, materials;
     FILE *csv, *mtlx;
-    int i, k, ok, table;
+    int i, k, table;
     memcpy(picked, f->chosen, sizeof f->chosen);
     memcpy(picked + M, f->variants, sizeof f->variants);
     memcpy(picked + (VARIANTS + 1) * M, f->matched, sizeof f->matched);
     if (ms_gpr_predict(f->gp, picked, VARIANTS + 2, score, NULL, &f->error) != MS_OK) return f->error.message;
     snprintf(path, sizeof path, "%s/workflow.mtlx", folder);
-    if ((mtlx = fopen(path, "w")) == NULL) return "cannot write into the folder";
+    if ((mtlx = file_create(path, &materials)) == NULL) return materials.problem;
     materialx_begin(mtlx);
     for (table = 0; table < 3; ++table) {
         static const char *const names[] = {"gallery", "recommended", "chosen"};
         const double *x = table == 0 ? f->x : table == 1 ? f->recommended : picked;
         int rows = table == 0 ? f->n : table == 1 ? (int)RECOMMENDED : VARIANTS + 2;
         snprintf(path, sizeof path, "%s/%s.csv", folder, names[table]);
-        if ((csv = fopen(path, "w")) == NULL) return "cannot write into the folder";
+        if ((csv = file_create(path, &tables)) == NULL) {
+            file_finish(&materials, 0);
+            return tables.problem;
+        }
         for (k = 0; k < M; ++k) fprintf(csv, "x%d,", k);
         fprintf(csv, table == 1 ? "mean,sigma\n" : table == 0 ? "score\n" : "mean\n");
         for (i = 0; i < rows; ++i) {
-            for (k = 0; k < M; ++k) fprintf(csv, "%.6f,", x[i * M + k]);
-            if (table == 0) fprintf(csv, "%g\n", f->y[i]);
-            else if (table == 1) fprintf(csv, "%.4g,%.4g\n", f->mean[i], f->sigma[i]);
-            else fprintf(csv, "%.4g\n", score[i]);
+            for (k = 0; k < M; ++k) fprintf(csv, "%s,", number_text(text, "%.6f", x[i * M + k]));
+            fprintf(csv, "%s", number_text(text, table ? "%.4g" : "%g", table == 0 ? f->y[i] : table == 1 ? f->mean[i] : score[i]));
+            if (table == 1) fprintf(csv, ",%s", number_text(text, "%.4g", f->sigma[i]));
+            fprintf(csv, "\n");
             if (table == 0) continue;
             if (table == 1) snprintf(name, sizeof name, "recommended_%03d", i + 1);
             else if (i % (VARIANTS + 1) == 0) snprintf(name, sizeof name, "%s", kinds[i ? 2 : 0]);
             else snprintf(name, sizeof name, "%s_%d", kinds[1], i);
-            snprintf(doc, sizeof doc, "predicted score %.2f", table == 1 ? f->mean[i] : score[i]);
+            snprintf(doc, sizeof doc, "predicted score %s", number_text(text, "%.2f", table == 1 ? f->mean[i] : score[i]));
             materialx_write(mtlx, name, x + i * M, doc);
         }
-        ok = !ferror(csv);
-        if (fclose(csv) != 0 || !ok) return "cannot write the whole file";
+        if ((problem = file_finish(&tables, 1)) != NULL) {
+            file_finish(&materials, 0);
+            return problem;
+        }
     }
-    ok = materialx_end(mtlx);
-    return fclose(mtlx) == 0 && ok ? NULL : "cannot write the whole file";
+    materialx_end(mtlx);
+    return file_finish(&materials, 1);
 }
 
 /* --------------------------------------------------------------------------------------------------------- the report */
 
-static int report(FILE *out, const flow *f, const call calls[5])
+static void report(FILE *out, const flow *f, const call calls[5])
 {
     double sum = 0;
     int i;
@@ -217,6 +225,5 @@ static int report(FILE *out, const flow *f, const call calls[5])
     fprintf(out, "\n| interactive call | calls | mean, ms | longest, ms |\n|---|---:|---:|---:|\n");
     for (i = 0; i < 5; ++i)
         fprintf(out, "| %s | %d | %.2f | %.2f |\n", calls[i].name, calls[i].count, 1e3 * calls[i].sum / calls[i].count, 1e3 * calls[i].most);
-    return !ferror(out);
 }
 #endif

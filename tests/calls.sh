@@ -50,7 +50,7 @@ for t in tests/test_*.c; do
             grep -v '^ok' "$out/$n.log" | tail -12
         fi
         grep '^TRAP' "$out/report.$n" | while read -r trap function address; do
-            echo "FAIL $function traps: $(addr2line -e "$out/$n" "$address" | sed 's/.*\///; s/ (.*//')"
+            echo "FAIL $function traps: $(addr2line -i -e "$out/$n" "$address" | grep -m 1 "$header" | sed 's/.*\///; s/ (.*//')"
         done | sort -u >"$out/trapped"
         cat "$out/trapped"
         failed=$((failed + $(wc -l <"$out/trapped")))

@@ -188,7 +188,7 @@ if [ -x build/workflow ] && [ -f examples/data/inversion_1.safetensors ]; then
     mkdir -p "$out/a" "$out/b"
     ok "the whole workflow" build/workflow "$out/a" 
     is "all files" "$(cd "$out/a" && echo *)" "chosen.csv gallery.csv recommended.csv times.md workflow.mtlx workflow.png"
-    is "250 scores" "$(grep -c '^[0-9]' "$out/a/gallery.csv")" 250
+    is "120 scores" "$(grep -c '^[0-9]' "$out/a/gallery.csv")" 120
     is "300 recommendations" "$(grep -c '^[0-9]' "$out/a/recommended.csv")" 300
     ok "scores of a file" build/workflow "$out/b" --scores "$out/a/gallery.csv"
     is "with those scores" "$(cksum <"$out/b/gallery.csv")" "$(cksum <"$out/a/gallery.csv")"
@@ -199,7 +199,8 @@ if [ -x build/workflow ] && [ -f examples/data/inversion_1.safetensors ]; then
     refuses "scores of an impossible material" "outside" build/workflow "$out/b" --scores "$out/bad.csv"
     awk -F, -v OFS=, 'NR > 1 {$20 = 0} {print}' "$out/a/gallery.csv" >"$out/bad.csv"
     refuses "scores of one who likes nothing" "score" build/workflow "$out/b" --scores "$out/bad.csv"
-    refuses "an output folder that is not there" "nowhere" build/workflow "$out/nowhere"
+    ok "an output folder that is made" build/workflow "$out/nowhere/deep"
+    is "with all files" "$(ls "$out/nowhere/deep" | wc -l | tr -d ' ')" "$(ls "$out/a" | wc -l | tr -d ' ')"
 fi
 
 echo "$passed passed, $failed failed"
