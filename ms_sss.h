@@ -552,6 +552,7 @@ typedef struct ms_sss_filter_options {
     ms_parallel parallel;
     float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                                 1: not at all, as if every pixel faced the camera; between: slopes are that much less */
+    int exact;               /* depth weights, 0: (1 - (dz / (3.0746 sigma))^2)^4; 1: the Gaussian, for comparisons */
 } ms_sss_filter_options;
 
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
@@ -573,8 +574,9 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
      reaches another pixel. Nor does light cross between profiles.
    - Slope (see `flat`): taps are spaced on the surface's tangent plane, and depth counts against it, so that a plane is
      filtered alike at any tilt up to 83 degrees. Exact about the screen's axes; diagonal tilts shear the kernel.
-   - Elevation (see ELEVATION): with sin(theta) = half the angle that the normals turn along the axis. The factor is at most
-     reflectance^(-1/2) a pass: reflectance times output is never above the brightest input.
+   - Elevation (see ELEVATION): sin(theta) = how far the tap lies below the pixel's tangent plane over the tap's distance, which
+     on a sphere is the same. No pass multiplies the mean by more than reflectance^(-1/2): reflectance times output is never above
+     the brightest input.
      Slopes and normals are those of depth, one-sided differences where an edge or crease is on the other side; 0 where edges are
      on both. Half-precision depth is too coarse for that: give normals, or set flat to 1.
    - What of a kernel falls outside the picture or on such pixels is made up for by the rest: on planes, and everywhere with
@@ -3333,6 +3335,9 @@ enum {
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
 };
 
+/* (1 - (dz / (3.0746 sigma))^2)^4, which stands for exp(-dz^2 / (2 sigma^2)): within 0.013 of it everywhere. */
+#define MS_SSS__FALLOFF_END 3.0746
+
 /* Taps of one pass at whole-pixel offsets, for kernels of one size everywhere. */
 typedef struct ms_sss__fixed {
     int count, offset[MS_SSS__FIXED_MAX], lowest, highest;
@@ -3356,13 +3361,15 @@ typedef struct ms_sss__pass {
     int perspective, follow, second;
     float cut; /* dz^2 from which on nothing counts */
     const float (*direction)[2];
-    /* With slopes: depths are taken against the tangent plane, and light that enters where the normal is tilted away counts more. */
-    const float *slope[2], *tilt[2]; /* planes as colour's; tilt: angle of the normal to the view axis, times its direction */
+    int exact; /* the Gaussian of dz^2; 0: (1 - dz^2)^4 */
+    /* With slopes: depths are taken against the tangent plane, and light from below it counts more. */
+    const float *slope[2]; /* planes as colour's */
     float focal[2];     /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the farther pixel */
-    float reach;        /* dz^2 of the kernel's radius */
+    float reach;        /* dz^2 of the kernel's radius: between neighbours a step in depth beyond is an edge */
     float upright;      /* 1 - flat */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
-    float curve[3], most[3];  /* K / 8 and the bound of 1 + K sin(theta) / 4 */
+    float unit;         /* mm of dz 1 */
+    float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
 } ms_sss__pass;
 
 /* A row of a pyramid level, even and odd columns apart: colour, depth, share of the area that takes part. */
@@ -3395,7 +3402,7 @@ typedef struct ms_sss__kernels {
     void (*shaped_y)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
     void (*shaped_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
     void (*shape)(const ms_sss__pass *p, const float *const depth[3], const float *const normal[3], int y, int begin, int end,
-                  float *const slope[2], float *const tilt[2]);
+                  float *const slope[2]);
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
@@ -3653,7 +3660,7 @@ typedef struct ms_sss__job {
     float depth_scale, gain;
     int unwritten;        /* pixels that take no part still have to be copied to the output */
     int raw;              /* and their elements can be copied as they are */
-    float *middle[3], *source[3], *depth, *sum[3], *slope[2], *tilt[2], *rows;
+    float *middle[3], *source[3], *depth, *sum[3], *slope[2], *rows;
     float *fresh; /* a row of depths where all pixels take part */
     int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
     int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
@@ -3890,10 +3897,7 @@ static void ms_sss__first_pass(void *context, int task)
             else if (!job->shaped) job->simd->taps_x(&pass, y, first, last, out);
             else {
                 for (c = 0; c < 3; ++c) pass.colour[c] = job->source[c] + row;
-                for (c = 0; c < 2; ++c) {
-                    pass.slope[c] = job->slope[c] + row;
-                    pass.tilt[c] = job->tilt[c] + row;
-                }
+                for (c = 0; c < 2; ++c) pass.slope[c] = job->slope[c] + row;
                 pass.depth = job->depth + row;
                 job->simd->shaped_x(&pass, y, first, last, out);
             }
@@ -4070,7 +4074,7 @@ static void ms_sss__prepare_band(void *context, int task)
     }
 }
 
-/* Slopes and tilts of the prepared rows. */
+/* Slopes of the prepared rows. */
 static void ms_sss__shape_band(void *context, int task)
 {
     const ms_sss__job *job = (const ms_sss__job *)context;
@@ -4081,12 +4085,9 @@ static void ms_sss__shape_band(void *context, int task)
         const int first = job->first[y], last = job->last[y];
         const ptrdiff_t row = (ptrdiff_t)y * job->stride;
         const float *depth[3], *normal[3];
-        float *slope[2], *tilt[2], *buffer[3];
+        float *slope[2], *buffer[3];
         for (i = 0; i < 2; ++i) {
             slope[i] = job->slope[i] + row;
-            tilt[i] = job->tilt[i] + row;
-            ms_sss__clear(job, slope[i], 0.0f);
-            ms_sss__clear(job, tilt[i], 0.0f);
         }
         for (i = 0; i < 3; ++i) {
             depth[i] = job->depth + row + (i - 1) * job->stride;
@@ -4097,7 +4098,7 @@ static void ms_sss__shape_band(void *context, int task)
             ms_sss__load(&job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
             for (i = 0; i < 3; ++i) normal[i] -= first;
         }
-        job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope, tilt);
+        job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
     }
 }
 
@@ -4126,7 +4127,7 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     l.plane = ms__size_mul(l.stride, (size_t)height + 2); /* an empty row above and below */
     l.planes = 4;
     if (ms_sss__differ(options->rotation, 0) || options->jitter > 0 || ms_sss__may_shape(options)) l.planes += 3;
-    if (ms_sss__may_shape(options)) l.planes += 4;
+    if (ms_sss__may_shape(options)) l.planes += 2;
     if (terms > 1) l.planes += 3;
     floats = ms__size_mul(l.plane, (size_t)l.planes);
     floats = ms__size_add(floats, ms__size_mul(l.stride, (size_t)MS_SSS__TASKS * MS_SSS__ROWS + 1));
@@ -4245,6 +4246,7 @@ static ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error 
     if (ms_sss__differ(o->follow_mm, 0) && !ms_sss__positive(o->follow_mm))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "follow_mm %g is not positive", (double)o->follow_mm);
     if (!(o->fade >= 0 && o->fade <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fade %g is not within [0, 1]", (double)o->fade);
+    if (o->exact != 0 && o->exact != 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "exact is %d, not 0 or 1", o->exact);
     if (!(o->flat >= 0 && o->flat <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "flat %g is not within [0, 1]", (double)o->flat);
     if (!(o->jitter >= 0 && o->jitter <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "jitter %g is not within [0, 1]", (double)o->jitter);
     if (!ms__finite_f(o->rotation)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rotation is not finite");
@@ -4277,16 +4279,21 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     }
     p->perspective = o->fov_degrees > 0;
     p->follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
+    p->exact = o->exact;
     p->cut = 1.0f;
     if (p->follow) {
         kappa = mm / (o->follow_mm > 0 ? (double)o->follow_mm : radius);
-    } else if (o->depth_mode == MS_SSS_DEPTH_AWARE) { /* exp(-(mm dz)^2 / (2 sigma^2)) = 2^-(kappa dz)^2 */
+    } else if (o->depth_mode == MS_SSS_DEPTH_AWARE) {
         const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
         const double part = job->shaped ? 0.12 + 0.13 * (1 - (double)o->flat) : 0.12;
-        const double unit = 0.84932180028801904 / (o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : part * extent);
+        const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : part * extent;
+        double end = MS_SSS__FALLOFF_END * sigma, unit = 0.84932180028801904 / sigma; /* exp(-dz^2 / (2 sigma^2)) = 2^-(unit dz)^2 */
+        if (!job->shaped && (o->exact || radius < end)) end = radius;
+        if (!o->exact) unit = 1 / end;
         kappa = mm * unit;
+        p->cut = (float)(end * unit * end * unit < 120 ? end * unit * end * unit : 120);
         p->reach = (float)(radius * unit * radius * unit);
-        p->cut = p->reach < 120 && !job->shaped ? p->reach : 120;
+        p->unit = (float)(1 / unit);
     }
     job->depth_scale = (float)kappa;
     widest = (double)(p->aspect[0] > p->aspect[1] ? p->aspect[0] : p->aspect[1]);
@@ -4299,10 +4306,11 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     p->tangent = p->perspective ? 1 / p->focal[0] : 0;
     p->middle[0] = 0.5f * (float)width;
     p->middle[1] = 0.5f * (float)height;
-    for (c = 0; c < 3; ++c) { /* 1 + K sin(theta) / 4 to the fourth, at most 1 / reflectance after both passes */
-        p->curve[c] = k->elevation_axis[c] / 8;
-        p->most[c] = k->reflectance[c] > 0 ? (float)pow((double)k->reflectance[c], -0.125) : 1e8f;
-        if (p->most[c] < 1) p->most[c] = 1;
+    p->least = -1;
+    for (c = 0; c < 3; ++c) {
+        p->curve[c] = k->elevation_axis[c] / 4;
+        p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
+        if (p->curve[c] * p->least < -1) p->least = -1 / p->curve[c]; /* where 1 + K sin(theta) / 4 is 0 */
     }
     if (p->perspective) size *= kappa;
     else if (size > (double)p->size_max) size = (double)p->size_max;
@@ -4479,7 +4487,6 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         else if (i < 7 && i < layout.planes) job->source[i - 4] = plane;
         if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
         if (ms_sss__may_shape(options) && i >= 7 && i < 9) job->slope[i - 7] = plane;
-        if (ms_sss__may_shape(options) && i >= 9 && i < 11) job->tilt[i - 9] = plane;
         ms_sss__clear(job, plane - layout.stride, i == 3 ? INFINITY : 0.0f);
         ms_sss__clear(job, plane + layout.stride * (size_t)h, i == 3 ? INFINITY : 0.0f);
         at += layout.plane;
@@ -4501,10 +4508,7 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         job->direction[i][0] = (float)cos(angle);
         job->direction[i][1] = (float)sin(angle);
     }
-    for (c = 0; c < 2; ++c) {
-        job->pass.slope[c] = job->slope[c];
-        job->pass.tilt[c] = job->tilt[c];
-    }
+    for (c = 0; c < 2; ++c) job->pass.slope[c] = job->slope[c];
     job->pass.stride = job->stride;
     job->pass.width = w;
     job->pass.height = h;
@@ -5888,6 +5892,7 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         job.frame.height = height;
         job.options = *options;
         job.shaped = ms_sss__shader_shaped(shader, options);
+        job.options.exact = 1;
         ms_sss__set_kernel(&job, k, 0);
         picture.aspect[0] = job.pass.aspect[0];
         picture.aspect[1] = job.pass.aspect[1];
@@ -5898,7 +5903,7 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         profile.cut = job.pass.cut;
         profile.reach = job.pass.reach;
         memcpy(profile.curve, job.pass.curve, sizeof profile.curve);
-        memcpy(profile.most, job.pass.most, sizeof profile.most);
+        memcpy(profile.most, job.pass.root, sizeof profile.most);
         if (term < k->term_count) {
             ms_sss__totals(k, term, job.pass.follow && shader->depth != MS_SSS_NONE, job.pass.total, job.pass.mixed);
             ms_sss_kernel_upload(k, term, shader->half_kernel, 0, at + MS_SSS__PROFILE_HEAD, NULL);
@@ -6192,41 +6197,35 @@ static void MS_SSS__NAME(convolve_valid)(const ms_sss__fixed *f, const float *co
 
 typedef struct MS_SSS__NAME(sum) {
     MS_SSS__V r, g, b, n; /* sum of h f colour, sum of h f */
-    MS_SSS__V turn, h;    /* sums of h and of h times how much the tilt along the axis differs from the pixel's, of what counts */
+    MS_SSS__V below;      /* sum of h f depth below the tangent plane */
 } MS_SSS__NAME(sum);
 
 /* One pixel beside a tap's position: h is its share (bilinear), f what its depth leaves of it, against the plane's there. */
-static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, const int axes, const int shaped, ptrdiff_t at, MS_SSS__V z, MS_SSS__V plane,
-                                              MS_SSS__V h, MS_SSS__V own_tilt, MS_SSS__V dx, MS_SSS__V dy, MS_SSS__NAME(sum) *s)
+static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, const int shaped, ptrdiff_t at, MS_SSS__V plane, MS_SSS__V h,
+                                              MS_SSS__NAME(sum) *s)
 {
-    MS_SSS__V there = MS_SSS__LOAD(p->depth + at), dz = MS_SSS__SUB(there, plane), q = MS_SSS__MUL(dz, dz), f;
+    MS_SSS__V dz = MS_SSS__SUB(MS_SSS__LOAD(p->depth + at), plane), q = MS_SSS__MUL(dz, dz), f;
     MS_SSS__MASK near_by = MS_SSS__LESS(q, MS_SSS__SET(p->cut));
-    if (shaped) {
-        dz = MS_SSS__SUB(there, z);
-        near_by = MS_SSS__BOTH(near_by, MS_SSS__LESS(MS_SSS__MUL(dz, dz), MS_SSS__SET(p->reach)));
-    }
     if (!MS_SSS__BITS(near_by)) return;
-    if (shaped) {
-        const MS_SSS__V counts = MS_SSS__SELECT(near_by, h, MS_SSS__SET(0.0f));
-        MS_SSS__V tilt = MS_SSS__LOAD(p->tilt[axes == 2] + at);
-        if (axes == 3) tilt = MS_SSS__MADD(dx, tilt, MS_SSS__MUL(dy, MS_SSS__LOAD(p->tilt[1] + at)));
-        s->turn = MS_SSS__MADD(counts, MS_SSS__SUB(tilt, own_tilt), s->turn);
-        s->h = MS_SSS__ADD(s->h, counts);
-    }
     if (p->follow) f = MS_SSS__SUB(MS_SSS__SET(1.0f), MS_SSS__ABS(dz));
-    else f = MS_SSS__NAME(exp2_minus)(q);
+    else if (p->exact) f = MS_SSS__NAME(exp2_minus)(q);
+    else {
+        f = MS_SSS__SUB(MS_SSS__SET(1.0f), q);
+        f = MS_SSS__MUL(f, f);
+        f = MS_SSS__MUL(f, f);
+    }
     f = MS_SSS__SELECT(near_by, MS_SSS__MUL(h, f), MS_SSS__SET(0.0f));
     s->r = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[0] + at), s->r);
     s->g = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[1] + at), s->g);
     s->b = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[2] + at), s->b);
     s->n = MS_SSS__ADD(s->n, f);
+    if (shaped) s->below = MS_SSS__MADD(f, MS_SSS__SELECT(near_by, dz, MS_SSS__SET(0.0f)), s->below);
 }
 
-/* (1 + K sin(theta) / 4)^4, which stands for exp(K sin(theta)), from 0 to the bound; turn: sin(theta) 2. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lift)(const ms_sss__pass *p, int channel, MS_SSS__V turn)
+/* (1 + K sin(theta) / 4)^4 */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lift)(const ms_sss__pass *p, int channel, MS_SSS__V sine)
 {
-    MS_SSS__V u = MS_SSS__MADD(MS_SSS__SET(p->curve[channel]), turn, MS_SSS__SET(1.0f));
-    u = MS_SSS__MIN(MS_SSS__MAX(u, MS_SSS__SET(0.0f)), MS_SSS__SET(p->most[channel]));
+    MS_SSS__V u = MS_SSS__MADD(MS_SSS__SET(p->curve[channel]), sine, MS_SSS__SET(1.0f));
     u = MS_SSS__MUL(u, u);
     return MS_SSS__MUL(u, u);
 }
@@ -6252,7 +6251,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
     for (x = begin; x < end; x += MS_SSS__LANES) {
         MS_SSS__V z = MS_SSS__LOAD(p->depth + row + x), size, dx = one, dy = one;
         MS_SSS__V own_r, own_g, own_b, r, g, b, nr, ng, nb;
-        MS_SSS__V plane = zero, plane_x = zero, plane_y = zero, tilt = zero, along_x = zero, along_y = zero; /* of the pixel; plane: a column, a row */
+        MS_SSS__V mr, mg, mb; /* as nr, ng, nb, lifted */
+        MS_SSS__V plane = zero, plane_x = zero, plane_y = zero, facing = zero, rise = zero; /* plane: a column, a row; rise: a mm of the taps */
         MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(INFINITY)), large;
         unsigned pending;
         if (!MS_SSS__BITS(part)) {
@@ -6274,7 +6274,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
             MS_SSS__STORE(out[2] + x - begin, MS_SSS__MUL(own_b, MS_SSS__SET(p->total[2])));
             continue;
         }
-        r = g = b = nr = ng = nb = zero;
+        r = g = b = nr = ng = nb = mr = mg = mb = zero;
         if (axes == 3) {
             float turn_x[MS_SSS__LANES], turn_y[MS_SSS__LANES];
             for (k = 0; k < MS_SSS__LANES; ++k) {
@@ -6298,12 +6298,12 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
             if (p->perspective) {
                 plane_x = MS_SSS__MUL(plane_x, z);
                 plane_y = MS_SSS__MUL(plane_y, z);
+                rise = MS_SSS__MUL(MS_SSS__MUL(along, MS_SSS__MUL(size, z)), MS_SSS__SET(1 / p->focal[0]));
             }
             plane = axes == 2 ? plane_y : plane_x;
-            along_x = dx;
-            along_y = dy;
-            tilt = MS_SSS__LOAD(p->tilt[axes == 2] + row + x);
-            if (axes == 3) tilt = MS_SSS__MADD(dx, tilt, MS_SSS__MUL(dy, MS_SSS__LOAD(p->tilt[1] + row + x)));
+            square = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, one));
+            square = MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(square, square)));
+            facing = MS_SSS__DIV(MS_SSS__SET(p->unit), MS_SSS__SQRT(square)); /* cosine to the ray, in mm of dz 1 */
         }
         dx = MS_SSS__MUL(MS_SSS__MUL(dx, size), MS_SSS__SET(p->aspect[0]));
         dy = MS_SSS__MUL(MS_SSS__MUL(dy, size), MS_SSS__SET(p->aspect[1]));
@@ -6311,7 +6311,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
             const MS_SSS__V o = MS_SSS__SET(p->offset_mm[k]);
             MS_SSS__V tx = MS_SSS__MUL(o, axes == 2 ? dy : dx), ix = MS_SSS__FLOOR(tx), ty = zero, iy = zero, wr, wg, wb;
             float at_x[MS_SSS__LANES], at_y[MS_SSS__LANES];
-            MS_SSS__NAME(sum) s = {zero, zero, zero, zero, zero, zero};
+            MS_SSS__NAME(sum) s = {zero, zero, zero, zero, zero};
             unsigned left = pending;
             tx = MS_SSS__SUB(tx, ix);
             MS_SSS__STORE(at_x, ix);
@@ -6335,17 +6335,22 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
                 h1 = MS_SSS__SELECT(same, tx, zero);
                 h0 = MS_SSS__SELECT(same, MS_SSS__SUB(one, tx), zero);
 #endif
-                MS_SSS__V z0 = z, z1 = z; /* of the plane */
+                MS_SSS__V z0 = z, z1 = z; /* of the plane, in perspective to the second order */
+                if (shaped) {
+                    z0 = MS_SSS__MUL(o, rise);
+                    z0 = MS_SSS__ADD(z, p->perspective ? MS_SSS__DIV(MS_SSS__MUL(z0, z0), z) : zero);
+                    z1 = z0;
+                }
                 if (shaped && axes < 3) {
-                    z0 = MS_SSS__MADD(MS_SSS__SET((float)i), plane, z);
+                    z0 = MS_SSS__MADD(MS_SSS__SET((float)i), plane, z0);
                     z1 = MS_SSS__ADD(z0, plane);
                 }
                 if (axes == 1) {
-                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__column(p, x + i), z, z0, h0, tilt, zero, zero, &s);
-                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__column(p, x + i + 1), z, z1, h1, tilt, zero, zero, &s);
+                    MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i), z0, h0, &s);
+                    MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i + 1), z1, h1, &s);
                 } else if (axes == 2) {
-                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__row(p, y + i, x) + x, z, z0, h0, tilt, zero, zero, &s);
-                    MS_SSS__NAME(read)(p, axes, shaped, ms_sss__row(p, y + i + 1, x) + x, z, z1, h1, tilt, zero, zero, &s);
+                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y + i, x) + x, z0, h0, &s);
+                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y + i + 1, x) + x, z1, h1, &s);
                 } else {
                     const ptrdiff_t c0 = ms_sss__column(p, x + i), c1 = ms_sss__column(p, x + i + 1);
                     const int j = (int)at_y[lane];
@@ -6355,27 +6360,31 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
                     for (corner = 0; corner < 4; ++corner) {
                         const int right = corner % 2, below = corner / 2;
                         const MS_SSS__V h = MS_SSS__MUL(right ? h1 : h0, below ? ty : MS_SSS__SUB(one, ty));
-                        if (shaped) z0 = MS_SSS__MADD(MS_SSS__SET((float)(i + right)), plane_x, MS_SSS__MADD(MS_SSS__SET((float)(j + below)), plane_y, z));
-                        MS_SSS__NAME(read)(p, axes, shaped, (below ? r1 : r0) + (right ? c1 : c0), z, z0, h, tilt, along_x, along_y, &s);
+                        if (shaped) z1 = MS_SSS__MADD(MS_SSS__SET((float)(i + right)), plane_x, MS_SSS__MADD(MS_SSS__SET((float)(j + below)), plane_y, z0));
+                        MS_SSS__NAME(read)(p, shaped, (below ? r1 : r0) + (right ? c1 : c0), z1, h, &s);
                     }
                 }
             } while (left);
-            if (shaped) {
-                MS_SSS__V turn = MS_SSS__DIV(s.turn, MS_SSS__MAX(s.h, MS_SSS__SET(1e-30f)));
-                if (p->offset_mm[k] < 0) turn = MS_SSS__SUB(zero, turn);
-                s.r = MS_SSS__MUL(s.r, MS_SSS__NAME(lift)(p, 0, turn));
-                s.g = MS_SSS__MUL(s.g, MS_SSS__NAME(lift)(p, 1, turn));
-                s.b = MS_SSS__MUL(s.b, MS_SSS__NAME(lift)(p, 2, turn));
-            }
             wr = MS_SSS__SET(p->weight[k][0]);
             wg = MS_SSS__SET(p->weight[k][1]);
             wb = MS_SSS__SET(p->weight[k][2]);
-            r = MS_SSS__MADD(wr, s.r, r);
-            g = MS_SSS__MADD(wg, s.g, g);
-            b = MS_SSS__MADD(wb, s.b, b);
             nr = MS_SSS__MADD(wr, s.n, nr);
             ng = MS_SSS__MADD(wg, s.n, ng);
             nb = MS_SSS__MADD(wb, s.n, nb);
+            if (shaped) {
+                const float distance = fabsf(p->offset_mm[k]);
+                MS_SSS__V sine = MS_SSS__MUL(s.below, MS_SSS__MUL(facing, MS_SSS__SET(distance > 1e-20f ? 1 / distance : 0.0f)));
+                sine = MS_SSS__MAX(MS_SSS__MIN(sine, one), MS_SSS__SET(p->least));
+                wr = MS_SSS__MUL(wr, MS_SSS__NAME(lift)(p, 0, sine));
+                wg = MS_SSS__MUL(wg, MS_SSS__NAME(lift)(p, 1, sine));
+                wb = MS_SSS__MUL(wb, MS_SSS__NAME(lift)(p, 2, sine));
+                mr = MS_SSS__MADD(wr, s.n, mr);
+                mg = MS_SSS__MADD(wg, s.n, mg);
+                mb = MS_SSS__MADD(wb, s.n, mb);
+            }
+            r = MS_SSS__MADD(wr, s.r, r);
+            g = MS_SSS__MADD(wg, s.g, g);
+            b = MS_SSS__MADD(wb, s.b, b);
         }
         r = MS_SSS__MADD(own_r, MS_SSS__SET(p->weight[0][0]), r);
         g = MS_SSS__MADD(own_g, MS_SSS__SET(p->weight[0][1]), g);
@@ -6383,6 +6392,9 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
         nr = MS_SSS__ADD(nr, MS_SSS__SET(p->weight[0][0]));
         ng = MS_SSS__ADD(ng, MS_SSS__SET(p->weight[0][1]));
         nb = MS_SSS__ADD(nb, MS_SSS__SET(p->weight[0][2]));
+        if (shaped && !p->mixed[0]) nr = MS_SSS__MAX(nr, MS_SSS__MUL(MS_SSS__SET(p->root[0]), MS_SSS__ADD(mr, MS_SSS__SET(p->weight[0][0]))));
+        if (shaped && !p->mixed[1]) ng = MS_SSS__MAX(ng, MS_SSS__MUL(MS_SSS__SET(p->root[1]), MS_SSS__ADD(mg, MS_SSS__SET(p->weight[0][1]))));
+        if (shaped && !p->mixed[2]) nb = MS_SSS__MAX(nb, MS_SSS__MUL(MS_SSS__SET(p->root[2]), MS_SSS__ADD(mb, MS_SSS__SET(p->weight[0][2]))));
         r = MS_SSS__NAME(restore)(r, nr, own_r, p->total[0], p->mixed[0]);
         g = MS_SSS__NAME(restore)(g, ng, own_g, p->total[1], p->mixed[1]);
         b = MS_SSS__NAME(restore)(b, nb, own_b, p->total[2], p->mixed[2]);
@@ -6422,9 +6434,9 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float
     return MS_SSS__MIN(MS_SSS__MAX(s, MS_SSS__SUB(zero, limit)), limit);
 }
 
-/* Slopes and tilts of row y, columns [begin, end), from the depths of rows y - 1, y and y + 1, or from normals. */
+/* Slopes of row y, columns [begin, end), from the depths of rows y - 1, y and y + 1, or from normals. */
 static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[3], const float *const normal[3], int y, int begin, int end,
-                                float *const slope[2], float *const tilt[2])
+                                float *const slope[2])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
     const MS_SSS__V ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
@@ -6432,10 +6444,12 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
     for (x = begin; x < end; x += MS_SSS__LANES) {
         const MS_SSS__V z = MS_SSS__LOAD(depth[1] + x), rx = MS_SSS__NAME(ray)(p, x);
         const MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
-        MS_SSS__V sx, sy, k, m, root, angle;
+        MS_SSS__V sx, sy, k;
         if (normal) {
-            const MS_SSS__V a = MS_SSS__LOAD(normal[0] + x), b = MS_SSS__LOAD(normal[1] + x);
-            const MS_SSS__V facing = MS_SSS__SUB(MS_SSS__LOAD(normal[2] + x), MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b)));
+            const MS_SSS__V c = MS_SSS__LOAD(normal[2] + x), any = MS_SSS__ADD(MS_SSS__LOAD(normal[0] + x), MS_SSS__ADD(MS_SSS__LOAD(normal[1] + x), c));
+            const MS_SSS__MASK finite = MS_SSS__LESS(MS_SSS__ABS(any), infinity);
+            const MS_SSS__V a = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[0] + x), zero), b = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[1] + x), zero);
+            const MS_SSS__V facing = MS_SSS__SUB(c, MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b)));
             const MS_SSS__V most = MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)), eighth = MS_SSS__MUL(most, MS_SSS__SET(0.125f));
             k = MS_SSS__DIV(one, MS_SSS__SELECT(MS_SSS__LESS(eighth, facing), facing, eighth)); /* at most 8 */
             sx = MS_SSS__MUL(k, a);
@@ -6448,19 +6462,6 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
         sy = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sy), infinity)), MS_SSS__MUL(sy, MS_SSS__SET(p->upright)), zero);
         MS_SSS__STORE(slope[0] + x, sx);
         MS_SSS__STORE(slope[1] + x, sy);
-        /* the normal is (sx, sy, 1 + ray . s): its angle a to the view axis by tan(a / 2), atan by Hastings 1955, sheet 11, to 1e-5 */
-        k = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, one));
-        k = MS_SSS__DIV(one, MS_SSS__MAX(k, MS_SSS__SET(0.125f)));
-        sx = MS_SSS__MUL(sx, k);
-        sy = MS_SSS__MUL(sy, k);
-        m = MS_SSS__MADD(sx, sx, MS_SSS__MUL(sy, sy));
-        root = MS_SSS__DIV(one, MS_SSS__ADD(one, MS_SSS__SQRT(MS_SSS__ADD(one, m)))); /* tan(a / 2) / tan(a) */
-        m = MS_SSS__MUL(m, MS_SSS__MUL(root, root));
-        angle = MS_SSS__MADD(m, MS_SSS__MADD(m, MS_SSS__SET(0.0208351f), MS_SSS__SET(-0.0851330f)), MS_SSS__SET(0.1801410f));
-        angle = MS_SSS__MADD(m, MS_SSS__MADD(m, angle, MS_SSS__SET(-0.3302995f)), MS_SSS__SET(0.9998660f));
-        angle = MS_SSS__MUL(MS_SSS__ADD(root, root), angle);
-        MS_SSS__STORE(tilt[0] + x, MS_SSS__MUL(sx, angle));
-        MS_SSS__STORE(tilt[1] + x, MS_SSS__MUL(sy, angle));
     }
 }
 

@@ -200,6 +200,7 @@ static void make_case(one_case *t, int i, ms_sss_language language, int compute,
     t->terms = 1 + i % max_terms;
     t->options = ms_sss_filter_defaults();
     t->options.flat = 1; /* the texts know no slopes yet */
+    t->options.exact = 1;
     t->shader.language = language;
     t->shader.compute = compute;
     t->shader.tap_count = taps;
@@ -544,6 +545,7 @@ static void case_bleeding(void)
     t.shader.prepared = 0;
     t.options = ms_sss_filter_defaults();
     t.options.flat = 1; /* the texts know no slopes yet */
+    t.options.exact = 1;
     t.options.pixels_per_mm[0] = 4;
     for (i = 0; i < PIXELS; ++i)
         for (c = 0; c < 3; ++c) light[4 * i + c] = profile[i] == c ? 1 : profile[i] >= PROFILES ? 9 : 0;
@@ -584,6 +586,7 @@ static void case_constants(void)
     t.shader.depth = MS_SSS_TEXTURE;
     t.options = ms_sss_filter_defaults();
     t.options.flat = 1; /* the texts know no slopes yet */
+    t.options.exact = 1;
     t.options.fov_degrees = 40;
     t.options.mm_per_unit = 10;
     if (ms_sss_shader_constants(t.kernel, 0, &t.options, 640, 360, &t.shader, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
@@ -614,6 +617,7 @@ static void validate(ms_sss_language language, int compute, const char *flags, c
     for (i = 0; i < 81 * 1024; ++i) {
         ms_sss_filter_options o = ms_sss_filter_defaults();
         o.flat = 1;
+        o.exact = 1;
         ms_sss_shader s;
         FILE *f;
         const int bits = i / 81;

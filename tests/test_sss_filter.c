@@ -195,10 +195,10 @@ static int plain_small(const plain *p, int i)
 
 static int plain_shaped(const plain *p) { return (p->with & WITH_DEPTH) && p->o.depth_mode == MS_SSS_DEPTH_AWARE && p->o.flat < 1; }
 
-/* The surface at a pixel: slopes against the picture's plane, what depth changes a pixel, the ray's tangents, and the angle
-   between normal and view axis times its direction on the screen. */
+/* The surface at a pixel: slopes against the picture's plane, what depth changes a pixel, the ray's tangents, and the cosine
+   between the normal and the ray, times the ray's length. */
 typedef struct plain_surface {
-    double slope[2], step[2], ray[2], tilt[2];
+    double slope[2], step[2], ray[2], facing;
 } plain_surface;
 
 static plain_surface plain_shape(const plain *p, int i)
@@ -207,7 +207,7 @@ static plain_surface plain_shape(const plain *p, int i)
     const ms_sss_kernel *k = &p->kernels[plain_profile(p, i)];
     const double mm = p->o.mm_per_unit > 0 ? (double)p->o.mm_per_unit : 1, z = (double)p->s->depth[i];
     const int perspective = p->o.fov_degrees > 0;
-    double focal[2], facing, angle, length;
+    double focal[2], axis;
     plain_surface s;
     int a, b;
     for (a = 0; a < 2; ++a) {
@@ -246,28 +246,30 @@ static plain_surface plain_shape(const plain *p, int i)
         s.slope[a] *= 1 - (double)p->o.flat;
         s.step[a] = s.slope[a] / focal[a] * (perspective ? z : 1);
     }
-    facing = 1 + s.ray[0] * s.slope[0] + s.ray[1] * s.slope[1];
-    if (facing < 0.125) facing = 0.125;
-    length = sqrt(s.slope[0] * s.slope[0] + s.slope[1] * s.slope[1]);
-    angle = atan(length / facing);
-    for (a = 0; a < 2; ++a) s.tilt[a] = length > 0 ? s.slope[a] / length * angle : 0;
+    axis = 1 + s.ray[0] * s.slope[0] + s.ray[1] * s.slope[1];
+    s.facing = 1 / sqrt(s.slope[0] * s.slope[0] + s.slope[1] * s.slope[1] + axis * axis);
     return s;
 }
 
-/* dx, dy: pixels from i to j */
-static double plain_depth_factor(const plain *p, const ms_sss_kernel *k, const plain_surface *surface, int i, int j, int dx, int dy)
+/* What depth leaves of pixel j, dx and dy pixels from i: within [0, 1]. below: mm under the tangent plane; bend: what the
+   plane's depth changes there beyond its steps. */
+static double plain_depth_factor(const plain *p, const ms_sss_kernel *k, const plain_surface *surface, int i, int j, int dx, int dy, double bend,
+                                 double *below)
 {
     const double mm = p->o.mm_per_unit > 0 ? (double)p->o.mm_per_unit : 1;
     const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
     const double part = plain_shaped(p) ? 0.12 + 0.13 * (1 - (double)p->o.flat) : 0.12;
-    double dz, sigma = p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : part * extent;
-    double follow = p->o.follow_mm > 0 ? (double)p->o.follow_mm : (double)k->radius_mm;
+    const double sigma = p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : part * extent;
+    const double follow = p->o.follow_mm > 0 ? (double)p->o.follow_mm : (double)k->radius_mm;
+    double dz, end = 3.0746 * sigma;
+    *below = 0;
     if (!(p->with & WITH_DEPTH) || p->o.depth_mode == MS_SSS_DEPTH_SCALE) return 1;
-    dz = fabs((double)p->s->depth[i] - (double)p->s->depth[j]) * mm;
-    if (p->o.depth_mode == MS_SSS_DEPTH_FOLLOW) return dz < follow ? 1 - dz / follow : 0;
-    if (!(dz < (double)k->radius_mm)) return 0;
-    if (plain_shaped(p)) dz = ((double)p->s->depth[j] - (double)p->s->depth[i] - dx * surface->step[0] - dy * surface->step[1]) * mm;
-    return exp(-dz * dz / (2 * sigma * sigma));
+    dz = ((double)p->s->depth[j] - (double)p->s->depth[i]) * mm;
+    if (p->o.depth_mode == MS_SSS_DEPTH_FOLLOW) return fabs(dz) < follow ? 1 - fabs(dz) / follow : 0;
+    if (plain_shaped(p)) *below = dz -= (dx * surface->step[0] + dy * surface->step[1] + bend) * mm;
+    else if (p->o.exact || (double)k->radius_mm < end) end = (double)k->radius_mm;
+    if (!(fabs(dz) < end)) return 0;
+    return p->o.exact ? exp(-dz * dz / (2 * sigma * sigma)) : pow(1 - dz * dz / (end * end), 4);
 }
 
 static double plain_albedo(const plain *p, int c, int i, int side)
@@ -286,7 +288,7 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
         for (x = 0; x < w; ++x) {
             const int i = y * w + x;
             const ms_sss_kernel *kernel;
-            double size[2], dx = second ? 0 : 1, dy = second ? 1 : 0, sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0};
+            double size[2], dx = second ? 0 : 1, dy = second ? 1 : 0, sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0}, lifted[3] = {0, 0, 0}, rise = 0, least = -1;
             double total[3] = {0, 0, 0};
             int mixed[3] = {0, 0, 0};
             if (!plain_part(p, i)) continue;
@@ -302,9 +304,12 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                 const double along = dx * surface[i].slope[0] + dy * surface[i].slope[1], ray = dx * surface[i].ray[0] + dy * surface[i].ray[1];
                 const double square = 1 + surface[i].ray[0] * surface[i].ray[0] + surface[i].ray[1] * surface[i].ray[1];
                 for (c = 0; c < 2; ++c) size[c] /= sqrt(1 + 2 * ray * along + along * along * square);
+                if (p->o.fov_degrees > 0) rise = along * size[1] / (h / (2 * tan((double)p->o.fov_degrees * 3.14159265358979323846 / 360))); /* of depth itself a mm */
+                for (c = 0; c < 3; ++c)
+                    if ((double)kernel->elevation_axis[c] * least < -4) least = -4 / (double)kernel->elevation_axis[c];
             }
             for (k = 0; k < kernel->tap_count; ++k) {
-                double part_sum[3] = {0, 0, 0}, turn = 0, counted = 0;
+                double part_sum[3] = {0, 0, 0}, part_norm = 0, below = 0, sine = 0;
                 const double tx = (double)kernel->offset_mm[k] * dx * size[0], ty = (double)kernel->offset_mm[k] * dy * size[1];
                 for (c = 0; c < 3; ++c) {
                     total[c] += (double)kernel->weight[term][k][c];
@@ -313,30 +318,29 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                 for (sub = 0; sub < 4; ++sub) {
                     const int px = x + (int)floor(tx) + sub % 2, py = y + (int)floor(ty) + sub / 2, j = py * w + px;
                     const double ax = tx - floor(tx), ay = ty - floor(ty);
-                    double f = (sub % 2 ? ax : 1 - ax) * (sub / 2 ? ay : 1 - ay), share;
+                    double f = (sub % 2 ? ax : 1 - ax) * (sub / 2 ? ay : 1 - ay), deep;
                     if (f <= 0) continue;
                     if (px < 0 || py < 0 || px >= w || py >= h || !plain_part(p, j)) continue;
                     if (plain_profile(p, i) != plain_profile(p, j)) continue;
-                    share = f;
-                    f *= plain_depth_factor(p, kernel, &surface[i], i, j, px - x, py - y);
-                    if (!(f > 0)) continue;
-                    turn += share * (dx * (surface[j].tilt[0] - surface[i].tilt[0]) + dy * (surface[j].tilt[1] - surface[i].tilt[1]));
-                    counted += share;
-                    for (c = 0; c < 3; ++c) {
-                        part_sum[c] += (double)kernel->weight[term][k][c] * f * in[c][j];
-                        norm[c] += (double)kernel->weight[term][k][c] * f;
-                    }
+                    f *= plain_depth_factor(p, kernel, &surface[i], i, j, px - x, py - y,
+                                            (p->with & WITH_DEPTH ? (double)p->s->depth[i] : 0) * pow(rise * (double)kernel->offset_mm[k], 2), &deep);
+                    below += f * deep;
+                    part_norm += f;
+                    for (c = 0; c < 3; ++c) part_sum[c] += f * in[c][j];
+                }
+                if (plain_shaped(p) && k > 0) {
+                    sine = below * surface[i].facing / fabs((double)kernel->offset_mm[k]);
+                    sine = sine > 1 ? 1 : sine < least ? least : sine;
                 }
                 for (c = 0; c < 3; ++c) {
-                    double lift = 1;
-                    if (plain_shaped(p) && counted > 0) {
-                        const double most = kernel->reflectance[c] > 0 ? pow((double)kernel->reflectance[c], -0.125) : 1e8;
-                        lift = 1 + (double)kernel->elevation_axis[c] / 4 * (kernel->offset_mm[k] < 0 ? -turn : k > 0 ? turn : 0) / counted / 2;
-                        lift = lift < 0 ? 0 : lift > most ? most : lift;
-                    }
-                    sum[c] += part_sum[c] * lift * lift * lift * lift;
+                    const double weight = (double)kernel->weight[term][k][c], lift = pow(1 + (double)kernel->elevation_axis[c] / 4 * sine, 4);
+                    sum[c] += weight * lift * part_sum[c];
+                    norm[c] += weight * part_norm;
+                    lifted[c] += weight * lift * part_norm;
                 }
             }
+            for (c = 0; c < 3 && plain_shaped(p); ++c) /* never more than reflectance^(-1/2) times the mean */
+                if (!mixed[c] && norm[c] < sqrt((double)kernel->reflectance[c]) * lifted[c]) norm[c] = sqrt((double)kernel->reflectance[c]) * lifted[c];
             for (c = 0; c < 3; ++c) {
                 if (mixed[c] || ((p->with & WITH_DEPTH) && p->o.depth_mode == MS_SSS_DEPTH_FOLLOW))
                     out[c][i] = sum[c] + (total[c] - norm[c]) * in[c][i];
@@ -1166,7 +1170,7 @@ static void case_planes(void)
     /* taps read between pixels 0.1 mm apart, at 75 degrees 0.4 mm: (0.4 0.4)^2 / 8 = 0.3% of the wave a pass; the taps stand for cells */
     CHECK_LE(worst, 7e-3);
     /* A slope is 4000 times a relative difference of depths that are rounded to 6e-8: 5e-4 in the slope, a quarter of that in a lift. */
-    CHECK_LE(worst_constant[1], 4e-4);
+    CHECK_LE(worst_constant[1], 6e-4); /* and depth on a plane is followed to the second order: the third is (6 / 400)^3 of 400 mm, over 6 mm */
     CHECK_LE(worst_constant[2], 4e-4);
     CHECK(worst_flat > 0.05); /* without slopes the plane at 60 degrees is filtered twice as wide */
     TEST_NOTE("0 to 75 degrees: within %.1e of the plane's convolution, constants %.1e; flat at 60 degrees %.1e", worst, worst_constant[2], worst_flat);
@@ -1183,7 +1187,7 @@ static void case_curved(void)
     ms_sss_filter_options o = ms_sss_filter_defaults();
     test_scene s = test_scene_make(SHAPE_W, SHAPE_H, test_seed);
     float *out = test_floats(SHAPE_N), *mirrored = test_floats(SHAPE_N);
-    double expected = 0, worst = 0, most = 0;
+    double expected = 0, worst = 0, normals, middle;
     int i, t, c;
     o.ortho_height = (float)(SHAPE_H / focal);
     for (c = 0; c < 3; ++c) s.normal[c] = test_floats(SHAPE_N);
@@ -1201,21 +1205,24 @@ static void case_curved(void)
     }
     shape_run(&s, &k, &o, 0, out);
     /* (1.03 to 1.1): the second pass weighs by depth, which curvature changes by 4^2 / 60 mm where sigma is 1 mm */
-    CHECK_NEAR((double)out[60 * SHAPE_W + 80] - 1, expected * expected - 1, 0.06 * (expected * expected - 1));
+    middle = (double)out[60 * SHAPE_W + 80];
+    CHECK_NEAR(middle - 1, expected * expected - 1, 0.06 * (expected * expected - 1));
     shape_run(&s, &k, &o, WITH_NORMAL, mirrored);
-    for (i = 0; i < SHAPE_N; ++i) worst = fmax(worst, fabs((double)(out[i] - mirrored[i])));
-    CHECK_LE(worst, 8e-3); /* depth's normals are those half a pixel, 0.125 mm, inside where one side is missing: 0.125 / 30 a pass */
+    for (i = 0; i < SHAPE_N; ++i) /* at the border depth has one side only */
+        if (abs(i % SHAPE_W - 80) < 60 && abs(i / SHAPE_W - 60) < 40) worst = fmax(worst, fabs((double)(out[i] - mirrored[i])));
+    normals = worst;
+    CHECK_LE(worst, 1e-3); /* central differences are off by the third derivative: (0.25 / 30)^2 times the slope's growth at the rim */
     worst = 0;
     for (t = 0; t < 2; ++t) { /* a ridge, a corner: two planes at right angles, seen from between */
         for (i = 0; i < SHAPE_N; ++i) s.depth[i] = (float)(200 + (t ? -1 : 1) * fabs(i % SHAPE_W - 80.0) / focal);
         shape_run(&s, &k, &o, 0, out);
         for (i = 0; i < SHAPE_N; ++i) {
             const int away = abs(i % SHAPE_W - 80);
-            if (away < 8 && away > 1 && !(t ? out[i] < 0.97f : out[i] > 1.03f)) TEST_FAIL("%s, pixel %d: %g", t ? "corner" : "ridge", away, (double)out[i]);
+            if (away < 8 && away > 1 && !(t ? out[i] < 0.999f : out[i] > 1.001f)) TEST_FAIL("%s, pixel %d: %g", t ? "corner" : "ridge", away, (double)out[i]);
             if (away > 30) worst = fmax(worst, fabs((double)out[i] - 1));
         }
     }
-    CHECK_LE(worst, 2e-5); /* out of reach of the edge the planes are planes, but for depths near 200 rounded to 1e-5 */
+    CHECK_LE(worst, 3e-5); /* out of reach of the edge the planes are planes, but for depths near 200 rounded to 1e-5 */
     /* mirrored, and mirrored and turned by 90 degrees (a square part of it) */
     test_scene_free(&s);
     s = test_scene_make(SHAPE_W, SHAPE_H, test_seed);
@@ -1225,6 +1232,7 @@ static void case_curved(void)
     shape_run(&s, &k, &o, 0, out);
     for (t = 0; t < 2; ++t) {
         test_scene m = test_scene_make(SHAPE_W, SHAPE_H, test_seed);
+        double turned = 0;
         worst = 0;
         for (i = 0; i < SHAPE_N; ++i) {
             const int x = i % SHAPE_W, y = i / SHAPE_W, j = t ? x * SHAPE_W + y : y * SHAPE_W + SHAPE_H - 1 - x;
@@ -1236,13 +1244,14 @@ static void case_curved(void)
             const int x = i % SHAPE_W, y = i / SHAPE_W;
             if (x >= SHAPE_H) continue;
             if (t == 0) worst = fmax(worst, fabs((double)(mirrored[i] - out[y * SHAPE_W + SHAPE_H - 1 - x])));
-            most = fmax(most, fabs((double)(mirrored[i] - out[x * SHAPE_W + y])));
+            else turned = fmax(turned, fabs((double)(mirrored[i] - out[x * SHAPE_W + y])));
         }
         /* mirrored: another order of sums and slopes of rounded depths. Turned, y comes before x: another filter, but a close one */
-        CHECK_LE(t ? 0 : worst, PLAIN_TOLERANCE_SHAPED);
+        CHECK_LE(worst, PLAIN_TOLERANCE_SHAPED);
+        CHECK_LE(turned, 0.5);
         test_scene_free(&m);
     }
-    TEST_NOTE("lift of a sphere %.4f (expected %.4f)", expected * expected, expected * expected);
+    TEST_NOTE("lift of a sphere %.4f (expected %.4f), by normals within %.1e", middle, expected * expected, normals);
     free(out);
     free(mirrored);
     test_scene_free(&s);
@@ -1289,7 +1298,7 @@ static void case_bounded(void)
         }
         shape_run(&s, &k, &o, 0, out);
         for (i = 0; i < SHAPE_N; ++i) worst = fmax(worst, fabs((double)(out[i] / s.rgb[0][i]) - 1));
-        CHECK_LE(worst, 2e-5); /* a pixel's slope is a difference of two depths near 150, rounded to 1e-5, times 3 pixels a mm */
+        CHECK_LE(worst, 3e-5); /* a pixel's slope is a difference of two depths near 150, rounded to 1e-5, times 3 pixels a mm */
     }
     TEST_NOTE("at most %.3f of the light at reflectance 0.95, %.3f at 0.3", most[0], most[1]);
     free(out);
@@ -1314,6 +1323,7 @@ static uint64_t golden_print(int kind, int level)
     kernel[1] = test_kernel_terms(9, 4.0);
     o.simd = (ms_simd)level;
     o.flat = 1;
+    o.exact = 1;
     if (kind == 4) o.jitter = 0.5f;
     for (c = 0; c < 3; ++c) out[c] = test_floats(n);
     f = test_frame(&s, with, out);
