@@ -421,7 +421,7 @@ typedef struct ms_gpr_recommend_options {
     int skip;              /* leaves out the first `skip` of the sequence that seed stands for: 20 more of the same */
     uint64_t seed;
     ms_gpr_search search;
-    int rounds;            /* of slice steps before a recommendation is taken; more come closer to independence. 0: 2 */
+    int rounds;            /* of slice steps before a recommendation is taken; more come closer to independence. 0: 1 */
     double max_candidates; /* rejection gives up after so many predictions; 0: 1e7 */
     ms_progress progress;  /* asked once every 16384 candidates, step of the threshold or 64 recommendations */
 } ms_gpr_recommend_options;
@@ -434,7 +434,7 @@ typedef struct ms_gpr_recommend_report {
     double acceptance;    /* share of the box whose mean reaches the threshold (subset simulation: estimated) */
     double candidates;    /* means predicted at single points */
     double slices;        /* means predicted along lines, which cost n instead of n m */
-    double spread;        /* mean distance of the first 500 to the nearest other one of them, measured as min_distance */
+    double spread;        /* mean distance of the first 200 to the nearest other one of them, measured as min_distance */
 } ms_gpr_recommend_report;
 
 /* Materials whose predicted score reaches a threshold.
@@ -2414,6 +2414,27 @@ static void ms_gpr__ranked_sort(ms_gpr__ranked *list, int count)
     }
 }
 
+/* Brings the `first` largest to the front, in no order (Hoare's selection, from the middle). */
+static void ms_gpr__ranked_select(ms_gpr__ranked *list, int count, int first)
+{
+    int low = 0, high = count - 1;
+    while (low < high) {
+        ms_gpr__ranked pivot = list[low + (high - low) / 2], swap;
+        int i = low, j = high;
+        while (i <= j) {
+            while (ms_gpr__ranked_before(&list[i], &pivot)) ++i;
+            while (ms_gpr__ranked_before(&pivot, &list[j])) --j;
+            if (i > j) break;
+            swap = list[i];
+            list[i++] = list[j];
+            list[j--] = swap;
+        }
+        if (first <= j) high = j;
+        else if (first >= i) low = i;
+        else return;
+    }
+}
+
 /* Log-normal priors of MAP: of l_k in widths, of sf and of sn in standard deviations of the scores. A tight one of the noise keeps
    a fit of few scores from calling all of them noise; around the others the divergence on synthetic users is flat
    (tests/bench/bench_gpr.c). Where the noise is farther off than MS_GPR__PRIOR_TAIL spreads, doubt in it grows no faster than
@@ -3013,11 +3034,8 @@ static ms_status ms_gpr__box(const ms_gpr *gp, const double *low, const double *
     return MS_OK;
 }
 
-static double ms_gpr__normal(ms__rng *rng)
-{
-    double radius = sqrt(-2 * log(ms__rng_uniform(rng)));
-    return radius * cos(6.283185307179586 * ms__rng_uniform(rng));
-}
+/* Uniform in (0, 1), 32 bits. */
+static double ms_gpr__uniform(ms__rng *rng) { return (ms__rng_u32(rng) + 0.5) * (1.0 / 4294967296.0); }
 
 /* Candidates come in batches and chains in groups, each batch and each chain with a random stream of its own: the number of
    threads changes nothing. */
@@ -3035,12 +3053,13 @@ static double ms_gpr__normal(ms__rng *rng)
 /* A place in the unit box, what the mean there needs, and a step to go. */
 typedef struct ms_gpr__walker {
     double *place;     /* [m] */
-    double *direction; /* [m] in widths of the box */
+    double *direction; /* [m] in widths of the box, of dimensions in use */
     double *scaled;    /* [active] the place in length scales */
     double *step;      /* [active] the direction in length scales */
     void *d2, *slope;  /* [stride] as in ms_gpr__lines */
     double *kernel;    /* [stride] */
     double curvature;
+    int axis;          /* of those in use, along which it faces; -1: along the direction */
     double value;      /* the mean less caution there */
     double slices;     /* means predicted along lines so far */
 } ms_gpr__walker;
@@ -3055,7 +3074,7 @@ typedef struct ms_gpr__hunt {
     double *kept;               /* [count][m] what was found */
     double *group;              /* [16][m] candidates for the next one, */
     int grouped;                /* and how many there are */
-    double *low, *width;        /* [m] the box, in units of x */
+    double *low, *width, *per;  /* [m] the box, in units of x, and 1 / width or 0 */
     double *cells;              /* [m] values of a parameter that comes in steps; 0: continuous */
     double *unit;               /* [active] length scales in the box's width */
     double goal;                /* the threshold, and a margin for the rounding of means that walkers sum up */
@@ -3085,7 +3104,7 @@ typedef struct ms_gpr__hunt {
 /* A uniform value of parameter k, in the unit box. */
 static double ms_gpr__hunt_uniform(const ms_gpr__hunt *h, int k, ms__rng *rng)
 {
-    double u = ms__rng_uniform(rng);
+    double u = ms_gpr__uniform(rng);
     return h->cells[k] > 0 ? floor(u * h->cells[k]) * h->o.steps[k] / h->width[k] : u;
 }
 
@@ -3113,6 +3132,7 @@ static void ms_gpr__walker_face(const ms_gpr__hunt *h, const ms_gpr__lines *line
 {
     const ms_gpr *gp = h->gp;
     int k;
+    w->axis = -1;
     w->curvature = 0;
     for (k = 0; k < gp->active; ++k) {
         w->step[k] = h->unit[k] * w->direction[gp->dimension[k]];
@@ -3124,12 +3144,13 @@ static void ms_gpr__walker_face(const ms_gpr__hunt *h, const ms_gpr__lines *line
 static void ms_gpr__walker_step(const ms_gpr__hunt *h, const ms_gpr__lines *lines, ms_gpr__walker *w, double t)
 {
     const ms_gpr *gp = h->gp;
-    int k, d;
-    for (d = 0; d < gp->m; ++d) {
-        double p = w->place[d] + t * w->direction[d];
+    int k, first = w->axis < 0 ? 0 : w->axis, end = w->axis < 0 ? gp->active : first + 1;
+    for (k = first; k < end; ++k) {
+        int d = gp->dimension[k];
+        double p = w->place[d] + t * (w->axis < 0 ? w->direction[d] : 1);
         w->place[d] = p < 1e-12 ? 0 : p > 1 - 1e-12 ? 1 : p;
+        w->scaled[k] += t * w->step[k];
     }
-    for (k = 0; k < gp->active; ++k) w->scaled[k] += t * w->step[k];
     lines->go(w->d2, w->slope, t, w->curvature, ms_gpr__padded(gp->n));
 }
 
@@ -3140,10 +3161,11 @@ static void ms_gpr__walker_chord(const ms_gpr__walker *w, int m, double *t0, dou
     *t0 = -1e300;
     *t1 = 1e300;
     for (k = 0; k < m; ++k) {
-        double d = w->direction[k], back, ahead;
+        double d = w->direction[k], back, ahead, per;
         if (!(d < 0 || d > 0)) continue;
-        back = (d > 0 ? -w->place[k] : 1 - w->place[k]) / d;
-        ahead = (d > 0 ? 1 - w->place[k] : -w->place[k]) / d;
+        per = 1 / d;
+        back = (d > 0 ? -w->place[k] : 1 - w->place[k]) * per;
+        ahead = (d > 0 ? 1 - w->place[k] : -w->place[k]) * per;
         if (back > *t0) *t0 = back;
         if (ahead < *t1) *t1 = ahead;
     }
@@ -3208,29 +3230,33 @@ static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int 
             t *= 2;
             ahead = farther;
         }
-        if (ahead - w->value < 1e-9 * (fabs(ahead) + fabs(w->value))) steps = 1;
+        if (ahead - w->value < 1e-7 * (fabs(ahead) + fabs(w->value))) steps = 1;
         ms_gpr__walker_step(h, lines, w, t);
         reach = 2 * t;
     }
 }
 
-/* Neal's slice step along the direction: a uniform point of the chord; while it lies outside the region, the chord shrinks
-   towards the walker. The uniform distribution over the region is left as it is. k: the axis, or -1; one that comes in steps is a
-   row of cells, and the walker somewhere in its own. */
-static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, int k, ms__rng *rng)
+/* Neal's slice step along the line that the walker faces: a uniform point of the chord; while it lies outside the region, the chord
+   shrinks towards the walker. The uniform distribution over the region is left as it is. An axis that comes in steps is a row of
+   cells, and the walker somewhere in its own. */
+static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
 {
     const ms_gpr *gp = h->gp;
-    double cells = k < 0 ? 0 : h->cells[k], step = cells > 0 ? h->o.steps[k] / h->width[k] : 0, t0, t1, offset = 0;
+    int k = w->axis < 0 ? 0 : gp->dimension[w->axis];
+    double cells = w->axis < 0 ? 0 : h->cells[k], step = cells > 0 ? h->o.steps[k] / h->width[k] : 0, t0, t1, offset = 0;
     int tries, n = ms_gpr__padded(gp->n);
     if (cells > 0) { /* at = t + offset; its own cell is [0, 1) */
-        offset = ms__rng_uniform(rng);
+        offset = ms_gpr__uniform(rng);
         t0 = -floor(w->place[k] / step + 0.5);
         t1 = t0 + cells;
-    } else {
+    } else if (w->axis < 0) {
         ms_gpr__walker_chord(w, gp->m, &t0, &t1);
+    } else {
+        t0 = -w->place[k];
+        t1 = 1 - w->place[k];
     }
     for (tries = 0; tries < 60; ++tries) {
-        double at = t0 + ms__rng_uniform(rng) * (t1 - t0), t = at, mean;
+        double at = t0 + ms_gpr__uniform(rng) * (t1 - t0), t = at, mean;
         if (cells > 0) t = floor(at) * step;
         mean = gp->mean + h->lines->mean(w->d2, w->slope, t, w->curvature, h->weight, n);
         w->slices += 1;
@@ -3245,21 +3271,24 @@ static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, int k
 }
 
 /* A slice along axis k of those in use, which renews what the mean hardly depends on. */
-static void ms_gpr__walker_axis(const ms_gpr__hunt *h, ms_gpr__walker *w, int k, ms__rng *rng)
+static void ms_gpr__walker_along(const ms_gpr__hunt *h, ms_gpr__walker *w, int k, ms__rng *rng)
 {
-    memset(w->direction, 0, (size_t)h->gp->m * sizeof *w->direction);
-    w->direction[h->gp->dimension[k]] = 1;
-    ms_gpr__walker_face(h, h->lines, h->points, w);
-    ms_gpr__walker_slice(h, w, h->gp->dimension[k], rng);
+    const ms_gpr *gp = h->gp;
+    w->axis = k;
+    w->step[k] = h->unit[k];
+    w->curvature = h->unit[k] * h->unit[k];
+    h->lines->face(w->slope, (const char *)h->points + (size_t)k * gp->stride * h->lines->size, gp->stride, w->scaled + k, w->step + k, 1,
+                   ms_gpr__padded(gp->n));
+    ms_gpr__walker_slice(h, w, rng);
 }
 
-/* A slice along a random direction of the dimensions that matter. */
+/* A slice along a random direction of the dimensions that matter. Any law of directions will do that is symmetric. */
 static void ms_gpr__walker_across(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
 {
     int k;
-    for (k = 0; k < h->gp->m; ++k) w->direction[k] = h->tight[k] > 0 ? h->tight[k] * ms_gpr__normal(rng) : 0;
+    for (k = 0; k < h->gp->m; ++k) w->direction[k] = h->tight[k] > 0 ? h->tight[k] * (2 * ms_gpr__uniform(rng) - 1) : 0;
     ms_gpr__walker_face(h, h->lines, h->points, w);
-    ms_gpr__walker_slice(h, w, -1, rng);
+    ms_gpr__walker_slice(h, w, rng);
 }
 
 /* --- tasks --- */
@@ -3323,7 +3352,7 @@ static void ms_gpr__hunt_level(void *context, int task)
         w->value = h->value[h->seed[chain]];
         ms_gpr__walker_arrive(h, h->lines, h->points, w);
         for (at = from; at < to; ++at) {
-            if (h->gp->active > 0 && at % 2) ms_gpr__walker_axis(h, w, (int)(ms__rng_uniform(&rng) * h->gp->active), &rng);
+            if (h->gp->active > 0 && at % 2) ms_gpr__walker_along(h, w, (int)(ms_gpr__uniform(&rng) * h->gp->active), &rng);
             else ms_gpr__walker_across(h, w, &rng);
             memcpy(h->next + (size_t)at * m, w->place, m * sizeof *w->place);
             h->next_value[at] = w->value;
@@ -3353,7 +3382,7 @@ static void ms_gpr__hunt_wander(void *context, int task)
             }
             ms_gpr__walker_arrive(h, h->lines, h->points, w);
             for (k = 0; k < gp->active || k < directions; ++k) {
-                if (k < gp->active) ms_gpr__walker_axis(h, w, k, &rng);
+                if (k < gp->active) ms_gpr__walker_along(h, w, k, &rng);
                 if (k < directions) ms_gpr__walker_across(h, w, &rng);
             }
         }
@@ -3382,7 +3411,8 @@ static double ms_gpr__walker_exact(const ms_gpr__hunt *h, ms_gpr__walker *w)
     return gp->mean + gp->kernels->lines.mean(w->d2, w->slope, 0, 0, gp->weight, ms_gpr__padded(gp->n));
 }
 
-/* Whether single precision will do: means of the scored materials agree to 1e-5 of what the scores span. */
+/* Whether single precision will do: means of the scored materials agree to 1e-4 of what the scores span. What is found is looked
+   at again in double precision. */
 static int ms_gpr__hunt_single(ms_gpr__hunt *h, double span)
 {
     const ms_gpr *gp = h->gp;
@@ -3393,7 +3423,7 @@ static int ms_gpr__hunt_single(ms_gpr__hunt *h, double span)
         w->value = ms_gpr__walker_exact(h, w) - gp->mean;
         ms_gpr__walker_arrive(h, &gp->kernels->lines_f, gp->points_f, w);
         w->value -= gp->kernels->lines_f.mean(w->d2, w->slope, 0, 0, gp->weight_f, ms_gpr__padded(gp->n));
-        if (!(fabs(w->value) <= 1e-5 * span)) return 0;
+        if (!(fabs(w->value) <= 1e-4 * span)) return 0;
     }
     return 1;
 }
@@ -3419,7 +3449,8 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
         h->ranked[i].value = h->mean[i];
         h->ranked[i].index = i;
     }
-    ms_gpr__ranked_sort(h->ranked, pilot + gp->n);
+    ms_gpr__ranked_select(h->ranked, pilot + gp->n, MS_GPR__SUMMITS);
+    ms_gpr__ranked_sort(h->ranked, MS_GPR__SUMMITS);
     for (i = 0; i < MS_GPR__SUMMITS; ++i) {
         int index = h->ranked[i].index;
         double safe;
@@ -3446,7 +3477,7 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
         return ms__fail(error, MS_NOT_CONVERGED, 0, "no material reaches the threshold %g with caution %g: the best one has mean - "
                                                     "caution sigma = %g", h->report.threshold, h->o.caution, safest);
     if (h->report.threshold > safest - 1e-6 * (best - least)) h->report.threshold = safest - 1e-6 * (best - least);
-    if (h->report.threshold > safest - 1e-4 * (best - least)) { /* the last digits count */
+    if (h->report.threshold > safest - 1e-3 * (best - least)) { /* the last digits count */
         h->lines = &gp->kernels->lines;
         h->points = gp->points;
         h->weight = gp->weight;
@@ -3455,30 +3486,21 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
     return MS_OK;
 }
 
-/* Squared root-mean-square distance in widths of the box. */
-static double ms_gpr__box_distance2(int m, const double *width, const double *a, const double *b)
-{
-    double sum = 0;
-    int k;
-    for (k = 0; k < m; ++k) {
-        double d = width[k] > 0 ? (a[k] - b[k]) / width[k] : 0;
-        sum += d * d;
-    }
-    return sum / m;
-}
-
-/* Squared distance of x to the nearest of `count` rows. */
+/* Squared root-mean-square distance, in widths of the box, of x to the nearest of `count` rows. */
 static double ms_gpr__hunt_nearest2(const ms_gpr__hunt *h, const double *rows, int count, const double *x)
 {
     double nearest = 1e300;
-    int i;
-    for (i = 0; i < count; ++i) {
-        double d = ms_gpr__box_distance2(h->gp->m, h->width, rows + (size_t)i * (size_t)h->gp->m, x);
-        if (d < nearest) nearest = d;
+    int m = h->gp->m, i, k;
+    for (i = 0; i < count; ++i, rows += m) {
+        double sum = 0;
+        for (k = 0; k < m && sum < nearest; ++k) {
+            double d = (rows[k] - x[k]) * h->per[k];
+            sum += d * d;
+        }
+        if (sum < nearest) nearest = sum;
     }
-    return nearest;
+    return nearest / m;
 }
-
 
 /* The next candidate of the sequence. It is looked at again in double precision; of every 1 + 15 diversity that pass, the one that
    is farthest from those before is taken, unless it is too near to one of them. */
@@ -3568,9 +3590,9 @@ static ms_status ms_gpr__hunt_climb(ms_gpr__hunt *h)
             h->ranked[i].value = h->value[i];
             h->ranked[i].index = i;
         }
-        ms_gpr__ranked_sort(h->ranked, h->population);
-        h->level = h->ranked[MS_GPR__POPULATION / MS_GPR__SURVIVE - 1].value;
-        if (h->level > h->goal) h->level = h->goal;
+        ms_gpr__ranked_select(h->ranked, h->population, MS_GPR__POPULATION / MS_GPR__SURVIVE);
+        for (i = 0, h->level = h->goal; i < MS_GPR__POPULATION / MS_GPR__SURVIVE; ++i)
+            if (h->ranked[i].value < h->level) h->level = h->ranked[i].value;
         for (i = 0, k = 0; i < h->population; ++i) { /* survivors, in their order */
             if (h->value[i] < h->level) continue;
             if (k < i) memcpy(h->place + (size_t)k * m, h->place + (size_t)i * m, row);
@@ -3620,10 +3642,10 @@ static ms_status ms_gpr__hunt_walk(ms_gpr__hunt *h)
     return MS_OK;
 }
 
-/* Mean distance of the first 500 to the nearest other one of them. */
+/* Mean distance of the first 200 to the nearest other one of them. */
 static double ms_gpr__hunt_spread(const ms_gpr__hunt *h, const double *x)
 {
-    int count = h->report.found < 500 ? h->report.found : 500, i;
+    int count = h->report.found < 200 ? h->report.found : 200, i;
     size_t m = (size_t)h->gp->m;
     double sum = 0;
     for (i = 0; i < count; ++i) {
@@ -3642,6 +3664,7 @@ static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
     h->low = ms_gpr__take(arena, m, 1);
     h->width = ms_gpr__take(arena, m, 1);
     h->unit = ms_gpr__take(arena, m, 1);
+    h->per = ms_gpr__take(arena, m, 1);
     h->cells = ms_gpr__take(arena, m, 1);
     h->tight = ms_gpr__take(arena, m, 1);
     h->group = ms_gpr__take(arena, m, 16);
@@ -3692,7 +3715,7 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
     if (o->rounds < 0 || o->skip < 0 || o->avoid_count < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rounds is %d, skip %d, avoid_count %d: expected at least 0", o->rounds, o->skip,
                         o->avoid_count);
-    if (o->rounds == 0) o->rounds = 2;
+    if (o->rounds == 0) o->rounds = 1;
     if ((int)o->search < 0 || (int)o->search > (int)MS_GPR_SEARCH_SUBSET)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "search is %d: expected 0 to 2", (int)o->search);
     if (o->avoid_count > 0 && o->avoid == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "avoid is NULL with avoid_count %d", o->avoid_count);
@@ -3755,6 +3778,7 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     for (k = 0; status == MS_OK && k < gp->m; ++k) {
         h->cells[k] = h->o.steps && h->o.steps[k] > 0 && h->width[k] > 0 ? floor(h->width[k] / h->o.steps[k] + 1e-9) + 1 : 0;
         if (h->cells[k] > 0 && h->cells[k] < 2) h->cells[k] = h->width[k] = 0;
+        h->per[k] = h->width[k] > 0 ? 1 / h->width[k] : 0;
     }
     if (status == MS_OK) status = ms_gpr__hunt_run(h, error);
     h->report.found = h->taken > h->o.skip ? h->taken - h->o.skip : 0;
@@ -3920,10 +3944,11 @@ static void ms_gpr__pool_layout(ms_gpr__pool *p, ms_gpr__arena *arena)
 static void ms_gpr__pool_vary(ms_gpr__pool *p, int j, double weight, ms__rng *rng)
 {
     const ms_gpr *gp = p->gp;
-    double share = 0.1 + 0.5 * ms__rng_uniform(rng);
-    int parent[2], crossed = ms__rng_uniform(rng) < 0.5, i, k;
+    double share = 0.1 + 0.5 * ms_gpr__uniform(rng);
+    int parent[2], crossed = ms_gpr__uniform(rng) < 0.5, anew = (int)(ms_gpr__uniform(rng) * gp->m), i, k;
+    for (k = 0; k < gp->m && !(p->width[anew] > 0); ++k) anew = (anew + 1) % gp->m; /* one at least */
     for (i = 0; i < 2; ++i) {
-        double left = weight * ms__rng_uniform(rng);
+        double left = weight * ms_gpr__uniform(rng);
         for (k = 0; k < gp->n; ++k) {
             if (!(gp->y[k] > p->floor)) continue;
             parent[i] = k;
@@ -3931,8 +3956,8 @@ static void ms_gpr__pool_vary(ms_gpr__pool *p, int j, double weight, ms__rng *rn
         }
     }
     for (k = 0; k < gp->m; ++k) {
-        double a = p->low[k], b = a + p->width[k], v = gp->x[(size_t)parent[crossed && ms__rng_uniform(rng) < 0.5] * (size_t)gp->m + (size_t)k];
-        if (ms__rng_uniform(rng) >= share) p->x[(size_t)j * (size_t)gp->m + (size_t)k] = v < a ? a : v > b ? b : v;
+        double a = p->low[k], b = a + p->width[k], v = gp->x[(size_t)parent[crossed && ms_gpr__uniform(rng) < 0.5] * (size_t)gp->m + (size_t)k];
+        if (ms_gpr__uniform(rng) >= share && k != anew) p->x[(size_t)j * (size_t)gp->m + (size_t)k] = v < a ? a : v > b ? b : v;
     }
 }
 
@@ -3948,18 +3973,18 @@ static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed, int spread, int va
         if (p->gp->y[i] > p->floor) weight += p->gp->y[i] - p->floor;
     for (k = 0; k < m && spread > 0; ++k) { /* which part, in luck: a shuffle */
         for (j = 0; j < spread; ++j) {
-            i = (int)(ms__rng_uniform(&rng) * (j + 1));
+            i = (int)(ms_gpr__uniform(&rng) * (j + 1));
             p->luck[j] = p->luck[i];
             p->luck[i] = j;
         }
-        for (j = 0; j < spread; ++j) p->x[(size_t)j * m + k] = p->low[k] + p->width[k] * (p->luck[j] + ms__rng_uniform(&rng)) / spread;
+        for (j = 0; j < spread; ++j) p->x[(size_t)j * m + k] = p->low[k] + p->width[k] * (p->luck[j] + ms_gpr__uniform(&rng)) / spread;
     }
     for (j = 0; j < p->size; ++j) {
         double *x = p->x + (size_t)j * m;
-        for (k = 0; k < m && j >= spread; ++k) x[k] = p->low[k] + p->width[k] * ms__rng_uniform(&rng);
+        for (k = 0; k < m && j >= spread; ++k) x[k] = p->low[k] + p->width[k] * ms_gpr__uniform(&rng);
         if (vary && weight > 0 && j % 2) ms_gpr__pool_vary(p, j, weight, &rng);
         ms_gpr__place(p->gp, x, p->points + j, (size_t)p->size);
-        p->luck[j] = log(ms__rng_uniform(&rng));
+        p->luck[j] = log(ms_gpr__uniform(&rng));
         p->taken[j] = 0;
         for (i = 0; i < MS_GPR__NEIGHBOURS; ++i) p->nearest[(size_t)i * (size_t)p->size + (size_t)j] = 1e100;
     }
@@ -5231,11 +5256,23 @@ static void MS_GPR__KERNEL(accumulate)(MS_GPR__REAL *mean, const MS_GPR__REAL *c
 static void MS_GPR__KERNEL(arrive)(void *d2, const void *points, size_t stride, const double *place, int m, int n)
 {
     MS_GPR__REAL *out = (MS_GPR__REAL *)d2;
-    int i, k;
-    for (i = 0; i < n; i += MS_GPR__LANES) {
-        const MS_GPR__REAL *p = (const MS_GPR__REAL *)points + i;
+    const MS_GPR__REAL *p;
+    int i = 0, k;
+    for (; i + 4 * MS_GPR__LANES <= n; i += 4 * MS_GPR__LANES) { /* four sums at a time hide the latency of one */
+        MS_GPR__V s0 = MS_GPR__SET(0), s1 = s0, s2 = s0, s3 = s0, at, d;
+        for (k = 0, p = (const MS_GPR__REAL *)points + i; k < m; ++k, p += stride) {
+            at = MS_GPR__SET((MS_GPR__REAL)place[k]);
+            d = MS_GPR__SUB(at, MS_GPR__LOAD(p)), s0 = MS_GPR__MADD(d, d, s0);
+            d = MS_GPR__SUB(at, MS_GPR__LOAD(p + MS_GPR__LANES)), s1 = MS_GPR__MADD(d, d, s1);
+            d = MS_GPR__SUB(at, MS_GPR__LOAD(p + 2 * MS_GPR__LANES)), s2 = MS_GPR__MADD(d, d, s2);
+            d = MS_GPR__SUB(at, MS_GPR__LOAD(p + 3 * MS_GPR__LANES)), s3 = MS_GPR__MADD(d, d, s3);
+        }
+        MS_GPR__STORE(out + i, s0), MS_GPR__STORE(out + i + MS_GPR__LANES, s1);
+        MS_GPR__STORE(out + i + 2 * MS_GPR__LANES, s2), MS_GPR__STORE(out + i + 3 * MS_GPR__LANES, s3);
+    }
+    for (; i < n; i += MS_GPR__LANES) {
         MS_GPR__V sum = MS_GPR__SET(0);
-        for (k = 0; k < m; ++k, p += stride) {
+        for (k = 0, p = (const MS_GPR__REAL *)points + i; k < m; ++k, p += stride) {
             MS_GPR__V d = MS_GPR__SUB(MS_GPR__SET((MS_GPR__REAL)place[k]), MS_GPR__LOAD(p));
             sum = MS_GPR__MADD(d, d, sum);
         }
@@ -5246,14 +5283,27 @@ static void MS_GPR__KERNEL(arrive)(void *d2, const void *points, size_t stride, 
 static void MS_GPR__KERNEL(face)(void *slope, const void *points, size_t stride, const double *place, const double *step, int m, int n)
 {
     MS_GPR__REAL *out = (MS_GPR__REAL *)slope;
-    int i, k;
-    memset(out, 0, (size_t)n * sizeof *out);
-    for (k = 0; k < m; ++k) {
-        const MS_GPR__REAL *p = (const MS_GPR__REAL *)points + (size_t)k * stride;
-        MS_GPR__V at = MS_GPR__SET((MS_GPR__REAL)(2 * step[k] * place[k])), by = MS_GPR__SET((MS_GPR__REAL)(2 * step[k]));
-        if (!(step[k] < 0 || step[k] > 0)) continue;
-        for (i = 0; i < n; i += MS_GPR__LANES)
-            MS_GPR__STORE(out + i, MS_GPR__NMADD(by, MS_GPR__LOAD(p + i), MS_GPR__ADD(at, MS_GPR__LOAD(out + i))));
+    const MS_GPR__REAL *p;
+    double own = 0;
+    int i = 0, k;
+    for (k = 0; k < m; ++k) own += 2 * step[k] * place[k];
+    for (; i + 4 * MS_GPR__LANES <= n; i += 4 * MS_GPR__LANES) {
+        MS_GPR__V s0 = MS_GPR__SET((MS_GPR__REAL)own), s1 = s0, s2 = s0, s3 = s0, by;
+        for (k = 0, p = (const MS_GPR__REAL *)points + i; k < m; ++k, p += stride) {
+            by = MS_GPR__SET((MS_GPR__REAL)(2 * step[k]));
+            s0 = MS_GPR__NMADD(by, MS_GPR__LOAD(p), s0);
+            s1 = MS_GPR__NMADD(by, MS_GPR__LOAD(p + MS_GPR__LANES), s1);
+            s2 = MS_GPR__NMADD(by, MS_GPR__LOAD(p + 2 * MS_GPR__LANES), s2);
+            s3 = MS_GPR__NMADD(by, MS_GPR__LOAD(p + 3 * MS_GPR__LANES), s3);
+        }
+        MS_GPR__STORE(out + i, s0), MS_GPR__STORE(out + i + MS_GPR__LANES, s1);
+        MS_GPR__STORE(out + i + 2 * MS_GPR__LANES, s2), MS_GPR__STORE(out + i + 3 * MS_GPR__LANES, s3);
+    }
+    for (; i < n; i += MS_GPR__LANES) {
+        MS_GPR__V sum = MS_GPR__SET((MS_GPR__REAL)own);
+        for (k = 0, p = (const MS_GPR__REAL *)points + i; k < m; ++k, p += stride)
+            sum = MS_GPR__NMADD(MS_GPR__SET((MS_GPR__REAL)(2 * step[k])), MS_GPR__LOAD(p), sum);
+        MS_GPR__STORE(out + i, sum);
     }
 }
 

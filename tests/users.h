@@ -4,12 +4,14 @@
    dimension means nothing to the user, as in chapter 3 of the thesis, where 81 to 90% of a first gallery scores 0.
 
      user u = user_make(seed, 19, 0.10);      one who scores 10% of uniform materials above 0
+     user v = user_of_kind(kind, seed, 19);   one of the USER_KINDS, see user_kinds
      double s = user_true(&u, x), k = user_score(&u, x, &state); */
 #ifndef TEST_USERS_H
 #define TEST_USERS_H
 #include "test.h"
 
-#define USER_CLASSES 2
+#define USER_CLASSES 3
+#define USER_KINDS 12
 #define USER_TERMS 7
 #define USER_DIMENSIONS_MAX 64
 
@@ -25,6 +27,8 @@ typedef struct user {
     user_class liked[USER_CLASSES];
     double cut, top;             /* g at u* = 0 and at u* = 10 */
     double human;                /* standard deviation of the user's own inconsistency, in scores */
+    double wrong;                /* share of answers that are random */
+    int stars;                   /* says 0 to `stars` in place of 0 to 10 */
 } user;
 
 static double user__product(const user_class *c, const double *x)
@@ -40,11 +44,9 @@ static double user__product(const user_class *c, const double *x)
 
 static double user__g(const user *u, const double *x)
 {
-    double g = user__product(&u->liked[0], x);
-    if (u->classes > 1) {
-        double h = user__product(&u->liked[1], x);
-        if (h > g) g = h;
-    }
+    double g = 0;
+    int c;
+    for (c = 0; c < u->classes; ++c) g = fmax(g, user__product(&u->liked[c], x));
     return g;
 }
 
@@ -58,9 +60,10 @@ static TEST_UNUSED double user_true(const user *u, const double *x)
 /* What the user says: the nearest whole score after an inconsistency of u->human. */
 static TEST_UNUSED double user_score(const user *u, const double *x, uint64_t *state)
 {
-    double s = user_true(u, x);
-    if (s > 0) s = floor(s + u->human * test_normal(state) + 0.5);
-    return s < 0 ? 0 : s > 10 ? 10 : s;
+    double s = user_true(u, x), top = u->stars ? u->stars : 10;
+    if (u->wrong > 0 && test_uniform(state) < u->wrong) return floor((top + 1) * test_uniform(state));
+    if (s > 0) s = floor(s * top / 10 + u->human * top / 10 * test_normal(state) + 0.5);
+    return s < 0 ? 0 : s > top ? top : s;
 }
 
 static int user__compare(const void *a, const void *b)
@@ -69,8 +72,9 @@ static int user__compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* liking: the share of uniform materials with u* > 0. The cut is that quantile of g on 4000 materials. */
-static TEST_UNUSED user user_make(uint64_t seed, int m, double liking)
+/* liking: the share of uniform materials with u* > 0. The cut is that quantile of g on 4000 materials. classes: 0: one or two.
+   scale: of all widths. and_terms: more tastes a class, all of which must be met. */
+static TEST_UNUSED user user__make(uint64_t seed, int m, double liking, int classes, double scale, int and_terms)
 {
     enum { SAMPLES = 4000 };
     static double g[SAMPLES];
@@ -82,10 +86,11 @@ static TEST_UNUSED user user_make(uint64_t seed, int m, double liking)
     u.m = m;
     u.human = 0.5;
     u.classes = m >= 8 && test_uniform(&state) < 0.4 ? 2 : 1;
+    if (classes) u.classes = classes;
     for (c = 0; c < u.classes; ++c) {
         user_class *k_class = &u.liked[c];
         k_class->gates = m < 4 ? 1 : 2 + (int)(2 * test_uniform(&state));
-        k_class->tastes = m < 4 ? m - 1 : 2 + (int)(2 * test_uniform(&state));
+        k_class->tastes = m < 4 ? m - 1 : and_terms + 2 + (int)(2 * test_uniform(&state));
         if (k_class->tastes > m - k_class->gates) k_class->tastes = m - k_class->gates;
         for (t = 0; t < k_class->gates + k_class->tastes; ++t) {
             int fresh;
@@ -102,6 +107,7 @@ static TEST_UNUSED user user_make(uint64_t seed, int m, double liking)
                 k_class->center[t] = 0.15 + 0.7 * test_uniform(&state);
                 k_class->width[t] = 0.3 + 0.4 * test_uniform(&state);
             }
+            k_class->width[t] *= scale;
         }
     }
     for (i = 0; i < SAMPLES; ++i) {
@@ -112,6 +118,31 @@ static TEST_UNUSED user user_make(uint64_t seed, int m, double liking)
     u.cut = g[(int)((1 - liking) * (int)SAMPLES)];
     u.top = g[SAMPLES - 1];
     return u;
+}
+
+static TEST_UNUSED user user_make(uint64_t seed, int m, double liking) { return user__make(seed, m, liking, 0, 1, 0); }
+
+static TEST_UNUSED const char *const user_kinds[USER_KINDS] = {
+    "one class, 10% liked", "one class, 20%", "two classes, 10%", "two classes, 20%", "three classes, 20%", "sharp edges",
+    "soft edges", "seven conditions", "3% liked", "2% liked", "five stars", "10% of the answers random"};
+
+static TEST_UNUSED user user_of_kind(int kind, uint64_t seed, int m)
+{
+    static const double liking[USER_KINDS] = {0.10, 0.20, 0.10, 0.20, 0.20, 0.10, 0.10, 0.10, 0.03, 0.02, 0.10, 0.10};
+    static const int classes[USER_KINDS] = {1, 1, 2, 2, 3, 1, 1, 1, 1, 1, 1, 1};
+    user u = user__make(seed + 1000 * (uint64_t)kind, m, liking[kind], classes[kind], kind == 5 ? 0.5 : kind == 6 ? 2 : 1, kind == 7 ? 2 : 0);
+    if (kind == 10) u.stars = 5;
+    if (kind == 11) u.wrong = 0.1;
+    return u;
+}
+
+/* Which class x belongs to, most. */
+static TEST_UNUSED int user_class_of(const user *u, const double *x)
+{
+    int best = 0, c;
+    for (c = 1; c < u->classes; ++c)
+        if (user__product(&u->liked[c], x) > user__product(&u->liked[best], x)) best = c;
+    return best;
 }
 
 /* n uniform materials and their scores; x is [n][m]. */

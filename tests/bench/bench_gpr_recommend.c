@@ -126,7 +126,7 @@ static void table_of_rounds(void)
             if (members[i].u.classes == 1) one[ones++] = worst;
             else two[twos++] = worst;
         }
-        fprintf(md, "| %s%d%s | %.3f | ", rounds == 2 ? "**" : "", rounds, rounds == 2 ? "**" : "", ones ? bench_median(one, ones) : 0);
+        fprintf(md, "| %s%d%s | %.3f | ", rounds == 1 ? "**" : "", rounds, rounds == 1 ? "**" : "", ones ? bench_median(one, ones) : 0);
         fprintf(md, "%.3f | %.0f |\n", twos ? bench_median(two, twos) : 0, bench_median(ms, USERS));
     }
 }
