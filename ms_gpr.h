@@ -1109,7 +1109,7 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #endif
     }
     failed = fclose(f->stream) != 0 || failed;
-    if (status == MS_OK && failed) status = ms__fail(error, MS_IO, 0, "'%s' cannot be written: the disk is full or failed", f->path);
+    if (f->failed || (status == MS_OK && failed)) status = ms__fail(error, MS_IO, 0, "'%s' cannot be written to its end: the disk is full or failed", f->path);
     if (status == MS_OK && rename(f->beside, f->path) != 0) {
 #if defined(_WIN32) /* where rename() refuses to replace; 1: replace, 8: return when it is done */
         if (!MoveFileExA(f->beside, f->path, 1 | 8))
@@ -2964,10 +2964,11 @@ MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *option
     long size;
     if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
     *out = NULL;
+    if (path == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is NULL");
     file = fopen(path, "rb");
     if (file == NULL) return ms__fail(error, MS_IO, 0, "cannot open %s", path);
     size = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-    if (size < 0 || fseek(file, 0, SEEK_SET) != 0) {
+    if (size < 0 || (size_t)size > SIZE_MAX / 4 || fseek(file, 0, SEEK_SET) != 0) { /* a folder ends nowhere */
         fclose(file);
         return ms__fail(error, MS_IO, 0, "cannot read %s", path);
     }

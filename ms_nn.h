@@ -991,7 +991,7 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #endif
     }
     failed = fclose(f->stream) != 0 || failed;
-    if (status == MS_OK && failed) status = ms__fail(error, MS_IO, 0, "'%s' cannot be written: the disk is full or failed", f->path);
+    if (f->failed || (status == MS_OK && failed)) status = ms__fail(error, MS_IO, 0, "'%s' cannot be written to its end: the disk is full or failed", f->path);
     if (status == MS_OK && rename(f->beside, f->path) != 0) {
 #if defined(_WIN32) /* where rename() refuses to replace; 1: replace, 8: return when it is done */
         if (!MoveFileExA(f->beside, f->path, 1 | 8))
@@ -1806,9 +1806,12 @@ MS_NN_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, 
                                      size_t entries, const ms_allocator *allocator, ms_nn_sink sink, ms_error *error)
 {
     size_t order_bytes = ms__size_mul(count > entries ? count : entries, sizeof(size_t)), i;
-    size_t *order = (size_t *)ms__alloc(allocator, order_bytes);
+    size_t *order;
     ms_nn__writer w;
     ms_status status;
+    if ((tensors == NULL && count != 0) || (metadata == NULL && entries != 0) || sink.write == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", sink.write == NULL ? "sink.write" : tensors == NULL && count != 0 ? "tensors" : "metadata");
+    order = (size_t *)ms__alloc(allocator, order_bytes);
     if (order == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to sort %z tensors", count);
     status = ms_nn__write_check(tensors, count, metadata, entries, order, error);
     if (status == MS_OK) {

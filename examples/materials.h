@@ -108,7 +108,7 @@ static inline const char *materials_read(const char *path, int parameters, mater
         }
         while (length > 0 && strchr(" \t\r\n", text[length - 1])) text[--length] = 0;
         if (start[strspn(start, " \t")] == 0 || *start == '#') continue;
-        if (!seen) dialect = csv_dialect_of(start);
+        dialect = csv_dialect_of(start);
         (void)number_read(start, dialect.decimal, &end);
         if (!seen++ && end == start) {
             columns = materials__columns(start, dialect.between);

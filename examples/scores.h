@@ -60,9 +60,10 @@ static inline const char *scores_read(const char *path, scores *s)
             if (start == NULL) break;
             memmove(text, start, strlen(start) + 1);
         }
-        if (*text != '#' && text[strspn(text, " \t\r\n")] != 0 && !seen++) dialect = csv_dialect_of(text);
+        if (*text == '#' || text[strspn(text, " \t\r\n")] == 0) continue;
+        ++seen;
+        dialect = csv_dialect_of(text);
         if (strlen(text) == TEXT - 1) problem = "a line is too long";
-        else if (*text == '#' || text[strspn(text, " \t\r\n")] == 0) continue;
         else if ((count = scores__line(text, dialect, value, LIMIT)) < 2) {
             char *end;
             (void)number_read(text, dialect.decimal, &end);
