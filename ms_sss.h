@@ -627,6 +627,29 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
                                            const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                            ms_error *error);
 
+/* ---------------------------------------------------------------- GATHER */
+
+/* The surface behind: what lies first behind each pixel along the view, as an engine draws it with front faces culled. */
+typedef struct ms_sss_back {
+    ms_sss_image input; /* its irradiance, as ms_sss_frame.input */
+    ms_sss_image depth; /* its depth, as ms_sss_frame.depth; not finite or not positive: nothing */
+} ms_sss_back;
+
+/* The slow, good filter: every pixel gathers from points of the surface in space, at their true distances, with the round
+   profile and the elevation, from the visible surface and, if given, the one behind it: the light of ears, leaves and
+   fingers against the sun, which no filter of one layer has. Points farther than four pixels are taken together by twos,
+   fours and so on, so that cost grows with pixels and the logarithm of the radius: a few microseconds a pixel.
+   frame     depth is needed; no profile; the rest as in ms_sss_filter
+   back      NULL: the visible surface alone
+   options   the size of a pixel, mm_per_unit, albedo_mode, fade, flat, parallel count; the others do nothing
+   What of the profile meets no point is made up for by the rest. No more than all light leaves.
+   Bit-equal for any thread count. No allocation. MS_INVALID_ARGUMENT, as ms_sss_filter. MS_UNSUPPORTED: frame->profile,
+   pixels_per_mm. */
+MS_API size_t ms_sss_gather_workspace(int width, int height, int with_back);
+MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *back, const ms_sss_profile *profile,
+                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                   ms_error *error);
+
 /* -------------------------------------------------------------- GPU TEXT */
 
 #define MS_SSS_SHADER_PROFILES_MAX 16 /* kernels of one pass */
@@ -4986,6 +5009,322 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
         ms_sss__weights_at(&tower.growth, tower.growth.size, tower.growth.weight);
         ms_sss__run(job, 0, tower.level[l].height, ms_sss__tower_grow);
     }
+    return MS_OK;
+}
+
+/* ----------------------------------------------------------- GATHER CODE */
+
+enum { MS_SSS__GATHER_NEAR = 4, MS_SSS__GATHER_LEVELS = 16, MS_SSS__GATHER_STEPS = 2048 };
+
+/* A patch of surface in view space, mm: x right, y down, z away from the camera. size 0: nothing. */
+typedef struct ms_sss__patch {
+    float p[3], n[3], e[3], size; /* size: side of the square of its area */
+} ms_sss__patch;
+
+typedef struct ms_sss__gather {
+    ms_sss_frame frame;
+    ms_sss_back back;
+    ms_sss_filter_options options;
+    int layers, levels, width[MS_SSS__GATHER_LEVELS], height[MS_SSS__GATHER_LEVELS];
+    ms_sss__patch *level[2][MS_SSS__GATHER_LEVELS];
+    float (*disc)[3]; /* [steps + 2] light within steps of reach / MS_SSS__GATHER_STEPS */
+    float reach, elevation[3], reflectance[3];
+    float pixel, slope; /* mm of a pixel's side at depth 0, and a mm of depth */
+} ms_sss__gather;
+
+/* Place of a pixel's middle at depth z mm. */
+static void ms_sss__gather_place(const ms_sss__gather *g, int x, int y, float z, float p[3])
+{
+    const float side = g->pixel + g->slope * z;
+    p[0] = ((float)x + 0.5f - 0.5f * (float)g->frame.width) * side;
+    p[1] = ((float)y + 0.5f - 0.5f * (float)g->frame.height) * side;
+    p[2] = z;
+}
+
+/* mm; 0: no surface there that takes part. */
+static float ms_sss__gather_depth(const ms_sss__gather *g, int layer, int x, int y)
+{
+    float z, strength;
+    if (x < 0 || y < 0 || x >= g->frame.width || y >= g->frame.height) return 0;
+    z = ms_sss__get(layer ? &g->back.depth : &g->frame.depth, 0, x, y);
+    if (!layer && g->frame.strength.channel[0]) {
+        strength = ms_sss__get(&g->frame.strength, 0, x, y);
+        if (!(strength > 0)) return 0;
+    }
+    z *= g->options.mm_per_unit > 0 ? g->options.mm_per_unit : 1;
+    return z > 0 && ms__finite_f(z) ? z : 0;
+}
+
+/* The way along the surface from a pixel to its neighbours on one axis: both, where they lie on one surface with it, else
+   the nearer in depth. 0: there is none. */
+static int ms_sss__gather_tangent(const ms_sss__gather *g, int layer, int x, int y, int dx, int dy, const float p[3], float t[3])
+{
+    float before = ms_sss__gather_depth(g, layer, x - dx, y - dy), after = ms_sss__gather_depth(g, layer, x + dx, y + dy);
+    float a[3], b[3], to_a, to_b;
+    int i;
+    if (!(before > 0) && !(after > 0)) return 0;
+    if (before > 0) ms_sss__gather_place(g, x - dx, y - dy, before, a);
+    if (after > 0) ms_sss__gather_place(g, x + dx, y + dy, after, b);
+    to_a = fabsf(before - p[2]);
+    to_b = fabsf(after - p[2]);
+    if (!(before > 0) || (after > 0 && to_a > 2 * to_b + (g->pixel + g->slope * p[2]))) memcpy(a, p, sizeof a);
+    else if (!(after > 0) || to_b > 2 * to_a + (g->pixel + g->slope * p[2])) memcpy(b, p, sizeof b);
+    for (i = 0; i < 3; ++i) t[i] = b[i] - a[i];
+    return 1;
+}
+
+static void ms_sss__gather_load(void *context, int task)
+{
+    const ms_sss__gather *g = (const ms_sss__gather *)context;
+    const int y = task / g->layers, layer = task % g->layers, w = g->frame.width;
+    int x, c;
+    for (x = 0; x < w; ++x) {
+        ms_sss__patch *q = &g->level[layer][0][(size_t)y * (size_t)w + (size_t)x];
+        float z = ms_sss__gather_depth(g, layer, x, y), u[3], v[3], length, facing, side;
+        memset(q, 0, sizeof *q);
+        if (!(z > 0)) continue;
+        for (c = 0; c < 3; ++c) {
+            float albedo = g->frame.albedo.channel[0] && g->options.albedo_mode != MS_SSS_ALBEDO_POST
+                               ? ms_sss__get(&g->frame.albedo, c, x, y) : 1;
+            q->e[c] = ms_sss__get(layer ? &g->back.input : &g->frame.input, c, x, y) *
+                      (g->options.albedo_mode == MS_SSS_ALBEDO_BOTH ? sqrtf(albedo) : albedo);
+        }
+        if (!ms__finite_f(q->e[0]) || !ms__finite_f(q->e[1]) || !ms__finite_f(q->e[2])) continue;
+        ms_sss__gather_place(g, x, y, z, q->p);
+        side = g->pixel + g->slope * z;
+        if (!ms_sss__gather_tangent(g, layer, x, y, 1, 0, q->p, u)) u[0] = 1, u[1] = u[2] = 0;
+        if (!ms_sss__gather_tangent(g, layer, x, y, 0, 1, q->p, v)) v[1] = 1, v[0] = v[2] = 0;
+        q->n[0] = u[1] * v[2] - u[2] * v[1];
+        q->n[1] = u[2] * v[0] - u[0] * v[2];
+        q->n[2] = u[0] * v[1] - u[1] * v[0];
+        length = sqrtf(q->n[0] * q->n[0] + q->n[1] * q->n[1] + q->n[2] * q->n[2]);
+        length = length > 0 ? (layer ? 1 : -1) / length : 0; /* right x down looks away from the camera, as back faces do */
+        for (c = 0; c < 3; ++c) q->n[c] *= length;
+        if (g->slope > 0) { /* cosine between the normal and the way to the camera */
+            facing = fabsf(q->n[0] * q->p[0] + q->n[1] * q->p[1] + q->n[2] * q->p[2]) /
+                     sqrtf(q->p[0] * q->p[0] + q->p[1] * q->p[1] + q->p[2] * q->p[2]);
+        } else {
+            facing = fabsf(q->n[2]);
+        }
+        q->size = side / sqrtf(facing > 0.1f ? facing : 0.1f); /* edges on, depth says little of the area */
+    }
+}
+
+/* Four patches as one, by their areas. */
+static void ms_sss__gather_join(const ms_sss__gather *g, int layer, int level)
+{
+    const int w = g->width[level], h = g->height[level], below_w = g->width[level - 1], below_h = g->height[level - 1];
+    int x, y, i, c;
+    for (y = 0; y < h; ++y)
+        for (x = 0; x < w; ++x) {
+            ms_sss__patch *to = &g->level[layer][level][(size_t)y * (size_t)w + (size_t)x];
+            float area = 0;
+            memset(to, 0, sizeof *to);
+            for (i = 0; i < 4; ++i) {
+                const int bx = 2 * x + i % 2, by = 2 * y + i / 2;
+                const ms_sss__patch *from = &g->level[layer][level - 1][(size_t)by * (size_t)below_w + (size_t)bx];
+                float a;
+                if (bx >= below_w || by >= below_h || !(from->size > 0)) continue;
+                a = from->size * from->size;
+                area += a;
+                for (c = 0; c < 3; ++c) {
+                    to->p[c] += a * from->p[c];
+                    to->n[c] += a * from->n[c];
+                    to->e[c] += a * from->e[c];
+                }
+            }
+            if (!(area > 0)) continue;
+            to->size = sqrtf(area);
+            for (c = 0; c < 3; ++c) {
+                to->p[c] /= area;
+                to->n[c] /= area;
+                to->e[c] /= area;
+            }
+        }
+}
+
+static void ms_sss__gather_add(const ms_sss__gather *g, const ms_sss__patch *p, const ms_sss__patch *q, float light[3],
+                               float factor[3], float total[3])
+{
+    const float dx = p->p[0] - q->p[0], dy = p->p[1] - q->p[1], dz = p->p[2] - q->p[2], square = dx * dx + dy * dy + dz * dz;
+    float r, low, high, area, sine = 0, step = (float)MS_SSS__GATHER_STEPS / g->reach;
+    int inner, outer, c;
+    if (!(square < g->reach * g->reach)) return;
+    r = sqrtf(square);
+    low = r - 0.5f * q->size; /* the ring as wide as the patch; round the pixel itself the disc of its area */
+    high = r + 0.5f * q->size;
+    if (r < 0.02f * q->size) high = 0.564189584f * q->size;
+    if (low < 0) low = 0;
+    if (high > g->reach) high = g->reach;
+    if (!(high > low)) return;
+    area = q->size * q->size / (high * high - low * low);
+    if (r > 0) sine = 0.5f * ((p->n[0] - q->n[0]) * dx + (p->n[1] - q->n[1]) * dy + (p->n[2] - q->n[2]) * dz) / r;
+    low *= step;
+    high *= step;
+    inner = (int)low;
+    outer = (int)high;
+    for (c = 0; c < 3; ++c) {
+        const float a = g->disc[inner][c] + (low - (float)inner) * (g->disc[inner + 1][c] - g->disc[inner][c]);
+        const float b = g->disc[outer][c] + (high - (float)outer) * (g->disc[outer + 1][c] - g->disc[outer][c]);
+        float weight = area * (b - a), f = 1 + 0.25f * g->elevation[c] * sine;
+        f = f > 0 ? f * f * f * f * weight : 0;
+        total[c] += weight;
+        factor[c] += f;
+        light[c] += f * q->e[c];
+    }
+}
+
+static void ms_sss__gather_row(void *context, int y)
+{
+    const ms_sss__gather *g = (const ms_sss__gather *)context;
+    const int w = g->frame.width, near = MS_SSS__GATHER_NEAR;
+    int x, c, layer, level, i, j;
+    for (x = 0; x < w; ++x) {
+        const ms_sss__patch *p = &g->level[0][0][(size_t)y * (size_t)w + (size_t)x];
+        float light[3] = {0, 0, 0}, factor[3] = {0, 0, 0}, total[3] = {0, 0, 0}, strength = 1 - g->options.fade;
+        const int takes_part = p->size > 0;
+        if (takes_part) {
+            const float reach = g->reach / (g->pixel + g->slope * p->p[2]); /* pixels */
+            int top = 0;
+            while (top + 1 < g->levels && (float)(near << top) < reach) ++top;
+            for (layer = 0; layer < g->layers; ++layer) {
+                int x0 = (x >> top) - near, x1 = (x >> top) + near, y0 = (y >> top) - near, y1 = (y >> top) + near;
+                for (level = top; level >= 0; --level) {
+                    /* of the cells x0 to x1, those within `near` of the pixel's own are left to the next level */
+                    const int cx = x >> level, cy = y >> level, width = g->width[level], height = g->height[level];
+                    const int first = x0 > 0 ? x0 : 0, last = x1 < width - 1 ? x1 : width - 1;
+                    for (j = y0 > 0 ? y0 : 0; j <= (y1 < height - 1 ? y1 : height - 1); ++j) {
+                        const ms_sss__patch *row = g->level[layer][level] + (size_t)j * (size_t)width;
+                        const int hole = level > 0 && j >= cy - near && j <= cy + near;
+                        for (i = first; i <= last; ++i) {
+                            if (hole && i >= cx - near && i <= cx + near) {
+                                i = cx + near;
+                                continue;
+                            }
+                            if (row[i].size > 0) ms_sss__gather_add(g, p, &row[i], light, factor, total);
+                        }
+                    }
+                    x0 = 2 * (cx - near);
+                    x1 = 2 * (cx + near) + 1;
+                    y0 = 2 * (cy - near);
+                    y1 = 2 * (cy + near) + 1;
+                }
+            }
+            if (g->frame.strength.channel[0]) {
+                float s = ms_sss__get(&g->frame.strength, 0, x, y);
+                strength *= s < 1 ? s : 1;
+            }
+        }
+        for (c = 0; c < 3; ++c) {
+            float in = ms_sss__get(&g->frame.input, c, x, y), albedo = 1, out = in;
+            if (g->frame.albedo.channel[0]) albedo = ms_sss__get(&g->frame.albedo, c, x, y);
+            if (takes_part && total[c] > 0 && g->reflectance[c] > 0) {
+                float most = g->reflectance[c] * factor[c] / total[c]; /* of evenly lit surroundings this part leaves */
+                out = light[c] / total[c] / (most > 1 ? most : 1);
+                if (g->options.albedo_mode == MS_SSS_ALBEDO_POST) out *= albedo;
+                else if (g->options.albedo_mode == MS_SSS_ALBEDO_BOTH) out *= sqrtf(albedo);
+                out = strength * out + (1 - strength) * in * albedo;
+            } else {
+                out = in * albedo;
+            }
+            if (g->frame.specular.channel[0]) out += ms_sss__get(&g->frame.specular, c, x, y);
+            ms_sss__put(&g->frame.output, c, x, y, out);
+        }
+    }
+}
+
+/* Patches of all levels of a layer. */
+static size_t ms_sss__gather_patches(ms_sss__gather *g, int width, int height)
+{
+    size_t count = 0;
+    g->levels = 0;
+    while (g->levels < MS_SSS__GATHER_LEVELS) {
+        g->width[g->levels] = width;
+        g->height[g->levels] = height;
+        count = ms__size_add(count, ms__size_mul((size_t)width, (size_t)height));
+        g->levels++;
+        if (width == 1 && height == 1) break;
+        width = (width + 1) / 2;
+        height = (height + 1) / 2;
+    }
+    return count;
+}
+
+MS_API size_t ms_sss_gather_workspace(int width, int height, int with_back)
+{
+    ms_sss__gather g;
+    size_t patches;
+    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX) return SIZE_MAX;
+    patches = ms__size_mul(ms_sss__gather_patches(&g, width, height), with_back ? 2 : 1);
+    return ms__size_add(ms__size_mul(patches, sizeof(ms_sss__patch)), 64 + 3 * sizeof(float) * (MS_SSS__GATHER_STEPS + 2));
+}
+
+MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *back, const ms_sss_profile *profile,
+                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                   ms_error *error)
+{
+    ms_sss__gather g;
+    double total[3], radius[3], widest = 0;
+    ms_status status;
+    size_t needed, count;
+    int c, i, layer, level;
+    ms_sss__patch *at;
+    if (!frame || !profile || !options)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, profile or options is NULL");
+    memset(&g, 0, sizeof g);
+    g.frame = *frame;
+    g.options = *options;
+    if (back) g.back = *back;
+    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
+    needed = ms_sss_gather_workspace(frame->width, frame->height, back != NULL);
+    if (needed == SIZE_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", frame->width, frame->height, (int)MS_SSS__SIDE_MAX);
+    if (options->pixels_per_mm[0] > 0) return ms__fail(error, MS_UNSUPPORTED, 0, "a gather needs depth, fov_degrees or ortho_height; pixels_per_mm is for textures");
+    if (frame->profile) return ms__fail(error, MS_UNSUPPORTED, 0, "a gather has one profile; frame->profile is set");
+    if ((status = ms_sss__check_image(&g.frame.input, "input", 3, 1, frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&g.frame.output, "output", 3, 1, frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&g.frame.depth, "depth", 1, 1, frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&g.frame.strength, "strength", 1, 0, frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&g.frame.albedo, "albedo", 3, 0, frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&g.frame.specular, "specular", 3, 0, frame->width, frame->height, error)) != MS_OK)
+        return status;
+    if (back && ((status = ms_sss__check_image(&g.back.input, "back input", 3, 1, frame->width, frame->height, error)) != MS_OK ||
+                 (status = ms_sss__check_image(&g.back.depth, "back depth", 1, 1, frame->width, frame->height, error)) != MS_OK))
+        return status;
+    if (!workspace || workspace_size < needed)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
+    ms_sss_profile_reflectance(profile, total);
+    ms_sss_profile_radius(profile, 0.99, radius);
+    for (c = 0; c < 3; ++c) {
+        if (radius[c] > widest) widest = radius[c];
+        g.reflectance[c] = (float)total[c];
+        g.elevation[c] = (float)ms_sss_elevation(total[c], 1); /* FLAT */
+    }
+    if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light in any channel");
+    g.reach = (float)(1.5 * widest); /* what is farther is worth less than the pixels' own shape */
+    g.layers = back ? 2 : 1;
+    if (options->fov_degrees > 0)
+        g.slope = 2 * tanf(options->fov_degrees * (3.14159265f / 360)) / (float)frame->height;
+    else
+        g.pixel = options->ortho_height * (options->mm_per_unit > 0 ? options->mm_per_unit : 1) / (float)frame->height;
+    at = (ms_sss__patch *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    count = ms_sss__gather_patches(&g, frame->width, frame->height);
+    for (layer = 0; layer < g.layers; ++layer)
+        for (level = 0; level < g.levels; ++level) {
+            g.level[layer][level] = at;
+            at += (size_t)g.width[level] * (size_t)g.height[level];
+        }
+    (void)count;
+    g.disc = (float(*)[3])(void *)at;
+    for (i = 0; i < MS_SSS__GATHER_STEPS + 2; ++i) {
+        double disc[3];
+        ms_sss_profile_disc(profile, (double)g.reach * i / MS_SSS__GATHER_STEPS, disc);
+        for (c = 0; c < 3; ++c) g.disc[i][c] = (float)(total[c] > 0 ? disc[c] / total[c] : 0);
+    }
+    ms__run(&options->parallel, frame->height * g.layers, ms_sss__gather_load, &g);
+    for (layer = 0; layer < g.layers; ++layer)
+        for (level = 1; level < g.levels; ++level) ms_sss__gather_join(&g, layer, level);
+    ms__run(&options->parallel, frame->height, ms_sss__gather_row, &g);
     return MS_OK;
 }
 
