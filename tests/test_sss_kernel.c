@@ -349,12 +349,15 @@ static void translucency(void)
     CHECK(ms_sss_transmittance_table(p, 0, 4, table) == MS_INVALID_ARGUMENT);
     /* the light loop: the same transmittance over the reflectance, nothing towards the lamp or from a far side in shade */
     CHECK(ms_sss_kernel_make(&k, NULL, p, 16, NULL, NULL, NULL) == MS_OK);
-    ms_sss_transmission(&k, 8, -0.3f, 0.5f, light, out);
-    for (c = 0; c < 3; ++c) CHECK_NEAR((double)(out[c] * k.reflectance[c]), t[c] * 0.5 * (c + 1), 1e-5);
-    ms_sss_transmission(&k, 8, 0, 0.5f, light, out);
-    CHECK(out[0] == 0 && out[1] == 0 && out[2] == 0);
-    ms_sss_transmission(&k, 8, -0.3f, -0.1f, light, out);
-    CHECK(out[0] == 0 && out[1] == 0 && out[2] == 0);
+    for (i = 0; i < 2; ++i) { /* a slab lit askew; a wedge, whose faces stand at right angle, passes R of that */
+        const float front[3] = {0, 0, -1}, side[3] = {0, 1, 0}, entry[3] = {0, 0, 1}, lamp[3] = {0, -0.6f, 0.8f}, away[3] = {0, 0.6f, -0.8f};
+        ms_sss_transmission(&k, 8, i ? side : front, entry, lamp, light, out);
+        for (c = 0; c < 3; ++c) CHECK_NEAR((double)(out[c] * (i ? 1 : k.reflectance[c])), t[c] * 0.8 * (c + 1), 1e-5);
+        ms_sss_transmission(&k, 8, i ? side : front, entry, away, light, out); /* the entry lies in shade */
+        CHECK(out[0] == 0 && out[1] == 0 && out[2] == 0);
+        ms_sss_transmission(&k, 8, lamp, entry, lamp, light, out); /* the filter has it */
+        CHECK(out[0] == 0 && out[1] == 0 && out[2] == 0);
+    }
     TEST_NOTE("within %.1f%% of random walks", 100 * worst);
     ms_sss_profile_destroy(p);
 }
