@@ -117,9 +117,9 @@
 
    Sections (search for the name)
    ------------------------------
-   Declarations: PROFILES, ELEVATION, KERNELS, ERRORS, TRANSLUCENCY, FILTER, PYRAMID, GPU TEXT.
+   Declarations: PROFILES, ELEVATION, KERNELS, ERRORS, TRANSLUCENCY, FILTER, PYRAMID, GATHER, GPU TEXT.
    Implementation: SMALL MATHS, PROFILE TABLES, PRE-INTEGRATION, CELLS AND SPECTRA, KERNEL ERRORS, TAPS, KERNEL MODELS,
-   TRANSLUCENCY TABLES, FILTER CODE, PYRAMID CODE, GPU CODE.
+   TRANSLUCENCY TABLES, FILTER CODE, PYRAMID CODE, GATHER CODE, GPU CODE.
    Included once a level: FILTER KERNELS, PYRAMID KERNELS.
 */
 #ifndef MS_SSS_H
@@ -637,6 +637,7 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
 typedef struct ms_sss_back {
     ms_sss_image input; /* its irradiance, as ms_sss_frame.input */
     ms_sss_image depth; /* its depth, as ms_sss_frame.depth; not finite or not positive: nothing */
+    ms_sss_image normal; /* optional, as ms_sss_frame.normal; it looks away from the camera */
 } ms_sss_back;
 
 /* The slow, good filter: every pixel gathers from points of the surface in space, at their true distances, with the round
@@ -5066,22 +5067,51 @@ static float ms_sss__gather_depth(const ms_sss__gather *g, int layer, int x, int
     return z > 0 && ms__finite_f(z) ? z : 0;
 }
 
-/* The way along the surface from a pixel to its neighbours on one axis: both, where they lie on one surface with it, else
-   the nearer in depth. 0: there is none. */
-static int ms_sss__gather_tangent(const ms_sss__gather *g, int layer, int x, int y, int dx, int dy, const float p[3], float t[3])
+/* The way along the surface past a pixel on one axis, per pixel: the mean of both sides where they lie on one surface with
+   it, else from the nearer side, carried on to the pixel by the next step; untouched where there is none. */
+static void ms_sss__gather_tangent(const ms_sss__gather *g, int layer, int x, int y, int dx, int dy, const float p[3], float t[3])
 {
-    float before = ms_sss__gather_depth(g, layer, x - dx, y - dy), after = ms_sss__gather_depth(g, layer, x + dx, y + dy);
-    float a[3], b[3], to_a, to_b;
-    int i;
-    if (!(before > 0) && !(after > 0)) return 0;
-    if (before > 0) ms_sss__gather_place(g, x - dx, y - dy, before, a);
-    if (after > 0) ms_sss__gather_place(g, x + dx, y + dy, after, b);
-    to_a = fabsf(before - p[2]);
-    to_b = fabsf(after - p[2]);
-    if (!(before > 0) || (after > 0 && to_a > 2 * to_b + (g->pixel + g->slope * p[2]))) memcpy(a, p, sizeof a);
-    else if (!(after > 0) || to_b > 2 * to_a + (g->pixel + g->slope * p[2])) memcpy(b, p, sizeof b);
-    for (i = 0; i < 3; ++i) t[i] = b[i] - a[i];
-    return 1;
+    const float pixel = g->pixel + g->slope * p[2];
+    float side[2][3], off[2], z;
+    int has[2], s, i;
+    for (s = 0; s < 2; ++s) {
+        const int way = s ? 1 : -1;
+        z = ms_sss__gather_depth(g, layer, x + way * dx, y + way * dy);
+        has[s] = z > 0;
+        off[s] = fabsf(z - p[2]);
+        if (!has[s]) continue;
+        ms_sss__gather_place(g, x + way * dx, y + way * dy, z, side[s]);
+        for (i = 0; i < 3; ++i) side[s][i] = (float)way * (side[s][i] - p[i]);
+    }
+    if (!has[0] && !has[1]) return;
+    if (has[0] && has[1] && off[0] <= 2 * off[1] + pixel && off[1] <= 2 * off[0] + pixel) {
+        for (i = 0; i < 3; ++i) t[i] = 0.5f * (side[0][i] + side[1][i]);
+        return;
+    }
+    s = has[1] && (!has[0] || off[1] < off[0]);
+    memcpy(t, side[s], 3 * sizeof *t);
+    z = ms_sss__gather_depth(g, layer, x + (s ? 2 : -2) * dx, y + (s ? 2 : -2) * dy);
+    if (z > 0) { /* near an outline depth goes with the root of the distance to it: so much is the slope above the first step */
+        const float first = t[2], second = (s ? 1.0f : -1.0f) * (z - p[2]) - first;
+        float more = first * second > 0 ? first / second - 1 : 0;
+        if (more > 0.85f) more = 0.85f;
+        if (more > 0) t[2] *= 1 + more * (0.5f + more * (0.5f + 0.7f * more * more));
+    }
+}
+
+/* The outward normal from depth. */
+static void ms_sss__gather_normal(const ms_sss__gather *g, int layer, int x, int y, const float p[3], float n[3])
+{
+    float u[3] = {1, 0, 0}, v[3] = {0, 1, 0}, length;
+    int c;
+    ms_sss__gather_tangent(g, layer, x, y, 1, 0, p, u);
+    ms_sss__gather_tangent(g, layer, x, y, 0, 1, p, v);
+    n[0] = u[1] * v[2] - u[2] * v[1];
+    n[1] = u[2] * v[0] - u[0] * v[2];
+    n[2] = u[0] * v[1] - u[1] * v[0];
+    length = sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    length = length > 0 ? (layer ? 1 : -1) / length : 0; /* right x down looks away from the camera, as back faces do */
+    for (c = 0; c < 3; ++c) n[c] *= length;
 }
 
 static void ms_sss__gather_load(void *context, int task)
@@ -5091,7 +5121,9 @@ static void ms_sss__gather_load(void *context, int task)
     int x, c;
     for (x = 0; x < w; ++x) {
         ms_sss__patch *q = &g->level[layer][0][(size_t)y * (size_t)w + (size_t)x];
-        float z = ms_sss__gather_depth(g, layer, x, y), u[3], v[3], length, facing, side;
+        const ms_sss_image *normal = layer ? &g->back.normal : &g->frame.normal;
+        float z = ms_sss__gather_depth(g, layer, x, y), length, facing, side;
+        int given = 0;
         memset(q, 0, sizeof *q);
         if (!(z > 0)) continue;
         for (c = 0; c < 3; ++c) {
@@ -5103,14 +5135,13 @@ static void ms_sss__gather_load(void *context, int task)
         if (!ms__finite_f(q->e[0]) || !ms__finite_f(q->e[1]) || !ms__finite_f(q->e[2])) continue;
         ms_sss__gather_place(g, x, y, z, q->p);
         side = g->pixel + g->slope * z;
-        if (!ms_sss__gather_tangent(g, layer, x, y, 1, 0, q->p, u)) u[0] = 1, u[1] = u[2] = 0;
-        if (!ms_sss__gather_tangent(g, layer, x, y, 0, 1, q->p, v)) v[1] = 1, v[0] = v[2] = 0;
-        q->n[0] = u[1] * v[2] - u[2] * v[1];
-        q->n[1] = u[2] * v[0] - u[0] * v[2];
-        q->n[2] = u[0] * v[1] - u[1] * v[0];
-        length = sqrtf(q->n[0] * q->n[0] + q->n[1] * q->n[1] + q->n[2] * q->n[2]);
-        length = length > 0 ? (layer ? 1 : -1) / length : 0; /* right x down looks away from the camera, as back faces do */
-        for (c = 0; c < 3; ++c) q->n[c] *= length;
+        if (normal->channel[0]) { /* z towards the camera there */
+            for (c = 0; c < 3; ++c) q->n[c] = ms_sss__get(normal, c, x, y) * (c == 2 ? -1.0f : 1.0f);
+            length = sqrtf(q->n[0] * q->n[0] + q->n[1] * q->n[1] + q->n[2] * q->n[2]);
+            given = length > 0 && length <= 3.4e38f;
+            for (c = 0; c < 3 && given; ++c) q->n[c] /= length;
+        }
+        if (!given) ms_sss__gather_normal(g, layer, x, y, q->p, q->n);
         if (g->slope > 0) { /* cosine between the normal and the way to the camera */
             facing = fabsf(q->n[0] * q->p[0] + q->n[1] * q->p[1] + q->n[2] * q->p[2]) /
                      sqrtf(q->p[0] * q->p[0] + q->p[1] * q->p[1] + q->p[2] * q->p[2]);
@@ -5277,7 +5308,7 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
     ms_sss__gather g;
     double total[3], radius[3], widest = 0;
     ms_status status;
-    size_t needed, count;
+    size_t needed;
     int c, i, layer, level;
     ms_sss__patch *at;
     if (!frame || !profile || !options)
@@ -5299,7 +5330,9 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
         (status = ms_sss__check_image(&g.frame.albedo, "albedo", 3, 0, frame->width, frame->height, error)) != MS_OK ||
         (status = ms_sss__check_image(&g.frame.specular, "specular", 3, 0, frame->width, frame->height, error)) != MS_OK)
         return status;
-    if (back && ((status = ms_sss__check_image(&g.back.input, "back input", 3, 1, frame->width, frame->height, error)) != MS_OK ||
+    if ((status = ms_sss__check_image(&g.frame.normal, "normal", 3, 0, frame->width, frame->height, error)) != MS_OK) return status;
+    if (back && ((status = ms_sss__check_image(&g.back.normal, "back normal", 3, 0, frame->width, frame->height, error)) != MS_OK ||
+                 (status = ms_sss__check_image(&g.back.input, "back input", 3, 1, frame->width, frame->height, error)) != MS_OK ||
                  (status = ms_sss__check_image(&g.back.depth, "back depth", 1, 1, frame->width, frame->height, error)) != MS_OK))
         return status;
     if (!workspace || workspace_size < needed)
@@ -5319,13 +5352,12 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
     else
         g.pixel = options->ortho_height * (options->mm_per_unit > 0 ? options->mm_per_unit : 1) / (float)frame->height;
     at = (ms_sss__patch *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
-    count = ms_sss__gather_patches(&g, frame->width, frame->height);
+    ms_sss__gather_patches(&g, frame->width, frame->height);
     for (layer = 0; layer < g.layers; ++layer)
         for (level = 0; level < g.levels; ++level) {
             g.level[layer][level] = at;
             at += (size_t)g.width[level] * (size_t)g.height[level];
         }
-    (void)count;
     g.disc = (float(*)[3])(void *)at;
     for (i = 0; i < MS_SSS__GATHER_STEPS + 2; ++i) {
         double disc[3];
