@@ -680,16 +680,14 @@ typedef enum ms_sss_source {
 typedef enum ms_sss_step {
     MS_SSS_STEP_X = 0,      /* along x (or the turned axis) */
     MS_SSS_STEP_Y = 1,      /* along y */
-    MS_SSS_STEP_PREPARE = 2 /* before both, where slopes count: makes one texture of what the taps of the next read */
+    MS_SSS_STEP_PREPARE = 2 /* optional, before both: gathers what X reads into one texture */
 } ms_sss_step;
 
 /* One step, as a fragment shader for a full-screen triangle or as a compute shader. All zero but tap_count: the first
    pass of a texture-space filter in GLSL 330.
-   Where slopes count (depth, MS_SSS_DEPTH_AWARE, flat below 1) PREPARE comes first; without slopes it is optional and
-   worth it where depth, profile or strength have textures of their own. Then X, then Y:
-     PREPARE  reads the input as ms_sss_colour; writes RGB and, in alpha, depth and profile (0: takes no part) and, where
-              slopes count, a second target: slopes and tilts. Both RGBA of 32-bit floats.
-     X        reads PREPARE's first target (set prepared), else the input, as ms_sss_colour; writes the same kind of texel
+     PREPARE  reads the input as ms_sss_colour; writes RGB and, in alpha, depth and profile (0: takes no part). Worth its
+              pass where depth, profile or strength have textures of their own.
+     X        reads PREPARE's target (set prepared), else the input, as ms_sss_colour; writes the same kind of texel
      Y        reads X's target as ms_sss_colour; writes the result, alpha 1
    Textures are float or half RGBA (depth, strength, profile: any with red), read by texel only. Vulkan and WGSL bind them
    at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST for both filters of each: with its
@@ -701,20 +699,17 @@ typedef enum ms_sss_step {
      3  ms_sss_input     Y: the input
      4  ms_sss_profile   the first step, profile MS_SSS_TEXTURE: index / 255, so that 8-bit UNORM holds ms_sss_frame.profile
      5  ms_sss_sum       compute, Y of terms after the first: the sum of those before
-     6  ms_sss_normal    PREPARE, with_normal: as ms_sss_frame.normal
-     7  ms_sss_shape     X and Y where slopes count: PREPARE's second target
-     8  ms_sss_target    compute: what is written, rgba32f or (half_target) rgba16f; GLSL 330: image unit 0, HLSL: u0
-     9  ms_sss_shape_target  compute, PREPARE: its second target, rgba32f; image unit 1, u1
+     6  ms_sss_normal    X and Y where slopes count, with_normal: as ms_sss_frame.normal
+     7  ms_sss_target    compute: what is written, rgba32f or (half_target) rgba16f; GLSL 330: image unit 0, HLSL: u0
 
    Light does not cross between profiles, nor to pixels that take no part (see ms_sss_filter): an index from profile_count
-   on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 1 in X and Y, 27 for 7 taps;
-   where slopes count PREPARE reads 5 (its neighbours' depths; 2 with_normal) and X and Y one more each. Without PREPARE,
-   depth, profile and strength in textures of their own cost 2 n - 1 each. Turned axes read twice as many.
+   on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 1 in X and Y, 27 for 7 taps.
+   Slopes (depth, MS_SSS_DEPTH_AWARE, flat below 1) read 4 more in each, or 1 with_normal. Depth, profile and strength in
+   textures of their own cost 2 n - 1 each, or one each with PREPARE. Turned axes read twice as many.
    In alpha of the input: depth as it is, or (without depth) index / 255. Both: a 32-bit float depth whose last four bits
-   hold the index, intBitsToFloat(floatBitsToInt(depth) & ~15 | index), for 16 profiles; depth 0 masks.
-   Targets of X in binary16 round depth to 11 bits: keep that under a tenth of the depth sigma. With profiles and depth in
-   one alpha it would lose the index: half_target then reads ms_sss_profile in Y too. Slopes need 32 bits, for the tilts
-   lie in the last 6 bits of each channel (1e-5 of the colour). */
+   hold the index, intBitsToFloat(floatBitsToInt(depth) + 8 & ~15 | index), for 16 profiles; depth 0 masks.
+   Targets of PREPARE and X in binary16 round depth to 11 bits: keep that under a tenth of the depth sigma. With depth, the
+   profile travels in the last 4 bits of blue (1e-6 of it), which binary16 lacks: half_target reads ms_sss_profile again in each step. Slopes need depth in 32 bits. */
 typedef struct ms_sss_shader {
     int tap_count;          /* of the kernels */
     int profile_count;      /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1 */
@@ -725,8 +720,8 @@ typedef struct ms_sss_shader {
     ms_sss_source profile;  /* more than one kernel need it */
     int with_strength;
     int with_normal;        /* 0: normals from depth */
-    int prepared;           /* X: PREPARE has run (where slopes count it must) */
-    int half_target;        /* 1: X's target (and any of compute) is binary16 */
+    int prepared;           /* X: PREPARE has run */
+    int half_target;        /* 1: the targets of PREPARE and X, and any of compute, are binary16 */
     int compute;            /* 0: fragment shader, 1: compute shader, its tile of the picture in shared memory */
     int later;              /* compute: 1 for Y of terms after the first, adds ms_sss_sum */
 } ms_sss_shader;
@@ -768,12 +763,12 @@ typedef struct ms_sss_shader_profile {
     float total[3];    /*  0: sum of the weights of a pass */
     float radius_mm;   /* 12 */
     float scale[3];    /* 16: of the term */
-    float depth_scale; /* 28: 1 / (sqrt(2 ln 2) sigma) or 1 / follow, times the mm of a scene unit */
+    float depth_scale; /* 28: 1 / (3.0746 sigma), exact: 1 / (sqrt(2 / ln 2) sigma), follow: 1 / follow_mm; times mm_per_unit */
     float delta[3];    /* 32: weight of the unblurred input */
     float cut;         /* 44: square of the scaled depth difference from which on a tap does not count, 120 at most */
-    float curve[3];    /* 48: elevation_axis / 8 */
+    float curve[3];    /* 48: elevation_axis / 4 */
     float mixed;       /* 60: 1 red, 2 green, 4 blue, added: what is missing goes to the pixel's own colour */
-    float most[3];     /* 64: bound of the fourth root of the elevation's factor */
+    float root[3];     /* 64: square root of the reflectance */
     float reach;       /* 76: square of the scaled radius, the step in depth that ends a surface */
 } ms_sss_shader_profile;
 
@@ -5380,7 +5375,7 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
 static const char *const ms_sss__shader_body[] = {
     "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n",
     "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n",
-    "// 3 curve, mixed; 4 most, reach; from 5 on taps: weight, offset\n",
+    "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n",
     "\n",
     "// By bits: compilers may take it that no number is NaN.\n",
     "bool finite(float x)\n",
@@ -5388,24 +5383,24 @@ static const char *const ms_sss__shader_body[] = {
     "    return (bits_of(x) & 0x7f800000u) != 0x7f800000u;\n",
     "}\n",
     "\n",
-    "#if CODED\n",
-    "float code_of(float depth, float profile)\n",
+    "#if BOTH\n",
+    "// Alpha holds the depth, the last 4 bits of blue the profile; of black they would be lost.\n",
+    "float code_of(float blue, float profile)\n",
     "{\n",
-    "    return float_of((bits_of(depth) & 0xfffffff0u) | uint(profile));\n",
+    "    float x = pick(blue, 1e-30, abs(blue) < 1e-30);\n",
+    "    return float_of(((bits_of(x) + 8u) & 0xfffffff0u) | uint(profile));\n",
     "}\n",
     "\n",
-    "#endif\n",
-    "#if BOTH\n",
-    "float profile_of(float code)\n",
+    "float profile_of(float4 c)\n",
     "{\n",
-    "    return float(bits_of(code) & 15u);\n",
+    "    return float(bits_of(c.b) & 15u);\n",
     "}\n",
     "\n",
     "#endif\n",
     "#if PROFILE_ALONE\n",
-    "float profile_of(float code)\n",
+    "float profile_of(float4 c)\n",
     "{\n",
-    "    return code - 1.0;\n",
+    "    return c.a - 1.0;\n",
     "}\n",
     "\n",
     "#endif\n",
@@ -5418,46 +5413,47 @@ static const char *const ms_sss__shader_body[] = {
     "}\n",
     "\n",
     "#endif\n",
-    "// Colour and the code of depth and profile, 0: takes no part.\n",
+    "// Colour and depth, 1 without depth (plus the profile), 0: takes no part.\n",
     "float4 source(int2 p)\n",
     "{\n",
     "    float4 c = fetch_colour(p);\n",
     "    float4 none = float4(0.0, 0.0, 0.0, 0.0);\n",
     "#if RAW\n",
-    "    float code = 1.0;\n",
+    "    float depth = 1.0;\n",
     "    bool part = finite(c.r) && finite(c.g) && finite(c.b);\n",
     "#if DEPTH_TEXTURE\n",
-    "    code = fetch_depth(p).r;\n",
+    "    depth = fetch_depth(p).r;\n",
     "#endif\n",
     "#if DEPTH_ALPHA\n",
-    "    code = c.a;\n",
+    "    depth = c.a;\n",
     "#endif\n",
-    "    part = part && code > 0.0 && finite(code);\n",
+    "    part = part && depth > 0.0 && finite(depth);\n",
     "#if WITH_STRENGTH\n",
     "    float strength = fetch_strength(p).r;\n",
     "    part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n",
     "#endif\n",
-    "#if READS_PROFILE\n",
+    "#if PROFILE\n",
+    "#if BOTH_ALPHA\n",
+    "    float profile = float(bits_of(c.a) & 15u);\n",
+    "#else\n",
     "#if PROFILE_TEXTURE\n",
     "    float profile = profile_at(fetch_profile(p).r);\n",
     "#else\n",
     "    float profile = profile_at(c.a);\n",
     "#endif\n",
+    "#endif\n",
     "    part = part && profile < float(PROFILES);\n",
-    "#if CODED\n",
-    "    code = code_of(code, profile);\n",
+    "#if BOTH\n",
+    "    c = float4(c.rg, code_of(c.b, profile), c.a);\n",
     "#else\n",
-    "    code = profile + 1.0;\n",
+    "    depth = profile + 1.0;\n",
     "#endif\n",
     "#endif\n",
-    "#if BOTH_ALPHA\n",
-    "    part = part && profile_of(code) < float(PROFILES);\n",
-    "#endif\n",
-    "    return pick(none, float4(c.rgb, code), part);\n",
+    "    return pick(none, float4(c.rgb, depth), part);\n",
     "#else\n",
-    "#if CODED\n",
+    "#if READS_PROFILE\n",
     "    if (c.a > 0.0) {\n",
-    "        c = float4(c.rgb, code_of(c.a, profile_at(fetch_profile(p).r)));\n",
+    "        c = float4(c.rg, code_of(c.b, profile_at(fetch_profile(p).r)), c.a);\n",
     "    }\n",
     "#endif\n",
     "    return pick(none, c, c.a > 0.0);\n",
@@ -5485,40 +5481,19 @@ static const char *const ms_sss__shader_body[] = {
     "}\n",
     "\n",
     "// Both take part and have one profile.\n",
-    "bool same(float there, float own)\n",
+    "bool same(float4 there, float4 own)\n",
     "{\n",
     "#if BOTH\n",
-    "    return there > 0.0 && ((bits_of(there) ^ bits_of(own)) & 15u) == 0u;\n",
+    "    return there.a > 0.0 && ((bits_of(there.b) ^ bits_of(own.b)) & 15u) == 0u;\n",
     "#else\n",
     "#if PROFILE\n",
-    "    return there > 0.0 && abs(there - own) < 0.5;\n",
+    "    return there.a > 0.0 && abs(there.a - own.a) < 0.5;\n",
     "#else\n",
-    "    return there > 0.0;\n",
+    "    return there.a > 0.0;\n",
     "#endif\n",
     "#endif\n",
     "}\n",
     "\n",
-    "#if PACKED\n",
-    "// The last 6 bits of each channel hold the tilt along the axis of the pass that reads them; of black they would be lost.\n",
-    "float with_bits(float x, uint low)\n",
-    "{\n",
-    "    float y = pick(x, 1e-30, abs(x) < 1e-30);\n",
-    "    return float_of((bits_of(y) & 0xffffffc0u) | (low & 63u));\n",
-    "}\n",
-    "\n",
-    "float3 with_tilt(float3 c, float tilt)\n",
-    "{\n",
-    "    uint low = uint(clamp(floor(tilt * 81920.0 + 0.5), -131071.0, 131071.0) + 131072.0);\n",
-    "    return float3(with_bits(c.r, low >> 12u), with_bits(c.g, low >> 6u), with_bits(c.b, low));\n",
-    "}\n",
-    "\n",
-    "float tilt_of(float3 c)\n",
-    "{\n",
-    "    uint low = ((bits_of(c.r) & 63u) << 12u) | ((bits_of(c.g) & 63u) << 6u) | (bits_of(c.b) & 63u);\n",
-    "    return (float(low) - 131072.0) / 81920.0;\n",
-    "}\n",
-    "\n",
-    "#endif\n",
     "#if SHAPE\n",
     "float2 ray_of(int2 p)\n",
     "{\n",
@@ -5529,22 +5504,19 @@ static const char *const ms_sss__shader_body[] = {
     "    return ray;\n",
     "}\n",
     "\n",
-    "#endif\n",
-    "#if PREPARE\n",
-    "#if SHAPE\n",
     "#if !WITH_NORMAL\n",
     "// The slope from the depths before and after: their mean where the surface turns little, else the smaller one.\n",
-    "float slope_of(float before, float own, float after, float focal, float2 limit)\n",
+    "float slope_of(float4 before, float4 own, float4 after, float focal, float2 limit)\n",
     "{\n",
     "    float a = 0.0;\n",
     "    float b = 0.0;\n",
-    "    float da = own - before;\n",
-    "    float db = after - own;\n",
+    "    float da = own.a - before.a;\n",
+    "    float db = after.a - own.a;\n",
     "    bool on_a = same(before, own) && da * da * limit.x * limit.x < limit.y;\n",
     "    bool on_b = same(after, own) && db * db * limit.x * limit.x < limit.y;\n",
     "#if PERSPECTIVE\n",
-    "    da = da / before;\n",
-    "    db = db / after;\n",
+    "    da = da / before.a;\n",
+    "    db = db / after.a;\n",
     "#endif\n",
     "    if (on_b) {\n",
     "        b = focal * db;\n",
@@ -5563,18 +5535,9 @@ static const char *const ms_sss__shader_body[] = {
     "}\n",
     "\n",
     "#endif\n",
-    "// Slopes along x and y, and the normal's angle to the view axis times its direction.\n",
-    "float4 shape_of(int2 p, float own)\n",
+    "// Slopes along x and y.\n",
+    "float2 slopes_of(int2 p, float4 own, float2 ray, int at)\n",
     "{\n",
-    "    float4 flat_shape = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "    if (!(own > 0.0)) {\n",
-    "        return flat_shape;\n",
-    "    }\n",
-    "    int at = 3;\n",
-    "#if PROFILE\n",
-    "    at = 3 + STRIDE * int(profile_of(own));\n",
-    "#endif\n",
-    "    float2 ray = ray_of(p);\n",
     "    float2 slope = float2(0.0, 0.0);\n",
     "#if WITH_NORMAL\n",
     "    float3 normal = fetch_normal(p).rgb;\n",
@@ -5585,97 +5548,19 @@ static const char *const ms_sss__shader_body[] = {
     "    }\n",
     "#else\n",
     "    float2 limit = float2(constant[at + 1].w, constant[at + 4].w);\n",
-    "    slope = float2(slope_of(texel(p - int2(1, 0)).a, own, texel(p + int2(1, 0)).a, constant[2].y, limit),\n",
-    "                   slope_of(texel(p - int2(0, 1)).a, own, texel(p + int2(0, 1)).a, constant[2].z, limit));\n",
+    "    slope = float2(slope_of(texel(p - int2(1, 0)), own, texel(p + int2(1, 0)), constant[2].y, limit),\n",
+    "                   slope_of(texel(p - int2(0, 1)), own, texel(p + int2(0, 1)), constant[2].z, limit));\n",
     "#endif\n",
-    "    slope = slope * constant[2].w;\n",
-    "    float2 s = slope / max(1.0 + dot(ray, slope), 0.125);\n",
-    "    float m = dot(s, s);\n",
-    "    float root = 1.0 / (1.0 + sqrt(1.0 + m));\n",
-    "    m = m * root * root;\n",
-    "    float angle = 2.0 * root * ((((0.0208351 * m - 0.0851330) * m + 0.1801410) * m - 0.3302995) * m + 0.9998660);\n",
-    "    return float4(slope, s * angle);\n",
+    "    return slope * constant[2].w;\n",
     "}\n",
     "\n",
-    "float4 with_shape(float4 own, float tilt)\n",
-    "{\n",
-    "#if PACKED\n",
-    "    return float4(with_tilt(own.rgb, tilt), own.a);\n",
-    "#else\n",
-    "    return own;\n",
     "#endif\n",
-    "}\n",
-    "\n",
-    "#else\n",
+    "#if PREPARE\n",
     "float4 filter_pixel(int2 p)\n",
     "{\n",
     "    return source(p);\n",
     "}\n",
-    "#endif\n",
     "#else\n",
-    "// Colour and share of the pixels beside position p + offset, a tap on that side of the pixel.\n",
-    "float4 add_tap(int2 p, float2 offset, float side, float4 own, float2 plane, float2 along, int at)\n",
-    "{\n",
-    "    float2 whole = floor(offset);\n",
-    "    float2 part = offset - whole;\n",
-    "    float4 sum = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "#if SHAPE\n",
-    "    float turn = 0.0;\n",
-    "    float shares = 1e-30;\n",
-    "#endif\n",
-    "    for (int i = 0; i < CORNERS; i++) {\n",
-    "#if TURNED\n",
-    "        int2 corner = int2(i % 2, i / 2);\n",
-    "        float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n",
-    "#else\n",
-    "        int2 corner = int2(i - i * SECOND, i * SECOND);\n",
-    "        float share = abs(1.0 - float(i) - part.x - part.y);\n",
-    "#endif\n",
-    "        if (!(share > 0.0)) {\n",
-    "            continue;\n",
-    "        }\n",
-    "        int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n",
-    "        float4 c = texel(p + beside);\n",
-    "        if (!same(c.a, own.a)) {\n",
-    "            continue;\n",
-    "        }\n",
-    "        float f = share;\n",
-    "#if DEPTH\n",
-    "        float dz = (c.a - own.a) * constant[at + 1].w;\n",
-    "#if SHAPE\n",
-    "        if (!(dz * dz < constant[at + 4].w)) {\n",
-    "            continue;\n",
-    "        }\n",
-    "        dz = (c.a - (own.a + dot(plane, float2(float(beside.x), float(beside.y))))) * constant[at + 1].w;\n",
-    "#endif\n",
-    "        if (!(dz * dz < constant[at + 2].w)) {\n",
-    "            continue;\n",
-    "        }\n",
-    "#if PACKED\n",
-    "        turn = turn + share * (tilt_of(c.rgb) - tilt_of(own.rgb));\n",
-    "        shares = shares + share;\n",
-    "#endif\n",
-    "#if FETCHES_TILT\n",
-    "        turn = turn + share * dot(along, fetch_shape(p + beside).zw - fetch_shape(p).zw);\n",
-    "        shares = shares + share;\n",
-    "#endif\n",
-    "#if FOLLOW\n",
-    "        f = share * (1.0 - abs(dz));\n",
-    "#else\n",
-    "        f = share * exp2(-dz * dz);\n",
-    "#endif\n",
-    "#endif\n",
-    "        sum = sum + float4(c.rgb * f, f);\n",
-    "    }\n",
-    "#if SHAPE\n",
-    "    turn = side * turn / shares;\n",
-    "    float3 lift = clamp(float3(1.0, 1.0, 1.0) + constant[at + 3].rgb * turn, float3(0.0, 0.0, 0.0), constant[at + 4].rgb);\n",
-    "    lift = lift * lift;\n",
-    "    sum = float4(sum.rgb * lift * lift, sum.a);\n",
-    "#endif\n",
-    "    return sum;\n",
-    "}\n",
-    "\n",
     "float restore(float sum, float weight, float own, float total, bool mixed)\n",
     "{\n",
     "    if (mixed) {\n",
@@ -5704,7 +5589,7 @@ static const char *const ms_sss__shader_body[] = {
     "#endif\n",
     "    int at = 3;\n",
     "#if PROFILE\n",
-    "    at = 3 + STRIDE * int(profile_of(own.a));\n",
+    "    at = 3 + STRIDE * int(profile_of(own));\n",
     "#endif\n",
     "    float4 total = constant[at];\n",
     "    float2 aspect = constant[1].xy;\n",
@@ -5720,34 +5605,104 @@ static const char *const ms_sss__shader_body[] = {
     "    float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n",
     "    axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n",
     "#endif\n",
-    "    float2 plane = float2(0.0, 0.0);\n",
-    "    float2 along = axis;\n",
     "#if SHAPE\n",
-    "    float4 shape = fetch_shape(p);\n",
+    "    // Of the tangent plane: depth a column and a row, a mm of the taps; cosine to the ray, in mm of scaled depth.\n",
     "    float2 ray = ray_of(p);\n",
-    "    float slope = dot(axis, shape.xy);\n",
+    "    float2 slopes = slopes_of(p, own, ray, at);\n",
+    "    float slope = dot(axis, slopes);\n",
     "    pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n",
-    "    plane = shape.xy / constant[2].yz;\n",
+    "    float2 plane = slopes / constant[2].yz;\n",
+    "    float rise = 0.0;\n",
     "#if PERSPECTIVE\n",
     "    plane = plane * own.a;\n",
+    "    rise = slope * pixels * own.a / constant[2].y;\n",
     "#endif\n",
+    "    float towards = dot(ray, slopes) + 1.0;\n",
+    "    float facing = constant[2].y / (constant[0].z * constant[at + 1].w * sqrt(dot(slopes, slopes) + towards * towards));\n",
+    "    float3 curve = constant[at + 3].rgb;\n",
+    "    float least = -1.0 / max(1.0, max(curve.r, max(curve.g, curve.b)));\n",
     "#endif\n",
     "    axis = axis * aspect * pixels;\n",
-    "    float4 tap = constant[at + 5];\n",
-    "    float3 result = own.rgb * tap.rgb;\n",
-    "    float3 weight = tap.rgb;\n",
+    "    float3 result = own.rgb * constant[at + 5].rgb;\n",
+    "    float3 weight = constant[at + 5].rgb;\n",
+    "    float3 lifted = weight;\n",
     "    if (large) {\n",
     "        for (int k = 1; k < TAPS; k++) {\n",
-    "            tap = constant[at + 5 + k];\n",
-    "            float side = pick(1.0, -1.0, tap.w < 0.0);\n",
-    "            float4 sum = add_tap(p, axis * tap.w, side, own, plane, along, at);\n",
     "#if HALF_KERNEL\n",
-    "            sum = sum + add_tap(p, axis * -tap.w, -side, own, plane, along, at);\n",
+    "            float4 tap = constant[at + 5 + (k + 1) / 2];\n",
+    "            float offset = pick(tap.w, -tap.w, k % 2 == 0);\n",
+    "#else\n",
+    "            float4 tap = constant[at + 5 + k];\n",
+    "            float offset = tap.w;\n",
+    "#endif\n",
+    "            float2 whole = floor(axis * offset);\n",
+    "            float2 part = axis * offset - whole;\n",
+    "            float4 sum = black;\n",
+    "#if SHAPE\n",
+    "            float bend = offset * rise;\n",
+    "            float below = 0.0;\n",
+    "#endif\n",
+    "            for (int i = 0; i < CORNERS; i++) {\n",
+    "#if TURNED\n",
+    "                int2 corner = int2(i % 2, i / 2);\n",
+    "                float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n",
+    "#else\n",
+    "                int2 corner = int2(i - i * SECOND, i * SECOND);\n",
+    "                float share = abs(1.0 - float(i) - part.x - part.y);\n",
+    "#endif\n",
+    "                if (!(share > 0.0)) {\n",
+    "                    continue;\n",
+    "                }\n",
+    "                int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n",
+    "                float4 c = texel(p + beside);\n",
+    "                if (!same(c, own)) {\n",
+    "                    continue;\n",
+    "                }\n",
+    "                float f = share;\n",
+    "#if DEPTH\n",
+    "                float level = own.a;\n",
+    "#if SHAPE\n",
+    "                level = own.a + bend * bend / own.a + dot(plane, float2(float(beside.x), float(beside.y)));\n",
+    "#endif\n",
+    "                float dz = (c.a - level) * constant[at + 1].w;\n",
+    "                if (!(dz * dz < constant[at + 2].w)) {\n",
+    "                    continue;\n",
+    "                }\n",
+    "#if FOLLOW\n",
+    "                f = share * (1.0 - abs(dz));\n",
+    "#else\n",
+    "#if EXACT\n",
+    "                f = share * exp2(-dz * dz);\n",
+    "#else\n",
+    "                f = (1.0 - dz * dz) * (1.0 - dz * dz);\n",
+    "                f = share * f * f;\n",
+    "#endif\n",
+    "#endif\n",
+    "#if SHAPE\n",
+    "                below = below + f * dz;\n",
+    "#endif\n",
+    "#endif\n",
+    "                sum = sum + float4(c.rgb * f, f);\n",
+    "            }\n",
+    "            weight = weight + tap.rgb * sum.a;\n",
+    "#if SHAPE\n",
+    "            float sine = 0.0;\n",
+    "            if (abs(offset) > 1e-20) {\n",
+    "                sine = clamp(below * facing / abs(offset), least, 1.0);\n",
+    "            }\n",
+    "            float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n",
+    "            lift = lift * lift;\n",
+    "            tap = float4(tap.rgb * lift * lift, tap.w);\n",
+    "            lifted = lifted + tap.rgb * sum.a;\n",
     "#endif\n",
     "            result = result + tap.rgb * sum.rgb;\n",
-    "            weight = weight + tap.rgb * sum.a;\n",
     "        }\n",
     "        int mixed = int(constant[at + 3].w);\n",
+    "#if SHAPE\n",
+    "        lifted = max(weight, lifted * constant[at + 4].rgb);\n",
+    "        weight = float3(pick(lifted.r, weight.r, (mixed & 1) != 0), pick(lifted.g, weight.g, (mixed & 2) != 0),\n",
+    "                        pick(lifted.b, weight.b, (mixed & 4) != 0));\n",
+    "#endif\n",
     "        result = float3(restore(result.r, weight.r, own.r, total.r, (mixed & 1) != 0),\n",
     "                        restore(result.g, weight.g, own.g, total.g, (mixed & 2) != 0),\n",
     "                        restore(result.b, weight.b, own.b, total.b, (mixed & 4) != 0));\n",
@@ -5763,8 +5718,8 @@ static const char *const ms_sss__shader_body[] = {
     "    result = pick(unblurred, strength * result + (1.0 - strength) * unblurred, large);\n",
     "    return float4(result, 1.0);\n",
     "#else\n",
-    "#if PACKED\n",
-    "    result = with_tilt(result, shape.w);\n",
+    "#if BOTH\n",
+    "    result = float3(result.rg, code_of(result.b, profile_of(own)));\n",
     "#endif\n",
     "    return float4(result, own.a);\n",
     "#endif\n",
@@ -5789,18 +5744,11 @@ static const char *const ms_sss__shader_body[] = {
     "    tile_ready();\n",
     "#endif\n",
     "    if (inside(p)) {\n",
-    "#if TWO_TARGETS\n",
-    "        float4 own = source(p);\n",
-    "        float4 shape = shape_of(p, own.a);\n",
-    "        store_shape(p, shape);\n",
-    "        store(p, with_shape(own, shape.z));\n",
-    "#else\n",
     "#if LATER\n",
     "        float4 before = fetch_sum(p);\n",
     "        store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n",
     "#else\n",
     "        store(p, filter_pixel(p));\n",
-    "#endif\n",
     "#endif\n",
     "    }\n",
     "}\n",
@@ -5809,9 +5757,9 @@ static const char *const ms_sss__shader_body[] = {
 /* What lines are chosen by, and what stands as a number in them. */
 #define MS_SSS__FEATURE_LIST(X)                                                                                        \
     X(PREPARE) X(SECOND) X(RAW) X(TAPS) X(STRIDE) X(PROFILES) X(CORNERS) X(HALF_KERNEL) X(WITH_STRENGTH) X(WITH_NORMAL)  \
-    X(DEPTH) X(DEPTH_TEXTURE) X(DEPTH_ALPHA) X(PROFILE) X(PROFILE_TEXTURE) X(PROFILE_ALONE) X(READS_PROFILE) X(CODED)    \
-    X(BOTH) X(BOTH_ALPHA) X(PERSPECTIVE) X(FOLLOW) X(TURNED) X(SHAPE) X(PACKED) X(FETCHES_TILT) X(COMPUTE) X(TILED)      \
-    X(TWO_TARGETS) X(LATER) X(GROUP_X) X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y)
+    X(DEPTH) X(DEPTH_TEXTURE) X(DEPTH_ALPHA) X(PROFILE) X(PROFILE_TEXTURE) X(PROFILE_ALONE) X(READS_PROFILE) \
+    X(BOTH) X(BOTH_ALPHA) X(PERSPECTIVE) X(FOLLOW) X(EXACT) X(TURNED) X(SHAPE) X(COMPUTE) X(TILED) X(LATER) X(GROUP_X)   \
+    X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y)
 
 enum {
 #define MS_SSS__FEATURE_ENUM(name) MS_SSS__HAS_##name,
@@ -5999,9 +5947,7 @@ MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis)
    work group, $z texels of the tile. */
 typedef struct ms_sss__dialect {
     int column; /* of ms_sss__word */
-    const char *version, *constants, *texture;
-    const char *tile, *tile_shape;         /* compute; and a second target */
-    const char *fragment, *fragment_shape; /* the same */
+    const char *version, *constants, *texture, *tile, *fragment;
 } ms_sss__dialect;
 
 #define MS_SSS__PICK "#define pick(b, a, c) ((c) ? (a) : (b))\n"
@@ -6011,52 +5957,34 @@ typedef struct ms_sss__dialect {
     "shared vec4 ms_sss_tile[$z];\nivec2 ms_sss_corner = ivec2(0, 0);\nvoid filter_group(ivec2 group, int index);\n"   \
     "void store(ivec2 p, vec4 c) { imageStore(ms_sss_target, p, c); }\n"                                               \
     "void main() { filter_group(ivec2(gl_WorkGroupID.xy), int(gl_LocalInvocationIndex)); }\n"
-#define MS_SSS__GLSL_TILE_SHAPE                                                                                        \
-    ") writeonly uniform image2D ms_sss_shape_target;\nvoid store_shape(ivec2 p, vec4 c) { imageStore(ms_sss_shape_target, p, c); }\n"
 #define MS_SSS__GLSL_MAIN "ms_sss_out;\nvec4 filter_pixel(ivec2 p);\nvoid main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }\n"
-#define MS_SSS__GLSL_SHAPE                                                                                             \
-    "layout(location = 0) out vec4 ms_sss_out;\nlayout(location = 1) out vec4 ms_sss_out_shape;\nvec4 source(ivec2 p);\n" \
-    "vec4 shape_of(ivec2 p, float own);\nvec4 with_shape(vec4 own, float tilt);\nvoid main() {\n"                       \
-    "    ivec2 p = ivec2(gl_FragCoord.xy);\n    vec4 own = source(p);\n    vec4 shape = shape_of(p, own.a);\n"           \
-    "    ms_sss_out = with_shape(own, shape.z);\n    ms_sss_out_shape = shape;\n}\n"
 
 static const ms_sss__dialect ms_sss__dialects[5] = {
-    {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "layout($f, binding = 0" MS_SSS__GLSL_TILE,
-     "layout($f, binding = 1" MS_SSS__GLSL_TILE_SHAPE, "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_SHAPE},
+    {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "layout($f" MS_SSS__GLSL_TILE,
+     "out vec4 " MS_SSS__GLSL_MAIN},
     {1, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" MS_SSS__PICK,
-     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "", "", "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_SHAPE},
+     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "", "out vec4 " MS_SSS__GLSL_MAIN},
     {1, "#version 450\n" MS_SSS__PICK, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[$n]; };\n",
-     "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(set = 0, binding = 9, $f" MS_SSS__GLSL_TILE,
-     "layout(set = 0, binding = 10, $f" MS_SSS__GLSL_TILE_SHAPE, "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_SHAPE},
+     "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(set = 0, binding = 8, $f" MS_SSS__GLSL_TILE,
+     "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN},
     {2, MS_SSS__PICK, "cbuffer ms_sss_block : register(b0) { float4 ms_sss[$n]; };\n",
      "Texture2D<float4> ms_sss_$s : register(t$t);\nfloat4 fetch_$s(int2 p) { return ms_sss_$s.Load(int3(p, 0)); }\n",
      "RWTexture2D<float4> ms_sss_target : register(u0);\ngroupshared float4 ms_sss_tile[$z];\nstatic int2 ms_sss_corner;\n"
      "void filter_group(int2 group, int index);\nvoid store(int2 p, float4 c) { ms_sss_target[p] = c; }\n[numthreads($x, $y, 1)]\n"
      "void main(uint3 group : SV_GroupID, uint index : SV_GroupIndex) { filter_group(int2(group.xy), int(index)); }\n",
-     "RWTexture2D<float4> ms_sss_shape_target : register(u1);\nvoid store_shape(int2 p, float4 c) { ms_sss_shape_target[p] = c; }\n",
-     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target { return filter_pixel(int2(position.xy)); }\n",
-     "float4 source(int2 p);\nfloat4 shape_of(int2 p, float own);\nfloat4 with_shape(float4 own, float tilt);\n"
-     "void main(float4 position : SV_Position, out float4 result : SV_Target0, out float4 shape : SV_Target1) {\n"
-     "    int2 p = int2(position.xy);\n    float4 own = source(p);\n    shape = shape_of(p, own.a);\n    result = with_shape(own, shape.z);\n}\n"},
+     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target { return filter_pixel(int2(position.xy)); }\n"},
     {3, "", "struct ms_sss_block { v: array<vec4<f32>, $n> };\n@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n",
      "@group(0) @binding($b) var ms_sss_$s: texture_2d<f32>;\n"
      "fn fetch_$s(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$s, p, 0); }\n",
-     "@group(0) @binding(9) var ms_sss_target: texture_storage_2d<$f, write>;\n"
+     "@group(0) @binding(8) var ms_sss_target: texture_storage_2d<$f, write>;\n"
      "var<workgroup> ms_sss_tile: array<vec4<f32>, $z>;\nvar<private> ms_sss_corner: vec2<i32>;\n"
      "fn store(p: vec2<i32>, c: vec4<f32>) { textureStore(ms_sss_target, p, c); }\n@compute @workgroup_size($x, $y)\n"
      "fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) index: u32) {\n"
      "    filter_group(vec2<i32>(group.xy), i32(index));\n}\n",
-     "@group(0) @binding(10) var ms_sss_shape_target: texture_storage_2d<$f, write>;\n"
-     "fn store_shape(p: vec2<i32>, c: vec4<f32>) { textureStore(ms_sss_shape_target, p, c); }\n",
      "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {\n"
-     "    return filter_pixel(vec2<i32>(position.xy));\n}\n",
-     "struct ms_sss_result { @location(0) colour: vec4<f32>, @location(1) shape: vec4<f32> };\n"
-     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> ms_sss_result {\n    let p = vec2<i32>(position.xy);\n"
-     "    let own = source(p);\n    let shape = shape_of(p, own.a);\n    return ms_sss_result(with_shape(own, shape.z), shape);\n}\n"}};
+     "    return filter_pixel(vec2<i32>(position.xy));\n}\n"}};
 
-#undef MS_SSS__GLSL_SHAPE
 #undef MS_SSS__GLSL_MAIN
-#undef MS_SSS__GLSL_TILE_SHAPE
 #undef MS_SSS__GLSL_TILE
 #undef MS_SSS__GLSL_TEXTURE
 
@@ -6089,23 +6017,23 @@ static int ms_sss__shader_shaped(const ms_sss_shader *s, const ms_sss_filter_opt
 
 static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
-    static const char *const name[8] = {"colour", "depth", "strength", "input", "profile", "sum", "normal", "shape"};
+    static const char *const name[7] = {"colour", "depth", "strength", "input", "profile", "sum", "normal"};
     const ms_sss__dialect *d = &ms_sss__dialects[s->language];
     const int second = s->step == MS_SSS_STEP_Y, prepare = s->step == MS_SSS_STEP_PREPARE;
     const int both = s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE;
     const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
     const int shape = ms_sss__shader_shaped(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
-    const int raw = prepare || (!second && !s->prepared && !shape);
-    const int again = both && !raw && s->half_target; /* alpha of 16 bits can't hold the index as well */
-    const int used[8] = {1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || second), second,
-                         s->profile == MS_SSS_TEXTURE && (raw || again), s->later, s->with_normal && prepare && shape, !prepare && shape};
+    const int raw = prepare || (!second && !s->prepared);
+    const int again = both && !raw && s->half_target; /* blue of 16 bits can't hold the index as well */
+    const int used[7] = {1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || second), second,
+                         s->profile == MS_SSS_TEXTURE && (raw || again), s->later, s->with_normal && shape && !prepare};
     int *f = text->feature, i;
     text->column = d->column;
     f[MS_SSS__HAS_PREPARE] = prepare;
     f[MS_SSS__HAS_SECOND] = second;
     f[MS_SSS__HAS_RAW] = raw;
     f[MS_SSS__HAS_STRIDE] = ms_sss__shader_stride(s);
-    f[MS_SSS__HAS_TAPS] = f[MS_SSS__HAS_STRIDE] - MS_SSS__PROFILE_HEAD;
+    f[MS_SSS__HAS_TAPS] = s->tap_count;
     f[MS_SSS__HAS_PROFILES] = ms_sss__shader_profiles(s);
     f[MS_SSS__HAS_CORNERS] = turned ? 4 : 2;
     f[MS_SSS__HAS_HALF_KERNEL] = s->half_kernel;
@@ -6118,18 +6046,15 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     f[MS_SSS__HAS_PROFILE_TEXTURE] = s->profile == MS_SSS_TEXTURE;
     f[MS_SSS__HAS_PROFILE_ALONE] = s->profile != MS_SSS_NONE && !both;
     f[MS_SSS__HAS_READS_PROFILE] = again || (raw && s->profile != MS_SSS_NONE && !both_alpha);
-    f[MS_SSS__HAS_CODED] = f[MS_SSS__HAS_READS_PROFILE] && both;
     f[MS_SSS__HAS_BOTH] = both;
     f[MS_SSS__HAS_BOTH_ALPHA] = both_alpha;
     f[MS_SSS__HAS_PERSPECTIVE] = o->fov_degrees > 0;
     f[MS_SSS__HAS_FOLLOW] = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
+    f[MS_SSS__HAS_EXACT] = o->exact;
     f[MS_SSS__HAS_TURNED] = turned;
-    f[MS_SSS__HAS_SHAPE] = shape;
-    f[MS_SSS__HAS_PACKED] = shape && !turned;
-    f[MS_SSS__HAS_FETCHES_TILT] = shape && turned;
+    f[MS_SSS__HAS_SHAPE] = shape && !prepare;
     f[MS_SSS__HAS_COMPUTE] = s->compute;
     f[MS_SSS__HAS_TILED] = s->compute && !prepare;
-    f[MS_SSS__HAS_TWO_TARGETS] = prepare && shape;
     f[MS_SSS__HAS_LATER] = s->later;
     f[MS_SSS__HAS_GROUP_X] = ms_sss_shader_group(s, 0);
     f[MS_SSS__HAS_GROUP_Y] = ms_sss_shader_group(s, 1);
@@ -6141,14 +6066,9 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     if (s->compute && s->language == MS_SSS_GLSL_330) ms_sss__say(text, "#version 430\n" MS_SSS__PICK);
     else ms_sss__say(text, d->version);
     ms_sss__say_dialect(text, d->constants, s, "", 0);
-    for (i = 0; i < 8; ++i)
+    for (i = 0; i < 7; ++i)
         if (used[i]) ms_sss__say_dialect(text, d->texture, s, name[i], i);
-    if (s->compute) {
-        ms_sss__say_dialect(text, d->tile, s, "", 0);
-        if (prepare && shape) ms_sss__say_dialect(text, d->tile_shape, s, "", 0);
-    } else {
-        ms_sss__say_dialect(text, prepare && shape ? d->fragment_shape : d->fragment, s, "", 0);
-    }
+    ms_sss__say_dialect(text, s->compute ? d->tile : d->fragment, s, "", 0);
     ms_sss__say(text, "\n");
     ms_sss__say_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
 }
@@ -6274,7 +6194,6 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         job.frame.height = height;
         job.options = *options;
         job.shaped = ms_sss__shader_shaped(shader, options);
-        job.options.exact = 1;
         ms_sss__set_kernel(&job, k, 0);
         picture.aspect[0] = job.pass.aspect[0];
         picture.aspect[1] = job.pass.aspect[1];
@@ -6285,7 +6204,7 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         profile.cut = job.pass.cut;
         profile.reach = job.pass.reach;
         memcpy(profile.curve, job.pass.curve, sizeof profile.curve);
-        memcpy(profile.most, job.pass.root, sizeof profile.most);
+        memcpy(profile.root, job.pass.root, sizeof profile.root);
         if (term < k->term_count) {
             ms_sss__totals(k, term, job.pass.follow && shader->depth != MS_SSS_NONE, job.pass.total, job.pass.mixed);
             ms_sss_kernel_upload(k, term, shader->half_kernel, 0, at + MS_SSS__PROFILE_HEAD, NULL);
