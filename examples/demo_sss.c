@@ -2,7 +2,7 @@
      profiles_red.svg, _green, _blue       diffusion profiles of all 11 materials
      skin1_before.png, _after, and skin1.png with half of each; the same for marble; demo.png with both
      model_*.png                           a dot, a disk and a step through every kernel model, and exactly
-     index.html                            a page that shows them all
+     kernels.html                          a page that shows them all
    Alone: cc -O2 -I. examples/demo_sss.c -o build/demo_sss -lm */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
@@ -379,8 +379,8 @@ int main(int argc, char **argv)
     if ((argc != 2 && argc != 4) || width < 64 || width > 7680)
         return file_usage(usage);
     folder = argv[1];
-    page = file_create(file("index.html"), &out);
-    if (page == NULL) need(out.problem, file("index.html"));
+    page = file_create(file("kernels.html"), &out);
+    if (page == NULL) need(out.problem, file("kernels.html"));
     fputs("<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>Subsurface scattering</title>\n"
           "<style>body{font:16px sans-serif;max-width:1200px;margin:2em auto;color:#222} img{max-width:100%} "
           "td,th{padding:4px 12px;"
@@ -402,7 +402,7 @@ int main(int argc, char **argv)
     image_free(&bust);
     image_free(&knot);
     fputs("</table>\n", page);
-    need(file_finish(&out, 1), file("index.html"));
-    printf("%s\n", file("index.html"));
+    need(file_finish(&out, 1), file("kernels.html"));
+    printf("%s\n", file("kernels.html"));
     return file_end_stdout("demo_sss");
 }
