@@ -282,7 +282,8 @@ MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const doub
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
 
 /* From the text that examples/profile.c prints: lines "r_mm,R,G,B", comments that begin with '#', empty lines, and an
-   optional heading that begins with a letter; numbers with '.' in every locale. Where each r is the middle of a ring
+   optional heading that begins with a letter; numbers with '.' in every locale, or semicolons and decimal commas; a byte order
+   mark is skipped, UTF-16 is MS_UNSUPPORTED. Where each r is the middle of a ring
    (edges 0, 2 r_0, 2 r_1 - 2 r_0, ... increase), the values are ring averages, else point samples.
    text need not end with NUL. MS_BAD_DATA: error->position is the line. */
 MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
@@ -1441,17 +1442,17 @@ MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm)
     return mean_free_path_mm / (3.5 + 100 * t * t);
 }
 
-/* Reads a decimal number at *at, before end, without locale: up to 19 digits exact, the rest by their magnitude.
-   0: there is none. */
-static int ms_sss__read_number(const char **at, const char *end, double *value)
+/* Reads a number at *at, before end, without locale, '.' or `comma` before its decimals: up to 19 digits exact, the rest by
+   their magnitude. 0: there is none. */
+static int ms_sss__read_number(const char **at, const char *end, char comma, double *value)
 {
     const char *p = *at;
     uint64_t mantissa = 0;
     int negative = 0, exponent = 0, digits = 0, point = 0, kept = 0;
     double x;
     if (p < end && (*p == '-' || *p == '+')) negative = *p++ == '-';
-    for (; p < end && ((*p >= '0' && *p <= '9') || (*p == '.' && !point)); ++p) {
-        if (*p == '.') { point = 1; continue; }
+    for (; p < end && ((*p >= '0' && *p <= '9') || ((*p == '.' || *p == comma) && !point)); ++p) {
+        if (*p == '.' || *p == comma) { point = 1; continue; }
         ++digits;
         if (kept < 19) {
             mantissa = mantissa * 10 + (uint64_t)(*p - '0');
@@ -1483,6 +1484,7 @@ static int ms_sss__read_number(const char **at, const char *end, double *value)
 /* One line of the file: 1: four numbers in row, 0: nothing to read, -1: malformed. */
 static int ms_sss__csv_row(const char *line, const char *end, int heading_allowed, double row[4])
 {
+    char between = line < end && memchr(line, ';', (size_t)(end - line)) ? ';' : ',';
     int column;
     while (end > line && (end[-1] == '\r' || end[-1] == ' ' || end[-1] == '\t')) --end;
     while (line < end && (*line == ' ' || *line == '\t')) ++line;
@@ -1490,9 +1492,9 @@ static int ms_sss__csv_row(const char *line, const char *end, int heading_allowe
     if (heading_allowed && ((*line >= 'a' && *line <= 'z') || (*line >= 'A' && *line <= 'Z'))) return 0;
     for (column = 0; column < 4; ++column) {
         while (line < end && (*line == ' ' || *line == '\t')) ++line;
-        if (!ms_sss__read_number(&line, end, &row[column])) return -1;
+        if (!ms_sss__read_number(&line, end, between == ';' ? ',' : '.', &row[column])) return -1;
         while (line < end && (*line == ' ' || *line == '\t')) ++line;
-        if (column < 3 && (line >= end || *line++ != ',')) return -1;
+        if (column < 3 && (line >= end || *line++ != between)) return -1;
     }
     return line == end ? 1 : -1;
 }
@@ -1508,6 +1510,9 @@ MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *t
     int kind, rings = 1;
     if (profile == NULL || text == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile or text is NULL");
     *profile = NULL;
+    if (size >= 2 && (memcmp(text, "\xFF\xFE", 2) == 0 || memcmp(text, "\xFE\xFF", 2) == 0))
+        return ms__fail(error, MS_UNSUPPORTED, 1, "the text is UTF-16; UTF-8 expected");
+    if (size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) line += 3; /* a byte order mark */
     for (i = 0; i < size; ++i) capacity += text[i] == '\n';
     if (capacity > 1u << 24) return ms__fail(error, MS_UNSUPPORTED, 0, "%z lines; at most 16777216 expected", capacity);
     bytes = ms__size_mul(capacity * 5 + 1, sizeof *r);

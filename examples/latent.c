@@ -62,7 +62,10 @@ int main(int argc, char **argv)
     if (file_help(argc, argv, usage)) return file_end_stdout("latent");
     if (argc != 3) return file_usage(usage);
     problem = scores_read(argv[1], &s);
-    if (problem) return fail(problem);
+    if (problem) {
+        fprintf(stderr, "latent: %s: %s (line %d)\n", argv[1], problem, s.line);
+        return 1;
+    }
     x = (double *)malloc(LIKED * (size_t)s.m * sizeof *x);
     im = image_new(3 * SIDE, SIDE, 3);
     if (x == NULL || im.pixels == NULL) return fail("out of memory");
@@ -98,7 +101,10 @@ int main(int argc, char **argv)
         for (i = 0; i < VARIANTS; ++i) map_dot(&im, k * SIDE, 0, SIDE, &grid, variant[i].latent, 2.5, black);
     }
     problem = image_write(argv[2], &im);
-    if (problem) return fail(problem);
+    if (problem) {
+        fprintf(stderr, "latent: %s: %s\n", argv[2], problem);
+        return 1;
+    }
     printf("%d materials embedded: log likelihood %.1f, error %.3f\nlambda similarity score\n", count, report.likelihood, report.error);
     for (i = 0; i < VARIANTS; ++i) printf("%6.3f %10.3f %5.2f\n", lambda[i], variant[i].similarity, variant[i].score);
     ms_gpr_latent_destroy(plane);

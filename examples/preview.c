@@ -78,7 +78,7 @@ int main(int argc, char **argv)
     image sheet;
     int columns = 1;
     if (file_help(argc, argv, usage)) return file_end_stdout("preview");
-    if (argc != 4 && argc != 5) return file_usage(usage);
+    if ((argc != 4 && argc != 5) || argv[1][0] == '-') return file_usage(usage);
     if ((problem = neural_load(argv[1], &net)) != NULL) return fail(argv[1], problem);
     if ((problem = materials_read(argv[2], net.parameters, &list)) != NULL) return fail(argv[2], problem);
     while (columns * columns < list.count) ++columns;

@@ -66,12 +66,13 @@ static ms_status material_profile(const ms_mcml_material *material, ms_sss_profi
 
 static ms_status csv_profile(const char *path, ms_sss_profile **profile, ms_error *error)
 {
-    FILE *f = fopen(path, "rb");
+    const char *problem = NULL;
+    FILE *f = file_open(path, &problem);
     char *text = NULL;
     size_t size = 0, got = 1;
     ms_status status;
     if (f == NULL) {
-        snprintf(error->message, sizeof error->message, "%.200s is no material and cannot be opened", path);
+        snprintf(error->message, sizeof error->message, "%.160s is no material; as a file: %s", path, problem);
         return MS_IO;
     }
     while (got > 0) {

@@ -33,6 +33,18 @@ is() { # NAME, value, expected
     fi
 }
 
+tools="mcml mcml_split profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run preview match workflow demo_sss demo_match"
+for tool in $tools; do
+    [ -x build/$tool ] || { failed=$((failed + 1)); echo "FAIL build/$tool is not there: make first"; continue; }
+    # help where it can be piped, and nothing else; a mistake: one line of usage behind what was wrong, and 2
+    is "$tool --help" "$(build/$tool --help 2>/dev/null | head -1 | cut -d' ' -f1-2)" "usage: $tool"
+    is "$tool --help succeeds, and says nothing else" "$(build/$tool --help 2>&1 >/dev/null; echo $?)" 0
+    build/$tool --no-such-option x y z >"$out/log.out" 2>"$out/log"
+    is "$tool with an unknown option" "$? $(wc -c <"$out/log.out" | tr -d ' ')" "2 0"
+    is "$tool says how it is used" "$(grep -c -i -e "usage\|--help" "$out/log"), of $(wc -l <"$out/log" | awk '{print ($1 <= 2)}')" "1, of 1"
+    [ ! -c /dev/full ] || is "$tool --help on a full disk" "$(build/$tool --help >/dev/full 2>/dev/null; echo $?)" 1
+done
+
 if [ -x build/profile ]; then
     is "profile lists 11 materials" "$(build/profile --list | grep -c .)" 11
     ok "profile of skin1" build/profile skin1 --csv "$out/skin1.csv"
@@ -202,6 +214,72 @@ if [ -x build/workflow ] && [ -f examples/data/inversion_1.safetensors ]; then
     ok "an output folder that is made" build/workflow "$out/nowhere/deep"
     is "with all files" "$(ls "$out/nowhere/deep" | wc -l | tr -d ' ')" "$(ls "$out/a" | wc -l | tr -d ' ')"
 fi
+
+# Results: a folder or a device is left alone, missing folders are made, a full disk leaves the old file and nothing beside
+# it, and what is printed and does not arrive is an error.
+net=tests/data/nn/renderer_f16.safetensors
+awk 'BEGIN {for (r = 0; r < 2; r++) {for (i = 0; i < 19; i++) printf "%s0.%d", (i ? "," : ""), i % 10; print ""}}' >"$out/two.csv"
+printf '1.0\n1\n%s A\n1000\n0.01 0.01\n20 20 10\n1\n1\n1.4 1 90 0.5 0.1\n1\n' "$out/part.mco" >"$out/part.mci"
+result() { # NAME, the line of shell with RESULT for the file that it writes
+    name=$1
+    command=$2
+    run() { sh -c "$(printf '%s' "$command" | sed "s|RESULT|$1|g")" >"$out/log.out" 2>"$out/log"; echo $?; }
+    rm -rf "$out/made"
+    is "$name: folders are made" "$(run "$out/made/a/b/file$3") $(ls "$out/made/a/b" 2>/dev/null)" "0 file$3"
+    mkdir -p "$out/a_folder$3"
+    is "$name: a folder is left alone" "$(run "$out/a_folder$3") $(ls -d "$out/a_folder$3") $(grep -c "a_folder" "$out/log")" "1 $out/a_folder$3 1"
+    is "$name: a file is no folder" "$(run "$out/two.csv/x$3")" 1
+    # at most one block a file: as on a full disk, but without one
+    rm -rf "$out/full" && mkdir "$out/full" && echo old >"$out/full/file$3"
+    is "$name: a full disk" "$( (ulimit -f ${4:-1}; trap '' XFSZ; run "$out/full/file$3")) $(ls "$out/full") $(cat "$out/full/file$3")" "1 file$3 old"
+}
+result "profile" "build/profile skin1 --csv RESULT" .csv
+result "recommend" "build/recommend '$out/scores.csv' --count 20 --out RESULT" .csv
+result "latent" "build/latent '$out/scores.csv' RESULT" .png
+result "postprocess" "build/postprocess RESULT" .png
+result "lightmap" "build/lightmap '$out/e.pfm' RESULT --texels-per-mm 4" .pfm
+result "sss_filter" "build/sss_filter '$out/e.pfm' '$out/d.pfm' RESULT --material skin1 --mm-per-unit 10" .pfm
+result "preview" "build/preview tests/data/nn/renderer_f16.safetensors '$out/two.csv' RESULT" .ppm
+result "match" "build/match $net '$out/t.ppm' --cost 5 --out-png RESULT" .png 0
+result "mcml_split" "build/mcml_split run '$out/part.mci' 1 2 RESULT" .tally
+if [ -c /dev/full ]; then
+    printed() { # NAME, a command that prints
+        name=$1
+        shift
+        is "$name: standard output on a full disk" "$("$@" >/dev/full 2>"$out/log"; echo "$?") $(grep -c "standard output" "$out/log")" "1 1"
+    }
+    printed profile build/profile skin1
+    printed "profile --list" build/profile --list
+    printed "profile --csv" build/profile skin1 --csv "$out/skin1.csv"
+    printed sss_kernel build/sss_kernel skin1 --model preintegrated --taps 7
+    printed recommend build/recommend "$out/scores.csv" --count 20
+    printed latent build/latent "$out/scores.csv" "$out/plane.png"
+    printed lightmap build/lightmap "$out/e.pfm" "$out/lightmap.png" --texels-per-mm 4
+    printed nn_info build/nn_info $net
+    printed nn_run build/nn_run $net "$out/two.csv"
+    printed preview build/preview $net "$out/two.csv" "$out/sheet.ppm"
+    printed match build/match $net "$out/t.ppm" --cost 5
+fi
+
+# Tables as spreadsheets write them: semicolons and decimal commas, a byte order mark; UTF-16 is named.
+{ printf '\357\273\277'; sed 's/,/;/g; s/\./,/g' "$out/scores.csv"; } >"$out/comma.csv"
+ok "recommendations for a table with decimal commas" build/recommend "$out/comma.csv" --count 20 --tau 0.5 --seed 3 --out "$out/r2.csv"
+build/recommend "$out/scores.csv" --count 20 --tau 0.5 --seed 3 --out "$out/r.csv" 2>/dev/null
+is "are the same" "$(cksum <"$out/r2.csv")" "$(cksum <"$out/r.csv")"
+sed 's/,/;/g; s/\./,/g' "$out/two.csv" >"$out/two_comma.csv"
+build/preview $net "$out/two.csv" "$out/s1.ppm" >/dev/null
+ok "a sheet of a table with decimal commas" build/preview $net "$out/two_comma.csv" "$out/s2.ppm"
+is "is the same" "$(cksum <"$out/s2.ppm")" "$(cksum <"$out/s1.ppm")"
+printf '\377\376x\0000\000' >"$out/utf16.csv"
+sed 's/,/;/g; s/\./,/g' "$out/skin1.csv" >"$out/skin1_comma.csv"
+is "a kernel of a profile with decimal commas" "$(build/sss_kernel "$out/skin1_comma.csv" --model pre --taps 7 | cksum)" "$(build/sss_kernel "$out/skin1.csv" --model pre --taps 7 | cksum)"
+refuses "scores in UTF-16" "UTF-16" build/recommend "$out/utf16.csv"
+refuses "materials in UTF-16" "UTF-16" build/preview $net "$out/utf16.csv" "$out/never.png"
+refuses "a profile in UTF-16" "UTF-16" build/sss_kernel "$out/utf16.csv"
+refuses "a folder of scores" "folder" build/recommend "$out"
+refuses "a folder of materials" "folder" build/preview $net "$out" "$out/never.png"
+refuses "a folder of a picture" "folder" build/lightmap "$out" "$out/never.png" --texels-per-mm 4
+refuses "a folder of a profile" "folder" build/sss_kernel "$out"
 
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

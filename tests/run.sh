@@ -24,9 +24,10 @@ if [ "${1:-}" = --one ]; then
     elif [ -n "$line" ]; then
         counts=$(echo "$line" | awk '{print $1, $3, $5 + 0}')
         [ $rc -eq 0 ] || [ "$(echo "$counts" | cut -d' ' -f2)" != 0 ] || counts="$(echo "$counts" | awk '{print $1, $2 + 1, $3}')"
-    elif [ $rc -eq 0 ]; then counts="1 0 0"
+    elif [ $rc -eq 0 ]; then counts="1 0 0" # says nothing: a compilation
     else counts="0 1 0"
     fi
+    [ "$counts" != "0 0 0" ] || { counts="0 1 0"; echo "no case ran" >>"$log"; }
     echo "$counts" >"${job%.job}.counts"
     name=$(basename "$job" .job | cut -d- -f2-)
     set -- $counts

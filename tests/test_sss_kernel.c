@@ -277,7 +277,7 @@ static void csv_files(void)
         {"0.5,1,1,1\n0.5,1,1,1\n", 2, "increasing"},            {"0.5,1,1,1\n1.5,1,-1,1\n", 2, "outside"},
         {"0.5,1,1,1\nnan,1,1,1\n", 2, "not r_mm"},              {"0.5,1,1,1\n1.5,1e999,1,1\n", 2, "outside"},
         {"0.5,1,1,1\nr_mm,R,G,B\n", 2, "not r_mm"},             {"0.5,1,1,1\n", 1, "at least 2"},
-        {"0.5;1;1;1\n1;1;1;1\n", 1, "not r_mm"},                {"", 0, "at least 2"},
+        {"0.5;1;1;1\n1;1;1\n", 2, "not r_mm"},                  {"", 0, "at least 2"},
         {"# only\n\n", 2, "at least 2"},                        {"0.5,1,1,1\n1.5,1,1,0x10\n", 2, "not r_mm"},
         {"0.5,1,1,1\n1.5,1,1,1e\n", 2, "not r_mm"},             {"0.5,1,1,1\n1.5,1,1,\n", 2, "not r_mm"},
         {"-0.5,1,1,1\n1.5,1,1,1\n", 1, "increasing"}};
@@ -302,6 +302,14 @@ static void csv_files(void)
     ms_sss_profile_value(p, 1 - 1e-13, v);
     CHECK_NEAR(v[1], 123.456789, 1e-9);
     ms_sss_profile_destroy(p);
+    { /* as spreadsheets of many countries write it, behind a byte order mark; in UTF-16 */
+        static const char commas[] = "\xEF\xBB\xBFr_mm;R;G;B\r\n0,25;4e-1;,3;0.2\r\n0,75;0,2;0,15;0,1\r\n1,25;0;0;0";
+        CHECK(ms_sss_profile_from_csv(&p, commas, sizeof commas - 1, NULL, &error) == MS_OK);
+        ms_sss_profile_reflectance(p, v);
+        CHECK_NEAR(v[1], 0.3 * PI * 0.25 + 0.15 * PI * 0.75, 1e-15);
+        ms_sss_profile_destroy(p);
+        CHECK(ms_sss_profile_from_csv(&p, "\xFF\xFE" "0\0,\0", 6, NULL, &error) == MS_UNSUPPORTED && strstr(error.message, "UTF-16") != NULL);
+    }
     for (i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         ms_status status = ms_sss_profile_from_csv(&p, bad[i].text, strlen(bad[i].text), NULL, &error);
         if (status != MS_BAD_DATA || p != NULL || error.position != bad[i].line || strstr(error.message, bad[i].message) == NULL)
