@@ -82,7 +82,7 @@
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
    another, under 1 MB (rotated: to 20 MB), and gives it back. The filter allocates nothing: the caller lends a workspace.
-   No globals. At most 160 KB of stack, in ms_sss_kernel_choose; 20 KB in the filter.
+   No globals. At most 80 KB of stack, in ms_sss_kernel_choose; 32 KB in ms_sss_kernel_build; 20 KB in the filter.
    Profiles, designers and kernels are only read once made: calls may overlap. ms_sss_filter cuts the picture into rows for
    ms_parallel. Kernels are made on one thread.
    The filter runs scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd.
@@ -437,17 +437,23 @@ typedef struct ms_sss_errors {
     double large_disk;    /* radius 120 pixels */
     double dot;           /* one pixel */
     double texture;       /* noise with amplitude 1/f: stands for natural pictures */
+    double bands;         /* stairs along a shadow's edge: an edge from black to white along an axis, encoded as sRGB with 255 for
+                             white; the largest second difference from pixel to pixel, against that of the right result. Above
+                             about MS_SSS_BANDS_SEEN stairs are seen. Not relative, and for pixels of the design's size */
 } ms_sss_errors;
+
+#define MS_SSS_BANDS_SEEN 24
 
 /* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Kernels with frame_count > 1 are
    measured as the mean of their frames. */
 MS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                       const ms_sss_designer *designer);
 
-/* The cheapest kernel whose texture error is at most `tolerance`, at most tap_budget taps in all its terms together
-   (each is read once in x and once in y): tries image-optimal and residual kernels by growing cost.
+/* The cheapest kernel whose texture error is at most `tolerance` and whose bands are not seen (MS_SSS_BANDS_SEEN), at most
+   tap_budget taps in all its terms together (each is read once in x and once in y): tries image-optimal and residual
+   kernels by growing cost.
    errors  out, optional
-   MS_NOT_CONVERGED: none within the budget; kernel and errors then hold the most accurate one found.
+   MS_NOT_CONVERGED: none within the budget; kernel and errors then hold the one that came nearest to both.
    MS_INVALID_ARGUMENT: tolerance not above 0, tap_budget < 3. MS_OUT_OF_MEMORY. kernel untouched by these. */
 MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *designer,
                                           double tolerance, int tap_budget, ms_error *error);
@@ -2073,20 +2079,23 @@ typedef struct ms_sss__curve {
 
 /* One pass of fixed axes as a function of its one frequency. */
 typedef struct ms_sss__waves {
-    double line[3][MS_SSS_TERMS_MAX][MS_SSS__HALF + 1];
+    float line[3][MS_SSS_TERMS_MAX][MS_SSS__HALF + 1]; /* 18 KB of stack; errors below 1e-6 are none */
 } ms_sss__waves;
 
 static void ms_sss__curve_waves(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves)
 {
+    double line[3][MS_SSS_TERMS_MAX];
     int k, t, c, i;
     for (k = 0; k <= MS_SSS__HALF; ++k) {
         for (c = 0; c < 3; ++c)
-            for (t = 0; t < v->terms; ++t) waves->line[c][t][k] = v->weight[c][t][0];
+            for (t = 0; t < v->terms; ++t) line[c][t] = v->weight[c][t][0];
         for (i = 1; i <= v->pairs; ++i) {
             double wave = 2 * ms_sss__pair_transfer(d, k, 0, v->offset[i], 0, 0, 0, NULL);
             for (c = 0; c < 3; ++c)
-                for (t = 0; t < v->terms; ++t) waves->line[c][t][k] += v->weight[c][t][i] * wave;
+                for (t = 0; t < v->terms; ++t) line[c][t] += v->weight[c][t][i] * wave;
         }
+        for (c = 0; c < 3; ++c)
+            for (t = 0; t < v->terms; ++t) waves->line[c][t][k] = (float)line[c][t];
     }
 }
 
@@ -2098,7 +2107,7 @@ static void ms_sss__curve_transfer(const ms_sss_designer *d, const ms_sss__curve
     for (c = 0; c < 3; ++c) out[c] = v->delta[c];
     if (v->frames == 1) {
         for (c = 0; c < 3; ++c)
-            for (t = 0; t < v->terms; ++t) out[c] += v->sign[c][t] * waves->line[c][t][k1] * waves->line[c][t][k2];
+            for (t = 0; t < v->terms; ++t) out[c] += v->sign[c][t] * (double)waves->line[c][t][k1] * (double)waves->line[c][t][k2];
         return;
     }
     for (f = 0; f < v->frames; ++f) {
@@ -2160,6 +2169,48 @@ static void ms_sss__curve_errors(const ms_sss_designer *d, const ms_sss__curve *
     for (s = 0; s < MS_SSS__SIGNALS; ++s) error[s] = sqrt(error[s] / d->variance[s]);
 }
 
+static double ms_sss__srgb(double v) /* linear 0 to 1 as 0 to 255 */
+{
+    v = v < 0 ? 0 : v > 1 ? 1 : v;
+    return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1 / 2.4) - 0.055);
+}
+
+/* ms_sss_errors.bands: what lies on the spectrum's axis is the sum of the kernel's columns, its running sum the response
+   to an edge. */
+static double ms_sss__curve_bands(const ms_sss_designer *d, const ms_sss__curve *v)
+{
+    double line[2][3][MS_SSS__HALF + 1], found[3], most = 0; /* right result, curve; by distance */
+    ms_sss__waves waves;
+    int k, c, x, n;
+    memset(line, 0, sizeof line);
+    if (v->frames == 1) ms_sss__curve_waves(d, v, &waves);
+    for (k = 0; k <= MS_SSS__HALF; ++k) {
+        double share = (k == 0 || k == MS_SSS__HALF ? 1.0 : 2.0) / MS_SSS__SIZE;
+        ms_sss__curve_transfer(d, v, &waves, k, 0, found);
+        for (c = 0; c < 3; ++c)
+            for (x = 0; x <= MS_SSS__HALF; ++x) {
+                double wave = share * d->cosine[k * x & (MS_SSS__SIZE - 1)];
+                line[0][c][x] += wave * d->spectrum[c][ms_sss__octant(k, 0)];
+                line[1][c][x] += wave * found[c];
+            }
+    }
+    for (c = 0; c < 3; ++c) {
+        double sum[2] = {0, 0}, before[2] = {0, 0}, now[2] = {0, 0}, next[2];
+        for (x = 1 - MS_SSS__HALF; x <= MS_SSS__HALF; ++x) {
+            double bend;
+            for (n = 0; n < 2; ++n) {
+                sum[n] += line[n][c][x < 0 ? -x : x];
+                next[n] = ms_sss__srgb(sum[n]);
+            }
+            bend = fabs(next[1] - 2 * now[1] + before[1] - (next[0] - 2 * now[0] + before[0]));
+            if (bend > most) most = bend;
+            memcpy(before, now, sizeof before);
+            memcpy(now, next, sizeof now);
+        }
+    }
+    return most;
+}
+
 MS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                       const ms_sss_designer *designer)
 {
@@ -2173,6 +2224,7 @@ MS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *ke
     errors->large_disk = error[3];
     errors->dot = error[4];
     errors->texture = error[MS_SSS__TEXTURE];
+    errors->bands = ms_sss__curve_bands(designer, &curve);
 }
 
 /* ------------------------------------------------------------------ TAPS */
@@ -2232,7 +2284,7 @@ typedef struct ms_sss__fit {
     double *basis, *slope;                         /* [lines][pairs] of both taps of a pair; d basis / d offset */
     double *wave;                                  /* [3][MS_SSS_TERMS_MAX][lines] */
     double *H, *work, *g, *step, *jacobian;        /* [unknowns]^2 twice, [unknowns] twice, [local] */
-    ms_sss__curve trial;
+    ms_sss__curve trial, hop;
     size_t bytes;
 } ms_sss__fit;
 
@@ -2386,6 +2438,9 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
     }
 }
 
+/* Steps along directions that change nothing can be of any size; weights are of the order of 1. */
+static double ms_sss__bounded(double step) { return step < -1e6 ? -1e6 : step > 1e6 ? 1e6 : step; }
+
 static void ms_sss__fit_move(const ms_sss__fit *fit, const ms_sss__curve *from, ms_sss__curve *to)
 {
     const double *step = fit->step;
@@ -2393,17 +2448,17 @@ static void ms_sss__fit_move(const ms_sss__fit *fit, const ms_sss__curve *from, 
     *to = *from;
     if (fit->move_offsets)
         for (i = 1; i <= fit->pairs; ++i) {
-            double o = from->offset[i] + *step++;
+            double o = from->offset[i] + ms_sss__bounded(*step++);
             to->offset[i] = o < 0.05 ? 0.05 : o > 2 * fit->d->cells + 2 ? 2 * fit->d->cells + 2 : o;
         }
     for (c = fit->first; c < fit->first + fit->channels; ++c) {
         for (t = 0; t < fit->terms; ++t)
             for (i = 0; i <= fit->pairs; ++i) {
-                double w = from->weight[c][t][i], q = sqrt(t == 0 ? w : 0) + *step++;
+                double w = from->weight[c][t][i], q = sqrt(t == 0 ? w : 0) + ms_sss__bounded(*step++);
                 to->weight[c][t][i] = t == 0 ? q * q : w + q;
             }
         if (fit->use_delta) {
-            double q = sqrt(from->delta[c]) + *step++;
+            double q = sqrt(from->delta[c]) + ms_sss__bounded(*step++);
             to->delta[c] = q * q < 0.99 * to->energy[c] ? q * q : 0.99 * to->energy[c];
         }
     }
@@ -2576,7 +2631,7 @@ static void ms_sss__eigen(const double *A, int n, int count, double *value, doub
         for (a = 0; a < block; ++a)
             for (b = a + 1; b < block; ++b) {
                 double theta, t, c, s;
-                if (!(fabs(projected[a][b]) > 1e-300)) continue;
+                if (!(fabs(projected[a][b]) > 1e-17 * (fabs(projected[a][a]) + fabs(projected[b][b])) + 1e-150)) continue; /* theta^2 in range */
                 theta = (projected[b][b] - projected[a][a]) / (2 * projected[a][b]);
                 t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(1 + theta * theta));
                 c = 1 / sqrt(1 + t * t);
@@ -2746,7 +2801,7 @@ static void ms_sss__fit_mixture_from(const ms_sss_designer *d, int c, double nar
         if (!ms_sss__marquardt(H, g, lambda, 2 * N, work, step)) break;
         for (n = 0; n < N; ++n) {
             double s = best->log_sigma[n] + step[N + n];
-            m.q[n] = best->q[n] + step[n];
+            m.q[n] = best->q[n] + ms_sss__bounded(step[n]);
             m.log_sigma[n] = s < -4 ? -4 : s > 7 ? 7 : s; /* a fiftieth of a cell to a thousand */
         }
     }
@@ -2807,6 +2862,7 @@ static void ms_sss__artist_cells(const ms_sss_designer *d, int c, const double *
         }
         if (!ms_sss__marquardt(H, g, lambda, 3, work, step)) break;
         for (a = 0; a < 3; ++a) trial[a] = x[a] + step[a];
+        for (a = 0; a < 2; ++a) trial[a] = trial[a] < -4 ? -4 : trial[a] > 7 ? 7 : trial[a]; /* as in a mixture */
         trial[2] = trial[2] < 0 ? 0 : trial[2] > 1 ? 1 : trial[2];
     }
     if (x[0] > x[1]) {
@@ -2958,31 +3014,31 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
 /* The image-optimal kernel with a weight for every cell; v holds a_p. The curve is given by its values at every cell
    near the centre and at growing distances farther out, linear between: all cells on their own would fit what lies
    between the bins. */
-static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, int no_delta, ms_sss__curve *v)
+static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, int no_delta, ms_sss__curve *hats, ms_sss__curve *v)
 {
-    ms_sss__curve hats = *v;
     ms_sss__fit *fit;
     int c, n, cell;
     if (dial == 1) return MS_OK;
-    hats.hats = 1;
-    for (n = 0, cell = 0; cell < d->cells; cell += cell < 6 ? 1 : 1 + (cell - 2) / 4) hats.offset[n++] = cell;
-    hats.offset[hats.pairs = n] = d->cells;
-    for (n = 0; n <= hats.pairs; ++n) {
-        hats.times[n] = 0;
-        for (cell = 0; cell <= d->cells; ++cell) hats.times[n] += (cell ? 2 : 1) * ms_sss__hat(&hats, n, cell);
-        for (c = 0; c < 3; ++c) hats.weight[c][0][n] = v->weight[c][0][(int)hats.offset[n]];
+    *hats = *v;
+    hats->hats = 1;
+    for (n = 0, cell = 0; cell < d->cells; cell += cell < 6 ? 1 : 1 + (cell - 2) / 4) hats->offset[n++] = cell;
+    hats->offset[hats->pairs = n] = d->cells;
+    for (n = 0; n <= hats->pairs; ++n) {
+        hats->times[n] = 0;
+        for (cell = 0; cell <= d->cells; ++cell) hats->times[n] += (cell ? 2 : 1) * ms_sss__hat(hats, n, cell);
+        for (c = 0; c < 3; ++c) hats->weight[c][0][n] = v->weight[c][0][(int)hats->offset[n]];
     }
-    for (c = 0; c < 3 && !no_delta; ++c) hats.delta[c] = 0.01;
-    ms_sss__curve_normalise(&hats);
+    for (c = 0; c < 3 && !no_delta; ++c) hats->delta[c] = 0.01;
+    ms_sss__curve_normalise(hats);
     for (c = 0; c < 3; ++c) { /* with fixed offsets the channels are independent */
-        fit = ms_sss__fit_create(d, NULL, 1 - dial, dial, &hats, c, 1, 0, !no_delta, 0);
+        fit = ms_sss__fit_create(d, NULL, 1 - dial, dial, hats, c, 1, 0, !no_delta, 0);
         if (fit == NULL) return MS_OUT_OF_MEMORY;
-        ms_sss__fit_run(fit, &hats, 60);
+        ms_sss__fit_run(fit, hats, 60);
         ms_sss__fit_destroy(fit);
-        v->delta[c] = hats.delta[c];
+        v->delta[c] = hats->delta[c];
         for (cell = 0; cell <= d->cells; ++cell) {
             v->weight[c][0][cell] = 0;
-            for (n = 0; n <= hats.pairs; ++n) v->weight[c][0][cell] += ms_sss__hat(&hats, n, cell) * hats.weight[c][0][n];
+            for (n = 0; n <= hats->pairs; ++n) v->weight[c][0][cell] += ms_sss__hat(hats, n, cell) * hats->weight[c][0][n];
         }
     }
     return MS_OK;
@@ -2992,21 +3048,21 @@ static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, in
    as that helps; then descends to the end. */
 static void ms_sss__fit_hops(ms_sss__fit *fit, int sweeps, ms_sss__curve *best)
 {
-    ms_sss__curve v;
+    ms_sss__curve *v = &fit->hop;
     double least = ms_sss__fit_run(fit, best, 10), objective;
     int n, sweep, moved = 1;
     for (sweep = 0; sweep < sweeps && moved; ++sweep) {
         moved = 0;
         for (n = 2; n < 2 * best->pairs + 2; ++n) {
-            double *o = &v.offset[n / 2];
-            v = *best;
+            double *o = &v->offset[n / 2];
+            *v = *best;
             *o += (n % 2 ? 1 : -1) * (0.6 + 0.1 * *o);
             if (*o < 0.1) continue;
-            objective = ms_sss__fit_run(fit, &v, 3);
-            if (objective < 1.02 * least) objective = ms_sss__fit_run(fit, &v, 5);
+            objective = ms_sss__fit_run(fit, v, 3);
+            if (objective < 1.02 * least) objective = ms_sss__fit_run(fit, v, 5);
             if (objective < 0.995 * least) {
                 least = objective;
-                *best = v;
+                *best = *v;
                 moved = 1;
             }
         }
@@ -3019,21 +3075,22 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
                                   double dial, int pairs, int no_delta, ms_sss__curve *best)
 {
     static const double reach[] = {0.25, 0.4, 0.6, 0.85};
-    ms_sss__curve v;
+    ms_sss__curve *v;
     ms_sss__fit *fit;
     double least = HUGE_VAL, objective;
     int n, c;
     ms_sss__place(d, dense, MS_SSS_QUANTILE, 0, pairs, best);
     fit = ms_sss__fit_create(d, model, 1 - dial, dial, best, 0, 3, 1, !no_delta, 1);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
+    v = &fit->hop;
     for (n = 0; n < 5; ++n) {
-        ms_sss__place(d, dense, n < 4 ? MS_SSS_QUADRATIC : MS_SSS_QUANTILE, n < 4 ? reach[n] * d->cells : 0, pairs, &v);
-        for (c = 0; c < 3 && !no_delta; ++c) v.delta[c] = 0.03;
-        ms_sss__curve_normalise(&v);
-        objective = ms_sss__fit_run(fit, &v, 8);
+        ms_sss__place(d, dense, n < 4 ? MS_SSS_QUADRATIC : MS_SSS_QUANTILE, n < 4 ? reach[n] * d->cells : 0, pairs, v);
+        for (c = 0; c < 3 && !no_delta; ++c) v->delta[c] = 0.03;
+        ms_sss__curve_normalise(v);
+        objective = ms_sss__fit_run(fit, v, 8);
         if (objective < least) {
             least = objective;
-            *best = v;
+            *best = *v;
         }
     }
     ms_sss__fit_hops(fit, 2, best);
@@ -3046,17 +3103,16 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
 }
 
 /* The quadratic spacing with the reach of least texture error. */
-static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curve *dense, int pairs, ms_sss__curve *best)
+static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curve *dense, int pairs, ms_sss__curve *v, ms_sss__curve *best)
 {
     double least = HUGE_VAL, error[MS_SSS__SIGNALS];
-    ms_sss__curve v;
     int n;
     for (n = 4; n <= 20; n += 2) {
-        ms_sss__place(d, dense, MS_SSS_QUADRATIC, 0.05 * n * d->cells, pairs, &v);
-        ms_sss__curve_errors(d, &v, error);
+        ms_sss__place(d, dense, MS_SSS_QUADRATIC, 0.05 * n * d->cells, pairs, v);
+        ms_sss__curve_errors(d, v, error);
         if (error[MS_SSS__TEXTURE] < least) {
             least = error[MS_SSS__TEXTURE];
-            *best = v;
+            *best = *v;
         }
     }
 }
@@ -3155,7 +3211,7 @@ MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designe
                                          const ms_sss_kernel_options *options, ms_error *error)
 {
     ms_sss_kernel_options o = options != NULL ? *options : ms_sss_kernel_defaults();
-    ms_sss__curve dense, taps;
+    ms_sss__curve *dense, *taps, *scratch;
     ms_status status;
     int pairs, c, of_profile;
     if (kernel == NULL || d == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel or designer is NULL");
@@ -3165,32 +3221,38 @@ MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designe
     if (o.index == 0) o.index = 1;
     status = ms_sss__check_kernel_options(&o, error);
     if (status != MS_OK) return status;
-    status = ms_sss__model_curve(d, &o, &dense);
+    dense = (ms_sss__curve *)ms__alloc(&d->allocator, 3 * sizeof *dense);
+    if (dense == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to fit a kernel");
+    taps = dense + 1;
+    scratch = dense + 2;
+    status = ms_sss__model_curve(d, &o, dense);
     pairs = o.tap_count / 2;
-    if (o.model == MS_SSS_ROTATED) dense.frames = o.frame_count;
+    if (o.model == MS_SSS_ROTATED) dense->frames = o.frame_count;
     if (status == MS_OK && o.tap_count == MS_SSS_DENSE) {
-        taps = dense;
-        if (o.model == MS_SSS_IMAGE_OPTIMAL) status = ms_sss__dense_optimum(d, o.dial, o.no_delta, &taps);
+        *taps = *dense;
+        if (o.model == MS_SSS_IMAGE_OPTIMAL) status = ms_sss__dense_optimum(d, o.dial, o.no_delta, scratch, taps);
     } else if (status == MS_OK && o.placement == MS_SSS_OPTIMISED) {
         /* the target: the profile for models that approximate it best, else the model's own dense kernel */
         of_profile = o.model == MS_SSS_IMAGE_OPTIMAL || o.model == MS_SSS_ROTATED || o.model == MS_SSS_RESIDUAL;
-        status = ms_sss__fit_best(d, &dense, of_profile ? NULL : &dense, o.dial, pairs, o.no_delta, &taps);
+        status = ms_sss__fit_best(d, dense, of_profile ? NULL : dense, o.dial, pairs, o.no_delta, taps);
     } else if (status == MS_OK && o.placement == MS_SSS_QUADRATIC) {
-        ms_sss__place_quadratic(d, &dense, pairs, &taps);
+        ms_sss__place_quadratic(d, dense, pairs, scratch, taps);
     } else if (status == MS_OK) {
-        ms_sss__place(d, &dense, MS_SSS_QUANTILE, 0, pairs, &taps);
+        ms_sss__place(d, dense, MS_SSS_QUANTILE, 0, pairs, taps);
     }
-    if (status != MS_OK) return ms__fail(error, status, 0, "no memory to fit a kernel");
-    for (c = 0; c < 3; ++c)
+    for (c = 0; c < 3 && status == MS_OK; ++c)
         if (!(d->reflectance[c] > 0)) { /* the identity, exactly */
-            memset(taps.weight[c], 0, sizeof taps.weight[c]);
-            taps.weight[c][0][0] = 1;
-            taps.delta[c] = 0;
-            taps.energy[c] = 1;
+            memset(taps->weight[c], 0, sizeof taps->weight[c]);
+            taps->weight[c][0][0] = 1;
+            taps->delta[c] = 0;
+            taps->energy[c] = 1;
         }
-    ms_sss__curve_normalise(&taps);
-    ms_sss__store_kernel(d, &taps, o.index, kernel);
-    return MS_OK;
+    if (status == MS_OK) {
+        ms_sss__curve_normalise(taps);
+        ms_sss__store_kernel(d, taps, o.index, kernel);
+    }
+    ms__release(&d->allocator, dense, 3 * sizeof *dense);
+    return status == MS_OK ? MS_OK : ms__fail(error, status, 0, "no memory to fit a kernel");
 }
 
 MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *artist)
@@ -3231,13 +3293,13 @@ MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *erro
                                           double tolerance, int tap_budget, ms_error *error)
 {
     static const signed char candidate[][2] = {/* terms, taps; by their product */
-        {1, 3}, {1, 5}, {1, 7}, {1, 9}, {2, 5}, {1, 11}, {1, 13}, {2, 7}, {1, 17}, {2, 9}, {1, 21}, {2, 11}, {2, 13},
-        {3, 9}, {1, 33}, {3, 11}, {2, 17}, {3, 13}, {2, 21}, {3, 17}, {3, 21}, {3, 25}, {4, 21}, {3, 33}, {4, 33}};
+        {1, 3}, {1, 5}, {1, 7}, {1, 9}, {2, 5}, {1, 11}, {1, 13}, {2, 7}, {1, 17}, {2, 9}, {1, 21}, {2, 11}, {1, 25},
+        {2, 13}, {3, 9}, {1, 33}, {3, 11}, {2, 17}, {3, 13}, {2, 21}, {3, 17}, {3, 21}, {3, 25}, {4, 21}, {3, 33}, {4, 33}};
     ms_sss_kernel_options options = ms_sss_kernel_defaults();
     ms_sss_errors found;
     ms_sss_kernel trial;
     ms_status status;
-    double least = HUGE_VAL;
+    double least = HUGE_VAL, miss, texture = 0, bands = 0;
     size_t n;
     int one_term;
     if (kernel == NULL || d == NULL || !(tolerance > 0) || tap_budget < 3)
@@ -3248,7 +3310,7 @@ MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *erro
     if (status != MS_OK) return status;
     ms_sss_kernel_measure(&found, &trial, d);
     one_term = found.texture <= tolerance || tap_budget < 10;
-    for (n = 0; n < sizeof candidate / sizeof candidate[0] && least > tolerance; ++n) {
+    for (n = 0; n < sizeof candidate / sizeof candidate[0] && least > 1; ++n) {
         if (candidate[n][0] == 1 && !one_term) continue;
         options.term_count = candidate[n][0];
         options.tap_count = candidate[n][1];
@@ -3257,14 +3319,17 @@ MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *erro
         status = ms_sss_kernel_build(&trial, d, &options, error);
         if (status != MS_OK) return status;
         ms_sss_kernel_measure(&found, &trial, d);
-        if (found.texture >= least) continue;
-        least = found.texture;
+        miss = found.texture / tolerance > found.bands / MS_SSS_BANDS_SEEN ? found.texture / tolerance : found.bands / MS_SSS_BANDS_SEEN;
+        if (miss >= least) continue;
+        least = miss;
+        texture = found.texture;
+        bands = found.bands;
         *kernel = trial;
         if (errors != NULL) *errors = found;
     }
-    return least <= tolerance ? MS_OK
-                              : ms__fail(error, MS_NOT_CONVERGED, 0, "%d taps reach an error of %g; %g was asked for",
-                                         tap_budget, least, tolerance);
+    return least <= 1 ? MS_OK
+                      : ms__fail(error, MS_NOT_CONVERGED, 0, "%d taps reach an error of %g and bands of %g; %g and %d are asked for",
+                                 tap_budget, texture, bands, tolerance, MS_SSS_BANDS_SEEN);
 }
 
 MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,

@@ -2,6 +2,7 @@
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "json.h"
+#include <fenv.h>
 #include "render/ball.h"
 #include "test.h"
 
@@ -1062,6 +1063,68 @@ static void elevation_of_balls(void)
     }
 }
 
+/* Hosts may unmask floating-point exceptions: no model raises one, also with a dark and a very narrow channel. */
+static void no_exceptions(void)
+{
+    ms_sss_profile *p;
+    double sigma[2][3] = {{0.5, 0.01, 1}, {2, 0.02, 1}}, weight[2][3] = {{0.3, 0.9, 0}, {0.4, 0.05, 0}};
+    const int raised = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+    ms_sss_designer *d;
+    ms_sss_kernel k;
+    ms_sss_errors e;
+    int model, dense;
+    CHECK(ms_sss_profile_from_gaussians(&p, 2, (const double(*)[3])sigma, (const double(*)[3])weight, NULL, NULL) == MS_OK);
+    feclearexcept(FE_ALL_EXCEPT);
+    d = designer_for(p, 16);
+    for (model = MS_SSS_IMAGE_OPTIMAL; model <= MS_SSS_ROTATED; ++model)
+        for (dense = 0; dense < 2; ++dense) {
+            ms_sss_kernel_options o = ms_sss_kernel_defaults();
+            o.model = (ms_sss_model)model;
+            o.term_count = model == MS_SSS_RESIDUAL || model == MS_SSS_SVD || model == MS_SSS_SVD_NORMALISED || model == MS_SSS_GAUSSIANS ? 4 : 1;
+            if (dense && model != MS_SSS_ROTATED) o.tap_count = MS_SSS_DENSE;
+            CHECK(ms_sss_kernel_build(&k, d, &o, NULL) == MS_OK);
+            ms_sss_kernel_measure(&e, &k, d);
+            if (fetestexcept(raised)) TEST_FAIL("model %d, dense %d: exceptions %x", model, dense, (unsigned)fetestexcept(raised));
+            feclearexcept(FE_ALL_EXCEPT);
+        }
+    ms_sss_designer_destroy(d);
+    ms_sss_profile_destroy(p);
+}
+
+/* Stairs: few taps over many pixels show them, every pixel a tap does not; choosing spends taps on them. The size of the
+   stairs by hand: 3 pre-integrated taps of a wide Gaussian stand at -x, 0 and x, so that black to white goes in three steps,
+   the first from 0 to the outer weight. */
+static void bands(void)
+{
+    double sigma[1][3] = {{10, 10, 10}}, weight[1][3] = {{0.5, 0.5, 0.5}}, step, share;
+    ms_sss_kernel_options o = ms_sss_kernel_defaults();
+    ms_sss_profile *p;
+    ms_sss_designer *d;
+    ms_sss_kernel k;
+    ms_sss_errors e, few;
+    CHECK(ms_sss_profile_from_gaussians(&p, 1, (const double(*)[3])sigma, (const double(*)[3])weight, NULL, NULL) == MS_OK);
+    d = designer_for(p, 100);
+    o.model = MS_SSS_PREINTEGRATED;
+    o.placement = MS_SSS_QUANTILE;
+    o.tap_count = 3;
+    CHECK(ms_sss_kernel_build(&k, d, &o, NULL) == MS_OK);
+    ms_sss_kernel_measure(&e, &k, d);
+    share = (double)k.weight[0][1][0]; /* linear interpolation spreads it over the two pixels beside the tap's position */
+    step = 255 * share; /* at least, as sRGB lies above the diagonal; three second differences share it, two of them the bend */
+    CHECK(e.bands > 0.25 * step && e.bands < 255);
+    few = e;
+    o.tap_count = MS_SSS_DENSE;
+    CHECK(ms_sss_kernel_build(&k, d, &o, NULL) == MS_OK);
+    ms_sss_kernel_measure(&e, &k, d);
+    CHECK_LE(e.bands, 0.1); /* the cells themselves */
+    CHECK(few.bands > 100 * e.bands);
+    CHECK(ms_sss_kernel_choose(&k, &e, d, 0.5, 40, NULL) == MS_OK); /* any error will do */
+    CHECK_LE(e.bands, MS_SSS_BANDS_SEEN);
+    CHECK(k.tap_count > 5);
+    ms_sss_designer_destroy(d);
+    ms_sss_profile_destroy(p);
+}
+
 int main(int argc, char **argv)
 {
     static const test_case cases[] = {{"line of Gaussian rings", line_of_gaussian_rings}, {"exact chords", exact_chords},
@@ -1072,7 +1135,7 @@ int main(int argc, char **argv)
                                       {"reference taps", reference_taps}, {"targets", targets},
                                       {"separable signals", separable_signals}, {"measured errors", measured_errors},
                                       {"every model", every_model}, {"radii", radii}, {"dial and Gaussians", dial_and_gaussians},
-                                      {"cheapest", cheapest}, {"refused options", refused_options},
+                                      {"cheapest", cheapest}, {"bands", bands}, {"no exceptions", no_exceptions}, {"refused options", refused_options},
                                       {"allocations", allocations}, {"same bits", same_bits}};
     return test_main(argc, argv, cases, (int)(sizeof cases / sizeof cases[0]));
 }
