@@ -716,7 +716,8 @@ typedef enum ms_sss_step {
    In alpha of the input: depth as it is, or (without depth) index / 255. Both: a 32-bit float depth whose last four bits
    hold the index, intBitsToFloat(floatBitsToInt(depth) + 8 & ~15 | index), for 16 profiles; depth 0 masks.
    Targets of PREPARE and X in binary16 round depth to 11 bits: keep that under a tenth of the depth sigma. With depth, the
-   profile travels in the last 4 bits of blue (1e-6 of it), which binary16 lacks: half_target reads ms_sss_profile again in each step. Slopes need depth in 32 bits. */
+   profile travels in the last 4 bits of blue (1e-6 of it), which binary16 lacks: half_target reads ms_sss_profile again
+   in each step. Slopes need depth in 32 bits. */
 typedef struct ms_sss_shader {
     int tap_count;          /* of the kernels */
     int profile_count;      /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1 */
@@ -790,10 +791,15 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
                                              int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                              ms_error *error);
 
+/* ms_sss_transmission as a function for the light loop of an engine's shader:
+   float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal,
+                              float3 to_light, float3 light), reflectance and decay as in the kernel.
+   text, capacity and result as in ms_sss_shader_text; 0: an unknown language. */
+MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity);
+
 /* The taps alone, for engines with a shader of their own: RGB weight and offset in mm, entry 0 is the centre.
    out    [tap_count][4], or [tap_count / 2 + 1][4] with half_kernel (centre, then one of each pair by growing offset);
-          float, or uint16_t that hold binary16 with binary16 = 1
-   NULL: checks only
+          float, or uint16_t that hold binary16 with binary16 = 1; NULL: checks only
    MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
 MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
                                           ms_error *error);
@@ -5824,6 +5830,36 @@ static const char *const ms_sss__shader_body[] = {
     "}\n",
     "#endif\n"};
 
+static const char *const ms_sss__transmission_body[] = {
+    "float ms_sss_through(float reflectance, float decay, float thickness, float parallel)\n",
+    "{\n",
+    "    float dark = max(1.0 - reflectance, 1e-4);\n",
+    "    float R = 1.0 - dark;\n",
+    "    float y = decay * max(thickness, 0.0);\n",
+    "    float x = exp(-y);\n",
+    "    float gone = 1.0 - x;\n",
+    "    float slab = 1.0 - 0.85 * dark * dark * dark * dark * dark * (1.0 - exp(-0.8 * y));\n",
+    "    if (!(reflectance > 0.0)) {\n",
+    "        return 0.0;\n",
+    "    }\n",
+    "    if (y < 0.02) {\n", /* where the difference would lose digits */
+    "        gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0));\n",
+    "    }\n",
+    "    slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));\n",
+    "    return slab * (1.0 + dark / R * max(parallel, 0.0));\n",
+    "}\n",
+    "\n",
+    "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal, float3 to_light, float3 light)\n",
+    "{\n",
+    "    float entry = dot(entry_normal, to_light);\n",
+    "    float parallel = -dot(normal, entry_normal);\n",
+    "    if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) {\n",
+    "        return float3(0.0, 0.0, 0.0);\n",
+    "    }\n",
+    "    return entry * light * float3(ms_sss_through(reflectance.r, decay.r, thickness_mm, parallel),\n",
+    "        ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel), ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n",
+    "}\n"};
+
 /* What lines are chosen by, and what stands as a number in them. */
 #define MS_SSS__FEATURE_LIST(X)                                                                                        \
     X(PREPARE) X(SECOND) X(RAW) X(TAPS) X(STRIDE) X(PROFILES) X(CORNERS) X(HALF_KERNEL) X(WITH_STRENGTH) X(WITH_NORMAL)  \
@@ -6184,6 +6220,23 @@ MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filte
         t.out = text;
         t.length = 0;
         ms_sss__say_shader(&t, shader, options);
+        text[t.length] = 0;
+    }
+    return t.length;
+}
+
+MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity)
+{
+    const size_t lines = sizeof ms_sss__transmission_body / sizeof ms_sss__transmission_body[0];
+    ms_sss__text t;
+    memset(&t, 0, sizeof t);
+    if ((int)language < 0 || (int)language > (int)MS_SSS_WGSL) return 0;
+    t.column = ms_sss__dialects[language].column;
+    ms_sss__say_body(&t, ms_sss__transmission_body, lines);
+    if (text && capacity > t.length) {
+        t.out = text;
+        t.length = 0;
+        ms_sss__say_body(&t, ms_sss__transmission_body, lines);
         text[t.length] = 0;
     }
     return t.length;

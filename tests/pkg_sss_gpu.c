@@ -402,6 +402,25 @@ static void case_desktop(void) { compare_all(API_GL_33, test_full ? 360 : 36); }
 static void case_es(void) { compare_all(API_ES_30, test_full ? 360 : 12); }
 static void case_compute(void) { compare_all(API_GL_43, test_full ? 360 : 24); }
 
+/* What the light loop's function returns for column x and row y of a picture, as a fragment shader. */
+static const char *transmission_shader(ms_sss_language language)
+{
+    static char all[12000];
+    const char *const vec3 = language == MS_SSS_HLSL ? "float3" : language == MS_SSS_WGSL ? "vec3<f32>" : "vec3";
+    const size_t n = ms_sss_transmission_text(language, text, sizeof text);
+    const int glsl = language < MS_SSS_HLSL;
+    CHECK(n > 500 && n < 6000);
+    snprintf(all, sizeof all, "%s%.9000s%s%s(ms_sss_transmission(%s(0.02, 0.6, 1.0), %s(3.0, 0.8, 0.05), 0.07 * x, %s(0.6, 0.0, -0.8), "
+             "%s(-0.8 * (y - 20.0) / 20.0, 0.6, 0.8 * (y - 20.0) / 20.0), %s(0.0, 0.6, 0.8), %s(1.0, 2.0, 3.0)), 1.0); }\n",
+             language == MS_SSS_GLSL_330 ? "#version 330\nout vec4 colour;\n" : language == MS_SSS_GLSL_ES_300 ?
+             "#version 300 es\nprecision highp float;\nout vec4 colour;\n" : glsl ? "#version 450\nlayout(location = 0) out vec4 colour;\n" : "", text,
+             glsl ? "void main() { float x = gl_FragCoord.x - 0.5; float y = gl_FragCoord.y - 0.5; colour = " : language == MS_SSS_HLSL ?
+             "float4 main(float4 p : SV_Position) : SV_Target { float x = p.x - 0.5; float y = p.y - 0.5; return " :
+             "@fragment fn main(@builtin(position) p: vec4<f32>) -> @location(0) vec4<f32> { let x = p.x - 0.5; let y = p.y - 0.5; return ",
+             language == MS_SSS_WGSL ? "vec4<f32>" : language == MS_SSS_HLSL ? "float4" : "vec4", vec3, vec3, vec3, vec3, vec3, vec3);
+    return all;
+}
+
 /* --- OpenGL ES and WGSL in a browser: a page of cases, run by tests/sss_gpu.js --- */
 
 static void put_base64(FILE *f, const float *values, size_t count)
@@ -429,20 +448,24 @@ static void put_map(FILE *f, const char *name, const float *map)
     fputs("', ", f);
 }
 
+static void put_text(FILE *f, const char *c)
+{
+    for (; *c; ++c) {
+        if (*c == '\n') fputs("\\n", f);
+        else if (*c == '\'') fputs("\\'", f);
+        else fputc(*c, f);
+    }
+}
+
 static void put_step(FILE *f, const one_case *t, int term)
 {
     const ms_sss_shader *s = &t->shader;
     const int prepare = s->step == MS_SSS_STEP_PREPARE, y = s->step == MS_SSS_STEP_Y;
     ms_error error;
-    const char *c;
     int i;
     if (!ms_sss_shader_text(s, &t->options, text, sizeof text, &error)) TEST_FAIL("%s", error.message);
     fputs("{text: '", f);
-    for (c = text; *c; ++c) {
-        if (*c == '\n') fputs("\\n", f);
-        else if (*c == '\'') fputs("\\'", f);
-        else fputc(*c, f);
-    }
+    put_text(f, text);
     fputs("', constants: [", f);
     for (i = 0; i < 4 * ms_sss_shader_constant_count(s); ++i) fprintf(f, "%.9g,", (double)(&constants[0][0])[i]);
     fprintf(f, "], read: {ms_sss_colour: '%s', ms_sss_depth: 'depth', ms_sss_strength: 'strength', ms_sss_input: 'input', "
@@ -501,7 +524,9 @@ static void browser(ms_sss_language language, const char *path)
         make_case(&t, i * step, language, language == MS_SSS_WGSL && (test_full ? i % 12 == 7 : i == 11), 1);
         put_case(f, &t);
     }
-    fprintf(f, "]};\n%s</script>", script);
+    fputs("], compile: '", f);
+    put_text(f, transmission_shader(language));
+    fprintf(f, "'};\n%s</script>", script);
     fclose(f);
     free(script);
     /* until the page has logged its result: --dump-dom does not wait for the GPU */
@@ -595,17 +620,71 @@ static void case_constants(void)
     CHECK_NEAR((double)first.radius_mm, (double)t.kernel[0].radius_mm, 0);
 }
 
+static void case_transmission(void)
+{
+    static const char corner[] = "#version 330\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n";
+    GLuint program, texture;
+    ms_sss_kernel k;
+    double worst = 0, most = 0;
+    int x, y, c;
+    CHECK_INT(ms_sss_transmission_text((ms_sss_language)9, NULL, 0), 0);
+    if (!gl_open(API_GL_33)) SKIP("no OpenGL 3.3 context without a window");
+    program = gl_CreateProgram();
+    gl_stage(program, GL_VERTEX_SHADER, corner);
+    gl_stage(program, GL_FRAGMENT_SHADER, transmission_shader(MS_SSS_GLSL_330));
+    gl_LinkProgram(program);
+    gl_UseProgram(program);
+    texture = gl_texture(0, WIDTH, HEIGHT, 4, NULL);
+    gl_draw(texture, 0);
+    gl_ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, drawn);
+    memset(&k, 0, sizeof k);
+    for (c = 0; c < 3; ++c) {
+        k.reflectance[c] = c == 0 ? 0.02f : c == 1 ? 0.6f : 1.0f;
+        k.decay[c] = c == 0 ? 3.0f : c == 1 ? 0.8f : 0.05f;
+    }
+    for (y = 0; y < HEIGHT; ++y) {
+        for (x = 0; x < WIDTH; ++x) {
+            const float tilt = 0.8f * ((float)y - 20) / 20, to_light[3] = {0, 0.6f, 0.8f}, light_of[3] = {1, 2, 3};
+            const float n[3] = {0.6f, 0, -0.8f}, entry[3] = {-tilt, 0.6f, tilt};
+            float out[3];
+            ms_sss_transmission(&k, 0.07f * (float)x, n, entry, to_light, light_of, out);
+            for (c = 0; c < 3; ++c) {
+                const double e = fabs((double)out[c] - (double)drawn[4 * (y * WIDTH + x) + c]) / fmax(1, fabs((double)out[c]));
+                if (!(e <= worst)) worst = e;
+                if ((double)out[c] > most) most = (double)out[c];
+            }
+        }
+    }
+    CHECK(most > 1);
+    CHECK_NEAR(worst, 0, 2e-5); /* exp of the rasteriser to 1e-6, times 1 / (1 - R) where the slab hardly absorbs */
+    TEST_NOTE("largest difference %.1e", worst);
+}
+
 /* --- every text is valid --- */
+
+static void validate_one(const char *shader, const char *flags, const char *path, int number)
+{
+    char command[300];
+    FILE *f = fopen(path, "w");
+    if (!f) TEST_FAIL("cannot write %s", path);
+    if (!f) return;
+    fputs(shader, f);
+    fclose(f);
+    snprintf(command, sizeof command, "glslangValidator %s %s >build/glslang.txt 2>&1", flags, path);
+    if (system(command) != 0) {
+        char *log = test_read_file("build/glslang.txt", NULL);
+        TEST_FAIL("text %d: %.600s", number, log ? log : "no log");
+        free(log);
+    }
+}
 
 static void validate(ms_sss_language language, int compute, const char *flags, const char *path)
 {
-    char command[300];
     int i, count = 0;
     if (system("glslangValidator --version >build/glslang.txt 2>&1") != 0) SKIP("no glslangValidator on this machine");
     for (i = 0; i < 81 * 1024; ++i) {
         ms_sss_filter_options o = ms_sss_filter_defaults();
         ms_sss_shader s;
-        FILE *f;
         const int bits = i / 81;
         memset(&s, 0, sizeof s);
         s.tap_count = 7;
@@ -632,19 +711,11 @@ static void validate(ms_sss_language language, int compute, const char *flags, c
             CHECK((o.fov_degrees > 0 && !s.depth) || (s.half_target && s.depth && (s.profile == MS_SSS_ALPHA || o.flat < 1)));
             continue;
         }
-        f = fopen(path, "w");
-        if (!f) SKIP("cannot write %s", path);
-        fputs(text, f);
-        fclose(f);
-        snprintf(command, sizeof command, "glslangValidator %s %s >build/glslang.txt 2>&1", flags, path);
-        if (system(command) != 0) {
-            char *log = test_read_file("build/glslang.txt", NULL);
-            TEST_FAIL("text %d: %.600s", i, log ? log : "no log");
-            free(log);
-        }
+        validate_one(text, flags, path, i);
         ++count;
     }
-    TEST_NOTE("%d texts", count);
+    if (!compute) validate_one(transmission_shader(language), flags, path, -1);
+    TEST_NOTE("%d texts", count + !compute);
 }
 
 static void case_glsl(void) { validate(MS_SSS_GLSL_330, 0, "", "build/sss_330.frag"); }
@@ -663,6 +734,7 @@ static const test_case cases[] = {
     {"WGSL in a browser against the CPU", case_wgsl},
     {"nothing crosses between materials", case_bleeding},
     {"layout of the constants", case_constants},
+    {"transmission in a light loop", case_transmission},
     {"GLSL 330 is valid", case_glsl},
     {"GLSL ES 300 is valid", case_glsl_es},
     {"GLSL 430 compute is valid", case_glsl_compute},

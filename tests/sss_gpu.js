@@ -1,6 +1,6 @@
 // Runs what tests/pkg_sss_gpu.c wrote: the steps of each case in WebGL 2 or WebGPU, and compares with the CPU's result.
 // data = {api, width, height, images: {name: base64 of RGBA floats}, cases: [{input, expected, tolerance, steps: [{text,
-// constants, read: {name: image}, write: [image], groups}]}]}. Logs what is off or an error, then "sss worst E over N cases".
+// constants, read: {name: image}, write: [image], groups}]}], compile: text of a shader that only has to compile}. Logs what is off or an error, then "sss worst E over N cases".
 const count = data.width * data.height * 4;
 const lines = [];
 const say = line => lines.push(line);
@@ -23,6 +23,7 @@ function webgl() {
     const attach = (i, t) => gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, t, 0);
     return {
         name: () => gl.getParameter(gl.VERSION),
+        async compile(text) { stage(gl.FRAGMENT_SHADER, text); },
         image(pixels) {
             const t = gl.createTexture();
             gl.bindTexture(gl.TEXTURE_2D, t);
@@ -70,6 +71,9 @@ async function webgpu() {
         return vec4<f32>(select(-1.0, 3.0, i == 1u), select(-1.0, 3.0, i == 2u), 0.0, 1.0); }`});
     return {
         name: () => 'WebGPU, ' + adapter.info.vendor + ' ' + adapter.info.architecture,
+        async compile(text) { // errors come as an uncapturederror
+            await device.createShaderModule({code: text}).getCompilationInfo();
+        },
         image(pixels) {
             const t = device.createTexture({size: [data.width, data.height], format: 'rgba32float',
                 usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST | GPUTextureUsage.COPY_SRC | GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.STORAGE_BINDING});
@@ -124,6 +128,7 @@ async function webgpu() {
     try {
         const gpu = data.api === 'webgpu' ? await webgpu() : webgl();
         name = gpu.name();
+        await gpu.compile(data.compile);
         const shared = {};
         for (const [key, text] of Object.entries(data.images)) shared[key] = gpu.image(floats(text));
         for (const key of ['prepared', 'shape', 'middle', 'result', 'sum']) shared[key] = gpu.image(null);
