@@ -3816,7 +3816,7 @@ typedef struct ms_gpr__pool {
     double *luck;     /* [size] logarithm of a uniform number */
     double *taken;    /* [size] 1: chosen */
     double *low, *width; /* [m] the box */
-    double *scratch;  /* [m][4] a choice, four times: a tile of the distance kernel; [4][size] its distances */
+    double *scratch;  /* [m][4] a choice, four times: a tile of the distance kernel; [4][size] its distances; before, [n] parents */
 } ms_gpr__pool;
 
 /* Candidate j has seen something at that squared distance. */
@@ -3937,23 +3937,40 @@ static void ms_gpr__pool_layout(ms_gpr__pool *p, ms_gpr__arena *arena)
     p->nearest = ms_gpr__take(arena, size, MS_GPR__NEIGHBOURS);
     p->low = ms_gpr__take(arena, m, 1);
     p->width = ms_gpr__take(arena, m, 1);
-    p->scratch = ms_gpr__take(arena, 4, ms__size_add(size, m));
+    p->scratch = ms_gpr__take(arena, 4, ms__size_add(size, ms__size_add(m, (size_t)p->gp->n)));
+}
+
+/* How likely each scored material is to be a parent, [n]: its score above the floor, shared with those liked ones that the model takes
+   for near, so that small classes have children too. Returns the sum. */
+static double ms_gpr__pool_parents(const ms_gpr__pool *p, double *parent)
+{
+    const ms_gpr *gp = p->gp;
+    double sum = 0;
+    int i, j;
+    for (i = 0; i < gp->n; ++i) {
+        double crowd = 0;
+        for (j = 0; j < gp->n && gp->y[i] > p->floor; ++j)
+            if (gp->y[j] > p->floor) crowd += exp(-0.5 * ms_gpr__distance2(gp->points + i, gp->stride, gp->points + j, gp->stride, gp->active));
+        parent[i] = gp->y[i] > p->floor ? (gp->y[i] - p->floor) / crowd : 0;
+        sum += parent[i];
+    }
+    return sum;
 }
 
 /* Candidate j as a variant of scored materials, in place of the uniform one that it is: whatever parameters are not drawn anew come
-   from a parent, or from two. weight: of all scores above the floor. */
-static void ms_gpr__pool_vary(ms_gpr__pool *p, int j, double weight, ms__rng *rng)
+   from a parent, or from two. */
+static void ms_gpr__pool_vary(ms_gpr__pool *p, int j, const double *parents, double sum, ms__rng *rng)
 {
     const ms_gpr *gp = p->gp;
     double share = 0.1 + 0.5 * ms_gpr__uniform(rng);
     int parent[2], crossed = ms_gpr__uniform(rng) < 0.5, anew = (int)(ms_gpr__uniform(rng) * gp->m), i, k;
     for (k = 0; k < gp->m && !(p->width[anew] > 0); ++k) anew = (anew + 1) % gp->m; /* one at least */
     for (i = 0; i < 2; ++i) {
-        double left = weight * ms_gpr__uniform(rng);
+        double left = sum * ms_gpr__uniform(rng);
         for (k = 0; k < gp->n; ++k) {
-            if (!(gp->y[k] > p->floor)) continue;
+            if (!(parents[k] > 0)) continue;
             parent[i] = k;
-            if ((left -= gp->y[k] - p->floor) < 0) break;
+            if ((left -= parents[k]) < 0) break;
         }
     }
     for (k = 0; k < gp->m; ++k) {
@@ -3968,10 +3985,8 @@ static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed, int spread, int va
 {
     ms__rng rng = ms__rng_make(seed, (uint64_t)p->gp->n);
     size_t m = (size_t)p->gp->m, k;
-    double weight = 0;
+    double parents = vary ? ms_gpr__pool_parents(p, p->scratch) : 0;
     int i, j;
-    for (i = 0; i < p->gp->n; ++i)
-        if (p->gp->y[i] > p->floor) weight += p->gp->y[i] - p->floor;
     for (k = 0; k < m && spread > 0; ++k) { /* which part, in luck: a shuffle */
         for (j = 0; j < spread; ++j) {
             i = (int)(ms_gpr__uniform(&rng) * (j + 1));
@@ -3983,7 +3998,7 @@ static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed, int spread, int va
     for (j = 0; j < p->size; ++j) {
         double *x = p->x + (size_t)j * m;
         for (k = 0; k < m && j >= spread; ++k) x[k] = p->low[k] + p->width[k] * ms_gpr__uniform(&rng);
-        if (vary && weight > 0 && j % 2) ms_gpr__pool_vary(p, j, weight, &rng);
+        if (parents > 0 && j % 2) ms_gpr__pool_vary(p, j, p->scratch, parents, &rng);
         ms_gpr__place(p->gp, x, p->points + j, (size_t)p->size);
         p->luck[j] = log(ms_gpr__uniform(&rng));
         p->taken[j] = 0;
