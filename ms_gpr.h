@@ -250,7 +250,6 @@ typedef struct ms_gpr_options {
 MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta,
                                    const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 
-/* NULL is allowed. */
 MS_API void ms_gpr_destroy(ms_gpr *gp);
 
 /* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
@@ -527,7 +526,6 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
 MS_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
                                           const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error);
 
-/* NULL is allowed. */
 MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane);
 
 /* The log likelihood of a latent space (latents, theta and x as it holds them) and, where not NULL, its gradient with respect to
@@ -1805,6 +1803,11 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
                     gp->n);
 }
 
+static ms_status ms_gpr__null(const char *name, ms_error *error)
+{
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", name);
+}
+
 /* Position: the row, from 1. */
 static ms_status ms_gpr__check_rows(const double *x, int rows, int columns, double limit, const char *what, ms_error *error)
 {
@@ -1824,7 +1827,7 @@ static ms_status ms_gpr__check_data(const double *x, const double *y, int n, int
     ms_status status;
     if (n < 0 || n > MS_GPR__N_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "n is %d: expected 0 to %d", n, MS_GPR__N_MAX);
     if (m < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d: expected at least 1", m);
-    if (n > 0 && (x == NULL || y == NULL)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "x or y is NULL");
+    if (n > 0 && (x == NULL || y == NULL)) return ms_gpr__null(x ? "y" : "x", error);
     status = ms_gpr__check_rows(x, n, m, MS_GPR__LARGEST, "input", error);
     return status == MS_OK ? ms_gpr__check_rows(y, n, 1, MS_GPR__LARGEST, "score", error) : status;
 }
@@ -1832,10 +1835,10 @@ static ms_status ms_gpr__check_data(const double *x, const double *y, int n, int
 static ms_status ms_gpr__check_theta(const double *theta, int m, ms_error *error)
 {
     int k;
-    if (theta == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "theta is NULL");
+    if (theta == NULL) return ms_gpr__null("theta", error);
     for (k = 0; k < m + 2; ++k) {
         double limit = k < m ? MS_GPR__DROPPED : 300;
-        if (!(theta[k] >= -limit && theta[k] <= limit))
+        if (!ms__finite(theta[k]) || !(fabs(theta[k]) <= limit))
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "theta[%d] is %g: expected a logarithm from %g to %g", k, theta[k], -limit, limit);
     }
     return MS_OK;
@@ -1879,7 +1882,7 @@ MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, c
 {
     ms_gpr_options defaults;
     ms_status status;
-    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
     memset(&defaults, 0, sizeof defaults);
     if (options == NULL) options = &defaults;
@@ -1915,10 +1918,13 @@ static ms_status ms_gpr__try_theta(ms_gpr *gp, const double *theta, double *swap
 
 MS_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
 {
-    size_t size = ((size_t)gp->m + 2) * sizeof *theta;
-    ms_status status = ms_gpr__check_theta(theta, gp->m, error);
+    ms_status status;
     double *swap;
+    size_t size;
+    if (gp == NULL) return ms_gpr__null("gp", error);
+    status = ms_gpr__check_theta(theta, gp->m, error);
     if (status != MS_OK) return status;
+    size = ((size_t)gp->m + 2) * sizeof *theta;
     swap = (double *)ms__alloc(&gp->allocator, size);
     if (swap == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a copy of theta");
     status = ms_gpr__try_theta(gp, theta, swap, error);
@@ -1929,7 +1935,7 @@ MS_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *err
 MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
 {
     int i, k;
-    for (k = 0; k < gp->m; ++k) {
+    for (k = 0; gp && relevance && k < gp->m; ++k) {
         double sum = 0;
         for (i = 0; i < gp->n; ++i) {
             double d = (gp->x[(size_t)i * (size_t)gp->m + (size_t)k] - gp->center[k]) * gp->scale[k];
@@ -1941,11 +1947,14 @@ MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
 
 MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_error *error)
 {
-    size_t columns = (size_t)gp->m, size = (3 * columns + 4) * sizeof(double);
+    size_t columns, size;
     double *relevance, *theta, dropped = 0;
     ms_status status;
     int k;
-    if (!(tolerance >= 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g: expected at least 0", tolerance);
+    if (gp == NULL) return ms_gpr__null("gp", error);
+    if (!ms__finite(tolerance) || tolerance < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g: expected at least 0", tolerance);
+    columns = (size_t)gp->m;
+    size = (3 * columns + 4) * sizeof(double);
     relevance = (double *)ms__alloc(&gp->allocator, size);
     if (relevance == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d relevances", gp->m);
     theta = relevance + columns;
@@ -1965,16 +1974,16 @@ MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_err
     return status;
 }
 
-MS_API int ms_gpr_count(const ms_gpr *gp) { return gp->n; }
-MS_API int ms_gpr_dimensions(const ms_gpr *gp) { return gp->m; }
-MS_API const double *ms_gpr_theta(const ms_gpr *gp) { return gp->theta; }
-MS_API const double *ms_gpr_inputs(const ms_gpr *gp) { return gp->x; }
-MS_API const double *ms_gpr_scores(const ms_gpr *gp) { return gp->y; }
-MS_API double ms_gpr_mean(const ms_gpr *gp) { return gp->mean; }
-MS_API double ms_gpr_floor(const ms_gpr *gp) { return ms_gpr__floor(gp->y, gp->n, gp->floor); }
-MS_API double ms_gpr_floor_value(const ms_gpr *gp) { return gp->floor > MS_GPR__NO_FLOOR ? gp->floor_value : ms_gpr_floor(gp); }
-MS_API ms_simd ms_gpr_level(const ms_gpr *gp) { return gp->level; }
-MS_API double ms_gpr_jitter(const ms_gpr *gp) { return gp->jitter; }
+MS_API int ms_gpr_count(const ms_gpr *gp) { return gp ? gp->n : 0; }
+MS_API int ms_gpr_dimensions(const ms_gpr *gp) { return gp ? gp->m : 0; }
+MS_API const double *ms_gpr_theta(const ms_gpr *gp) { return gp ? gp->theta : NULL; }
+MS_API const double *ms_gpr_inputs(const ms_gpr *gp) { return gp ? gp->x : NULL; }
+MS_API const double *ms_gpr_scores(const ms_gpr *gp) { return gp ? gp->y : NULL; }
+MS_API double ms_gpr_mean(const ms_gpr *gp) { return gp ? gp->mean : 0; }
+MS_API double ms_gpr_floor(const ms_gpr *gp) { return gp ? ms_gpr__floor(gp->y, gp->n, gp->floor) : 0; }
+MS_API double ms_gpr_floor_value(const ms_gpr *gp) { return gp && gp->floor > MS_GPR__NO_FLOOR ? gp->floor_value : ms_gpr_floor(gp); }
+MS_API ms_simd ms_gpr_level(const ms_gpr *gp) { return gp ? gp->level : MS_SIMD_AUTO; }
+MS_API double ms_gpr_jitter(const ms_gpr *gp) { return gp ? gp->jitter : 0; }
 
 /* The problem of this model's data and theta; memory from the model's allocator, to be released as `block`. */
 static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **block, size_t *doubles, ms_error *error)
@@ -1997,9 +2006,13 @@ MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double 
     ms_gpr__problem p;
     void *block;
     size_t doubles;
-    double sf2 = ms_gpr__sf2(gp), sn2 = ms_gpr__sn2(gp), value;
-    ms_status status = ms_gpr__problem_of(gp, &p, &block, &doubles, error);
+    double sf2, sn2, value;
+    ms_status status;
     int k;
+    if (gp == NULL) return ms_gpr__null("gp", error);
+    sf2 = ms_gpr__sf2(gp);
+    sn2 = ms_gpr__sn2(gp);
+    status = ms_gpr__problem_of(gp, &p, &block, &doubles, error);
     if (status != MS_OK) return status;
     if (!ms_gpr__evaluate(&p, sf2, sn2 + gp->jitter * sf2, &value, gradient)) {
         status = ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
@@ -2019,10 +2032,14 @@ MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double 
 
 MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, double *density, ms_error *error)
 {
-    size_t stride = gp->stride, doubles = ms__size_mul((size_t)ms_gpr__padded(gp->n), stride);
-    int padded = ms_gpr__padded(gp->n), i, j;
+    size_t stride, doubles;
+    int padded, i, j;
     double *inverse, sum = 0;
     void *block;
+    if (gp == NULL) return ms_gpr__null("gp", error);
+    stride = gp->stride;
+    padded = ms_gpr__padded(gp->n);
+    doubles = ms__size_mul((size_t)padded, stride);
     inverse = ms_gpr__doubles(&gp->allocator, ms__size_add(doubles, stride), &block);
     if (inverse == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for an inverse of %d points", gp->n);
     {
@@ -2098,11 +2115,17 @@ static double ms_gpr__distance2(const double *a, size_t a_spacing, const double 
 
 MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error)
 {
-    double sf2 = ms_gpr__sf2(gp), sn2 = ms_gpr__sn2(gp), pivot = sf2 + sn2 + gp->jitter * sf2, least;
-    int n = gp->n, padded = ms_gpr__padded(gp->n), i;
-    ms_status status = ms_gpr__check_data(x, &y, 1, gp->m, error);
+    double sf2, pivot, least;
+    int n, padded, i;
+    ms_status status;
+    if (gp == NULL) return ms_gpr__null("gp", error);
+    status = ms_gpr__check_data(x, &y, 1, gp->m, error);
     if (status == MS_OK) status = ms_gpr__grow(gp, error);
     if (status != MS_OK) return status;
+    n = gp->n;
+    padded = ms_gpr__padded(n);
+    sf2 = ms_gpr__sf2(gp);
+    pivot = sf2 + ms_gpr__sn2(gp) + gp->jitter * sf2;
     memcpy(gp->x + (size_t)n * (size_t)gp->m, x, (size_t)gp->m * sizeof *x);
     gp->y[n] = y;
     gp->n = n + 1;
@@ -2130,7 +2153,9 @@ MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *
 
 MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error)
 {
-    ms_status status = ms_gpr__check_rows(&y, 1, 1, MS_GPR__LARGEST, "score", error);
+    ms_status status;
+    if (gp == NULL) return ms_gpr__null("gp", error);
+    status = ms_gpr__check_rows(&y, 1, 1, MS_GPR__LARGEST, "score", error);
     if (status != MS_OK) return status;
     if (index < 0 || index >= gp->n) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, gp->n - 1);
     gp->y[index] = y;
@@ -2140,8 +2165,12 @@ MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error
 
 MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error)
 {
-    size_t m = (size_t)gp->m, stride = gp->stride;
-    int last = gp->n - 1, i, j, k;
+    size_t m, stride;
+    int last, i, j, k;
+    if (gp == NULL) return ms_gpr__null("gp", error);
+    m = (size_t)gp->m;
+    stride = gp->stride;
+    last = gp->n - 1;
     if (index < 0 || index > last) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, last);
     memmove(gp->x + (size_t)index * m, gp->x + ((size_t)index + 1) * m, (size_t)(last - index) * m * sizeof *gp->x);
     memmove(gp->y + index, gp->y + index + 1, (size_t)(last - index) * sizeof *gp->y);
@@ -2294,7 +2323,8 @@ MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, do
 {
     ms_gpr__batch b;
     ms_status status;
-    if (count < 0 || (count > 0 && x == NULL)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d, or x is NULL", count);
+    if (gp == NULL || (count > 0 && x == NULL)) return ms_gpr__null(gp ? "x" : "gp", error);
+    if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
     status = ms_gpr__check_rows(x, count, gp->m, 1.7e308, "candidate", error);
     if (status != MS_OK) return status;
     memset(&b, 0, sizeof b);
@@ -2310,8 +2340,8 @@ MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, f
 {
     ms_gpr__batch b;
     size_t i, values;
-    if (count < 0 || (count > 0 && (x == NULL || mean == NULL)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d, or x or mean is NULL", count);
+    if (gp == NULL || (count > 0 && (x == NULL || mean == NULL))) return ms_gpr__null(gp == NULL ? "gp" : x ? "mean" : "x", error);
+    if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
     values = (size_t)count * (size_t)gp->m;
     for (i = 0; i < values; ++i)
         if (!ms__finite_f(x[i]))
@@ -2327,12 +2357,18 @@ MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, f
 MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient, double *variance,
                                      double *variance_gradient, ms_error *error)
 {
-    int padded = ms_gpr__padded(gp->n), i, k;
-    double sf2 = ms_gpr__sf2(gp), sum = gp->mean, *place, *covariance, *beta, explained;
-    size_t doubles = (size_t)gp->active + 2 * (size_t)padded;
-    ms_status status = ms_gpr__check_rows(x, 1, gp->m, 1.7e308, "candidate", error);
+    double sf2, sum, *place, *covariance, *beta, explained;
+    int padded, i, k;
+    size_t doubles;
+    ms_status status;
     void *block;
+    if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
+    status = ms_gpr__check_rows(x, 1, gp->m, 1.7e308, "candidate", error);
     if (status != MS_OK) return status;
+    padded = ms_gpr__padded(gp->n);
+    sf2 = ms_gpr__sf2(gp);
+    sum = gp->mean;
+    doubles = (size_t)gp->active + 2 * (size_t)padded;
     place = ms_gpr__doubles(&gp->allocator, doubles, &block);
     if (place == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a gradient");
     covariance = place + gp->active; /* k*, then beta = K'^-1 k* beside it */
@@ -2685,13 +2721,13 @@ static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, m
     value[0] = o->length_start, value[1] = o->length_min, value[2] = o->length_max, value[3] = o->noise_min;
     value[4] = o->noise, value[5] = o->noise_spread, value[6] = o->length, value[7] = o->length_spread;
     for (i = 0; i < 8; ++i)
-        if (!(value[i] >= 0 && value[i] <= MS_GPR__LARGEST))
+        if (!ms__finite(value[i]) || !(value[i] >= 0 && value[i] <= MS_GPR__LARGEST))
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i], value[i], MS_GPR__LARGEST);
     if ((int)o->method < 0 || (int)o->method > (int)MS_GPR_METHOD_ML)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d: expected 0 or 1", (int)o->method);
-    if (!(fabs(o->floor_offset) <= 100))
+    if (!ms__finite(o->floor_offset) || !(fabs(o->floor_offset) <= 100))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor_offset is %g: expected at most 100", o->floor_offset);
-    if (o->floor && !(fabs(*o->floor) <= MS_GPR__LARGEST))
+    if (o->floor && (!ms__finite(*o->floor) || !(fabs(*o->floor) <= MS_GPR__LARGEST)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor is %g: expected a score", *o->floor);
     if (o->noise_min > 9) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "noise_min is %g: expected at most 9", o->noise_min);
     if (o->evaluations < 0 || o->random_starts < 0 || o->random_starts > 1000)
@@ -2780,7 +2816,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     size_t doubles;
     void *block;
     int part;
-    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
     memset(&fit, 0, sizeof fit);
     status = ms_gpr__check_data(x, y, n, m, error);
@@ -2847,7 +2883,7 @@ static size_t ms_gpr__file_doubles(size_t n, size_t m)
 
 MS_API size_t ms_gpr_save_size(const ms_gpr *gp)
 {
-    return MS_GPR__HEADER + 8 * ms_gpr__file_doubles((size_t)gp->n, (size_t)gp->m) + 8;
+    return gp ? MS_GPR__HEADER + 8 * ms_gpr__file_doubles((size_t)gp->n, (size_t)gp->m) + 8 : 0;
 }
 
 MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes)
@@ -2856,6 +2892,7 @@ MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes)
     const double *part[6];
     size_t count[6], i;
     int k;
+    if (gp == NULL || bytes == NULL) return;
     memcpy(start, "ms_gpr\r\n", 8);
     ms_gpr__put(start + 8, 4, 2);
     ms_gpr__put(start + 12, 4, (uint64_t)gp->n);
@@ -2901,9 +2938,9 @@ MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_option
     size_t n, m, expected, doubles;
     double *value;
     ms_status status;
-    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
-    if (bytes == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "bytes is NULL");
+    if (bytes == NULL) return ms_gpr__null("bytes", error);
     if (size < MS_GPR__HEADER + 8 || memcmp(b, "ms_gpr\r\n", 8) != 0)
         return ms__fail(error, MS_BAD_DATA, 0, "not a model: it does not start with \"ms_gpr\" and a line end, or is cut short");
     if (ms_gpr__get(b + 8, 4) != 2)
@@ -2941,7 +2978,7 @@ MS_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_error *
     void *bytes;
     ms__file file;
     ms_status status;
-    if (gp == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp is NULL");
+    if (gp == NULL) return ms_gpr__null("gp", error);
     size = ms_gpr_save_size(gp);
     bytes = ms__alloc(&gp->allocator, size);
     if (bytes == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a file of %z bytes", size);
@@ -2962,7 +2999,7 @@ MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *option
     FILE *file;
     void *bytes;
     long size;
-    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
     if (path == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is NULL");
     file = fopen(path, "rb");
@@ -3027,7 +3064,7 @@ static ms_status ms_gpr__box(const ms_gpr *gp, const double *low, const double *
         ms_gpr__natural_range(gp, k, &a, &b);
         if (low) a = low[k];
         if (high) b = high[k];
-        if (!(fabs(a) <= MS_GPR__LARGEST) || !(fabs(b) <= MS_GPR__LARGEST) || b < a)
+        if (!ms__finite(a) || !ms__finite(b) || !(fabs(a) <= MS_GPR__LARGEST) || !(fabs(b) <= MS_GPR__LARGEST) || b < a)
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the box of dimension %d is [%g, %g]: expected low <= high", k, a, b);
         out_low[k] = a;
         out_width[k] = b - a;
@@ -3705,10 +3742,10 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
     value[3] = o->diversity, value[4] = o->avoid_distance, value[5] = o->max_candidates;
     for (i = 0; i < 6; ++i) {
         double most = i == 0 || i == 3 ? 1 : MS_GPR__LARGEST;
-        if (!(value[i] >= 0 && value[i] <= most))
+        if (!ms__finite(value[i]) || !(value[i] >= 0 && value[i] <= most))
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i], value[i], most);
     }
-    if (!(fabs(o->best) <= MS_GPR__LARGEST))
+    if (!ms__finite(o->best) || !(fabs(o->best) <= MS_GPR__LARGEST))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "best is %g: expected a score", o->best);
     if (!(o->tau > 0)) o->tau = 0.6;
     if (!(o->avoid_distance > 0)) o->avoid_distance = 0.15;
@@ -3721,7 +3758,7 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "search is %d: expected 0 to 2", (int)o->search);
     if (o->avoid_count > 0 && o->avoid == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "avoid is NULL with avoid_count %d", o->avoid_count);
     for (k = 0; o->steps && k < m; ++k)
-        if (!(o->steps[k] >= 0 && o->steps[k] <= MS_GPR__LARGEST))
+        if (!ms__finite(o->steps[k]) || !(o->steps[k] >= 0 && o->steps[k] <= MS_GPR__LARGEST))
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "steps[%d] is %g: expected a number of at least 0", k, o->steps[k]);
     return o->avoid_count > 0 ? ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error) : MS_OK;
 }
@@ -3755,8 +3792,8 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     int k;
     memset(h, 0, sizeof *h);
     if (report) *report = h->report;
-    if (gp == NULL || x == NULL || count < 1)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp or x is NULL, or count is %d: expected at least 1", count);
+    if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
+    if (count < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 1", count);
     status = ms_gpr__recommend_options(options, gp->m, &h->o, error);
     if (status != MS_OK) return status;
     if (h->o.skip > 0x7fffffff / 16 - count || count > 0x7fffffff / 16)
@@ -4019,8 +4056,8 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     memset(p, 0, sizeof *p);
     if (options != NULL) o = *options;
     else memset(&o, 0, sizeof o);
-    if (gp == NULL || x == NULL || count < 1 || count > 1000000)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp or x is NULL, or count is %d: expected 1 to 1000000", count);
+    if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
+    if (count < 1 || count > 1000000) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected 1 to 1000000", count);
     if (o.pool < 0 || o.pool > 10000000)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pool is %d: expected 0 to 10000000", o.pool);
     if ((int)o.kind < 0 || (int)o.kind > (int)MS_GPR_GALLERY_SPREAD)
@@ -4197,9 +4234,10 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered
     int i, k, l = o->dimensions ? o->dimensions : 2;
     ms_status status;
     *out = NULL;
-    if (z < 2 || z > MS_GPR__N_MAX || m < 1 || x == NULL || l < 1 || l > 3)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "z is %d, m %d, dimensions %d, or x is NULL: expected 2 to %d, at least 1, 1 to 3",
-                        z, m, l, MS_GPR__N_MAX);
+    if (x == NULL) return ms_gpr__null("x", error);
+    if (z < 2 || z > MS_GPR__N_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "z is %d: expected 2 to %d", z, MS_GPR__N_MAX);
+    if (m < 1 || l < 1 || l > 3)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d and dimensions %d: expected at least 1, and 1 to 3", m, l);
     status = ms_gpr__check_rows(x, z, m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
     p = (ms_gpr_latent *)ms__alloc(&o->allocator, sizeof *p);
@@ -4277,9 +4315,9 @@ MS_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const doubl
     ms_gpr_latent *p;
     ms_status status;
     int l;
-    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
-    if (latent == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "latent is NULL");
+    if (latent == NULL) return ms_gpr__null("latent", error);
     if (options) o = *options;
     else memset(&o, 0, sizeof o);
     l = o.dimensions ? o.dimensions : 2;
@@ -4297,21 +4335,26 @@ MS_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const doubl
     return status;
 }
 
-MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane) { return plane->z; }
-MS_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane) { return plane->latent; }
-MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane) { return plane->theta; }
-MS_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane) { return plane->jitter; }
+MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane) { return plane ? plane->z : 0; }
+MS_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane) { return plane ? plane->latent : NULL; }
+MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane) { return plane ? plane->theta : NULL; }
+MS_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane) { return plane ? plane->jitter : 0; }
 
 MS_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
                                               double *gradient_latent, ms_error *error)
 {
     const ms_gpr_latent *p = plane;
-    double sf2 = exp(2 * p->theta[p->l]), sn2 = exp(2 * p->theta[p->l + 1]), noise = sn2 + p->jitter * sf2, value = 0, gradient[5];
-    size_t doubles = ms__size_add(ms_gpr__embedding_doubles(p->z, p->m), (size_t)p->l * p->stride);
+    double sf2, sn2, noise, value = 0, gradient[5];
+    size_t doubles;
     ms_gpr__embedding e;
     double *slopes;
     void *block;
     int i, k, wanted = gradient_theta || gradient_latent, defined;
+    if (plane == NULL) return ms_gpr__null("plane", error);
+    sf2 = exp(2 * p->theta[p->l]);
+    sn2 = exp(2 * p->theta[p->l + 1]);
+    noise = sn2 + p->jitter * sf2;
+    doubles = ms__size_add(ms_gpr__embedding_doubles(p->z, p->m), (size_t)p->l * p->stride);
     slopes = ms_gpr__doubles(&p->allocator, doubles, &block);
     if (slopes == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", p->z);
     e = ms_gpr__embedding_make(p, slopes + (size_t)p->l * p->stride);
@@ -4368,8 +4411,8 @@ MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *lat
     ms_status status;
     void *block;
     int i;
-    if (plane == NULL || latent == NULL || count < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane or latent is NULL, or count is %d", count);
+    if (plane == NULL || latent == NULL) return ms_gpr__null(plane ? "latent" : "plane", error);
+    if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
     status = ms_gpr__check_rows(latent, count, plane->l, MS_GPR__LARGEST, "latent", error);
     if (status != MS_OK) return status;
     m = (size_t)plane->m;
@@ -4428,7 +4471,7 @@ MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x,
     ms_status status;
     void *block;
     int start, i, k, nearest;
-    if (p == NULL || x == NULL || latent == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane, x or latent is NULL");
+    if (p == NULL || x == NULL || latent == NULL) return ms_gpr__null(p == NULL ? "plane" : x ? "latent" : "x", error);
     status = ms_gpr__check_rows(x, 1, p->m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
     doubles = ms_gpr__minimize_doubles(p->l) + 2 * p->stride + p->columns;
@@ -4616,7 +4659,7 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     ms_status status;
     size_t doubles;
     void *block;
-    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
     if (options) o = *options;
     else memset(&o, 0, sizeof o);
@@ -4692,18 +4735,19 @@ MS_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution
 
 MS_API void ms_gpr_grid_point(const ms_gpr_grid *grid, int column, int row, double latent[2])
 {
+    if (grid == NULL || latent == NULL) return;
     latent[0] = grid->x0 + (grid->x1 - grid->x0) * column / (grid->columns - 1);
     latent[1] = grid->y0 + (grid->y1 - grid->y0) * row / (grid->rows - 1);
 }
 
 MS_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, double x, double y)
 {
-    double u = (x - grid->x0) / (grid->x1 - grid->x0) * (grid->columns - 1);
-    double v = (y - grid->y0) / (grid->y1 - grid->y0) * (grid->rows - 1);
+    double u = 0, v = 0;
     const double *p;
     int i, j;
-    u = u > 0 ? u < grid->columns - 1 ? u : grid->columns - 1 : 0; /* NaN: 0 */
-    v = v > 0 ? v < grid->rows - 1 ? v : grid->rows - 1 : 0;
+    if (grid == NULL || map == NULL) return 0;
+    if (x == x && x > grid->x0) u = (x < grid->x1 ? (x - grid->x0) / (grid->x1 - grid->x0) : 1) * (grid->columns - 1); /* NaN: 0 */
+    if (y == y && y > grid->y0) v = (y < grid->y1 ? (y - grid->y0) / (grid->y1 - grid->y0) : 1) * (grid->rows - 1);
     i = u < grid->columns - 2 ? (int)u : grid->columns - 2;
     j = v < grid->rows - 2 ? (int)v : grid->rows - 2;
     u -= i;
@@ -4714,8 +4758,8 @@ MS_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, doub
 
 static ms_status ms_gpr__grid_check(const ms_gpr_latent *plane, const ms_gpr_grid *grid, ms_error *error)
 {
-    if (plane == NULL || grid == NULL || plane->l != 2)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane or grid is NULL, or the latent space has not 2 dimensions");
+    if (plane == NULL || grid == NULL) return ms_gpr__null(plane ? "grid" : "plane", error);
+    if (plane->l != 2) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the latent space has %d dimensions: expected 2", plane->l);
     if (grid->columns < 2 || grid->rows < 2 || grid->columns > 32768 || grid->rows > 32768 || !ms__finite(grid->x0) ||
         !ms__finite(grid->y0) || !ms__finite(grid->x1) || !ms__finite(grid->y1) || !(grid->x0 < grid->x1) || !(grid->y0 < grid->y1))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a grid of %d x %d points from (%g, %g) to (%g, %g)", grid->columns, grid->rows,
@@ -4782,8 +4826,9 @@ MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr 
     ms_status status;
     void *block;
     int count, i;
-    if (gp == NULL || plane == NULL || gp->m != plane->m)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp or plane is NULL, or their materials have different dimensions");
+    if (gp == NULL || plane == NULL) return ms_gpr__null(gp ? "plane" : "gp", error);
+    if (gp->m != plane->m)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp has %d parameters and plane %d: expected the same", gp->m, plane->m);
     status = ms_gpr__grid_make(plane, grid, &x, &block, &doubles, error);
     if (status != MS_OK) return status;
     count = grid->columns * grid->rows;
@@ -4799,6 +4844,7 @@ MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_
     double sf2, at[2], *kernel;
     void *block;
     int row, column;
+    if (status == MS_OK && confidence == NULL) status = ms_gpr__null("confidence", error);
     if (status != MS_OK) return status;
     kernel = ms_gpr__doubles(&plane->allocator, plane->stride, &block);
     if (kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a row of the covariance matrix");
@@ -4817,8 +4863,10 @@ MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_
 
 static ms_status ms_gpr__similarity_check(const ms_gpr_latent *plane, const ms_gpr_similarity *s, ms_error *error)
 {
-    if (plane == NULL || s == NULL || s->x == NULL || !ms__finite(s->scale) || s->scale < 0 || (s->pixels > 0 && s->render == NULL))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "plane, similarity, its x or its render is NULL, or its scale is below 0");
+    if (plane == NULL || s == NULL) return ms_gpr__null(plane ? "similarity" : "plane", error);
+    if (s->x == NULL || (s->pixels > 0 && s->render == NULL)) return ms_gpr__null(s->x ? "similarity->render" : "similarity->x", error);
+    if (!ms__finite(s->scale) || s->scale < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "similarity->scale is %g: expected at least 0", s->scale);
     return ms_gpr__check_rows(s->x, 1, plane->m, MS_GPR__LARGEST, "reference", error);
 }
 
@@ -4867,6 +4915,7 @@ MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_
     void *block;
     int count, i;
     ms_status status = ms_gpr__similarity_check(plane, similarity, error);
+    if (status == MS_OK && map == NULL) status = ms_gpr__null("map", error);
     if (status == MS_OK) status = ms_gpr__grid_make(plane, grid, &x, &block, &doubles, error);
     if (status != MS_OK) return status;
     status = ms_gpr__pictures(plane, similarity, &pictures, error);
@@ -4884,6 +4933,7 @@ MS_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference
                                    const double *similarity, double *product)
 {
     int row, column;
+    if (grid == NULL || preference == NULL || similarity_grid == NULL || similarity == NULL || product == NULL) return;
     for (row = 0; row < grid->rows; ++row)
         for (column = 0; column < grid->columns; ++column) {
             size_t i = (size_t)row * (size_t)grid->columns + (size_t)column;
@@ -4976,9 +5026,12 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
     int row, column, i;
     if (status == MS_OK) status = ms_gpr__similarity_check(plane, similarity, error);
     if (status != MS_OK) return status;
-    if (gp == NULL || gp->m != plane->m || lambda == NULL || variant == NULL || count < 1 || !ms__finite(best) || best < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp, lambda or variant is NULL, gp has another m than plane, count is %d, best %g",
-                        count, best);
+    if (gp == NULL || lambda == NULL || variant == NULL)
+        return ms_gpr__null(gp == NULL ? "gp" : lambda ? "variant" : "lambda", error);
+    if (gp->m != plane->m)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp has %d parameters and plane %d: expected the same", gp->m, plane->m);
+    if (count < 1 || !ms__finite(best) || best < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d and best %g: expected at least 1, and at least 0", count, best);
     for (i = 0; i < count; ++i)
         if (!ms__finite(lambda[i]) || lambda[i] < 0 || lambda[i] > 1)
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "lambda[%d] is %g: expected 0 to 1", i, lambda[i]);

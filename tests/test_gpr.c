@@ -966,6 +966,49 @@ static void test_refusals(void)
     ms_gpr_destroy(NULL);
 }
 
+/* NULL where nothing says what it means: a status and the argument's name, or nothing. */
+static void test_null(void)
+{
+    double x[2] = {0.5, 0.5}, y[1] = {1}, theta[4] = {0, 0, 0, 0}, out[4];
+    float xf[2] = {0.5f, 0.5f}, mf;
+    ms_error error;
+    ms_gpr *gp = make(x, y, 1, 2, theta, NULL), *other;
+#define REFUSES(call, name) CHECK_INT(call, MS_INVALID_ARGUMENT); CHECK(strcmp(error.message, name " is NULL") == 0)
+    REFUSES(ms_gpr_create(NULL, y, 1, 2, theta, NULL, &other, &error), "x");
+    REFUSES(ms_gpr_create(x, NULL, 1, 2, theta, NULL, &other, &error), "y");
+    REFUSES(ms_gpr_create(x, y, 1, 2, NULL, NULL, &other, &error), "theta");
+    REFUSES(ms_gpr_create(x, y, 1, 2, theta, NULL, NULL, &error), "out");
+    REFUSES(ms_gpr_fit(x, NULL, 1, 2, NULL, &other, NULL, &error), "y");
+    REFUSES(ms_gpr_set_theta(NULL, theta, &error), "gp");
+    REFUSES(ms_gpr_set_theta(gp, NULL, &error), "theta");
+    REFUSES(ms_gpr_append(NULL, x, 1, &error), "gp");
+    REFUSES(ms_gpr_append(gp, NULL, 1, &error), "x");
+    REFUSES(ms_gpr_rescore(NULL, 0, 1, &error), "gp");
+    REFUSES(ms_gpr_drop(NULL, 0, &error), "gp");
+    REFUSES(ms_gpr_simplify(NULL, 0, NULL, &error), "gp");
+    REFUSES(ms_gpr_likelihood(NULL, out, NULL, &error), "gp");
+    REFUSES(ms_gpr_leave_one_out(NULL, out, NULL, NULL, &error), "gp");
+    REFUSES(ms_gpr_predict(NULL, x, 1, out, NULL, &error), "gp");
+    REFUSES(ms_gpr_predict(gp, NULL, 1, out, NULL, &error), "x");
+    REFUSES(ms_gpr_predict_f(NULL, xf, 1, &mf, &error), "gp");
+    REFUSES(ms_gpr_predict_f(gp, NULL, 1, &mf, &error), "x");
+    REFUSES(ms_gpr_predict_f(gp, xf, 1, NULL, &error), "mean");
+    REFUSES(ms_gpr_gradient(NULL, x, out, NULL, NULL, NULL, &error), "gp");
+    REFUSES(ms_gpr_gradient(gp, NULL, out, NULL, NULL, NULL, &error), "x");
+    REFUSES(ms_gpr_load(NULL, 100, NULL, &other, &error), "bytes");
+    REFUSES(ms_gpr_save_file(NULL, "build/none", &error), "gp");
+#undef REFUSES
+    CHECK(ms_gpr_count(NULL) == 0 && ms_gpr_dimensions(NULL) == 0 && ms_gpr_theta(NULL) == NULL && ms_gpr_inputs(NULL) == NULL);
+    CHECK(ms_gpr_scores(NULL) == NULL && ms_gpr_save_size(NULL) == 0 && ms_gpr_level(NULL) == MS_SIMD_AUTO);
+    CHECK_NEAR(ms_gpr_mean(NULL) + ms_gpr_jitter(NULL) + ms_gpr_floor(NULL) + ms_gpr_floor_value(NULL), 0, 0);
+    CHECK_NEAR(ms_gpr_mean(gp), 0, 0);
+    ms_gpr_relevance(NULL, out);
+    ms_gpr_relevance(gp, NULL);
+    ms_gpr_save(NULL, out);
+    ms_gpr_save(gp, NULL);
+    ms_gpr_destroy(gp);
+}
+
 static void test_allocations(void)
 {
     enum { N = 12, M = 2 };
@@ -1266,7 +1309,7 @@ static const test_case cases[] = {
     {"magnitudes", test_magnitudes}, {"priors", test_priors}, {"rescore", test_rescore}, {"simplify", test_simplify},
     {"small", test_small},             {"duplicates", test_duplicates},   {"constant", test_constant},
     {"units", test_units},             {"dimensions", test_dimensions},   {"refusals", test_refusals},
-    {"allocations", test_allocations},           {"files", test_files},             {"table_3_2", test_table_3_2},
+    {"null", test_null},                 {"allocations", test_allocations},           {"files", test_files},             {"table_3_2", test_table_3_2},
     {"fresh_users", test_fresh_users}, {"few_scores", test_few_scores},
     {"scales", test_scales},           {"wrong_answers", test_wrong_answers}, {"two_thousand", test_two_thousand}};
 TEST_MAIN(cases)
