@@ -43,46 +43,33 @@
 
    In the caller's order
    ---------------------
-   1. Scores: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them. ms_gpr_append and ms_gpr_drop change one
-      score at the cost of n^2. Another round of scores: concatenate, and fit again.
-   2. What was learned: ms_gpr_predict, ms_gpr_gradient, ms_gpr_relevance, ms_gpr_leave_one_out; ms_gpr_simplify leaves
+   1. Materials to be scored: ms_gpr_gallery, in batches of 5 to 25, from the first (a model of n = 0) to the last.
+   2. Scores: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them. ms_gpr_append, ms_gpr_rescore and ms_gpr_drop
+      change one score at the cost of n^2. Another round of scores: concatenate, and fit again.
+   3. What was learned: ms_gpr_predict, ms_gpr_gradient, ms_gpr_relevance, ms_gpr_leave_one_out; ms_gpr_simplify leaves
       out what a scene does not need; ms_gpr_save and ms_gpr_load keep it.
-   3. New materials: ms_gpr_recommend. The next gallery to be scored: ms_gpr_gallery.
-   4. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane, ms_gpr_latent_map leads
+   4. New materials: ms_gpr_recommend.
+   5. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane, ms_gpr_latent_map leads
       from the plane to materials; ms_gpr_map_preference and its sisters colour it; ms_gpr_variants finds the best ones.
 
    What it costs
    -------------
-   One core of an AMD EPYC with AVX2, `make bench FILTER=gpr`; scores of one synthetic user.
-
-     n = 250, m = 19                        scalar     base     avx2
-     log likelihood and gradient, ms          2.30     1.50     0.57
-     means a second, f64, millions            0.36     0.60     2.24
-     means a second, f32, millions            0.55     1.52     5.46     error 3e-5 of scores to 10
-     means and variances, millions            0.08     0.13     0.41
-     n = 500, m = 38: likelihood, ms         17.59    11.73     4.48
-
-     Jensen-Shannon divergence from the true preference and time of a fit, m = 19, mean of 10 users
-                                   n = 50          100           150           250           500
-     default (MAP)              0.253,  3 ms  0.139, 10 ms  0.058, 25 ms  0.038,  92 ms  0.017,  659 ms
-     MAP, no floor offset       0.271,  3 ms  0.202, 10 ms  0.102, 24 ms  0.080,  91 ms  0.049,  669 ms
-     L-BFGS, ML, 3 starts       0.318,  4 ms  0.207, 17 ms  0.109, 45 ms  0.084, 182 ms  0.051, 1287 ms
-     RProp, 100 evaluations     0.273,  2 ms  0.205,  7 ms  0.107, 16 ms  0.084,  61 ms  0.051,  418 ms
-     two classes liked: default 0.372,  2 ms  0.251, 10 ms  0.198, 25 ms  0.125,  94 ms  0.082,  668 ms
-     two classes liked: RProp   0.415,  2 ms  0.303,  7 ms  0.242, 16 ms  0.179,  61 ms  0.145,  413 ms
-
-   The first four rows are of users who like one class of materials. Two ask for more than one length a dimension can say: with
-   the true preference for scores, and no floor at 0, the default reaches 0.096 at n = 250.
+   A likelihood with gradient takes n^3 / 2 + n^2 m multiply-adds, and a fit some 20 of them on all scores and 150 on a third; a mean n m,
+   with its variance n^2 / 2 more. 300 recommendations take 30 to 150 thousand means, more the rarer they are. Figures and what fits are
+   worth: tests/bench/RESULTS.md, made by `make bench`. Active galleries are worth the most: after 80 to 100 scores of theirs
+   recommendations are as good as after 250 uniform ones. Users who like several classes of material ask for more than one length a
+   dimension can say, and those who like one material in fifty for the luck of finding the first.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   A model is two blocks from its allocator, n^2 + 3 n m doubles; a fit takes another of 3 n^2 and gives it back. Calls that
-   predict take one block of scratch. No globals; 10 KB of stack.
+   A model is two blocks from its allocator, n^2 + 3 n m doubles; a fit takes another of 4 n^2 and gives it back. Calls that
+   predict take one block of scratch. No globals; 12 KB of stack.
    A model is only read by const calls: they may overlap. ms_parallel shares out predictions, recommendations and galleries.
-   Kernels are scalar, SSE2 or NEON, or AVX2 text, chosen once a model, capped by options.simd. AVX-512 brought 4 to 8% and
-   was left out.
-   The same bits for any thread count and in every run at one level; levels differ by rounding, which a fit may turn into
-   another path to the same optimum. -ffast-math by the user voids all promises.
+   Kernels are scalar, SSE2 or NEON, or AVX2 text, chosen once a model, capped by options.simd. AVX-512 brought too little
+   and was left out.
+   The same bits for any thread count and in every run at one level of one build; levels, and builds that fuse multiply-adds
+   differently, differ by rounding, which a fit may turn into another path to the same optimum. -ffast-math by the user voids
+   all promises.
    Calls return ms_status and fill an optional ms_error; outputs are untouched on failure, but where the call says otherwise.
 
    Configuration (define before the implementation)
@@ -95,17 +82,17 @@
 
    Limits
    ------
-   n up to 30000 by memory; time grows with n^3: a likelihood with gradient takes 0.35 s at n = 2000, and a fit some 150 of
-   them. The kernel is the squared exponential with one length a dimension: preferences that jump are smoothed.
-   Values that are not finite are refused with their row. Distances are direct differences of centred inputs, so that
-   near-duplicates and offsets of 1e8 cost no digits. Where K' is not positive definite in double precision, the least
-   jitter that helps is added and reported by ms_gpr_jitter.
+   n up to 30000 by memory; time grows with n^3. The kernel is the squared exponential with one length a dimension: preferences
+   that jump are smoothed. Values that are not finite or beyond 1e30 are refused with their row, columns and scores that span less
+   than 1e-30 by name. Distances are direct differences of centred inputs, so that near-duplicates and offsets of 1e8 cost no
+   digits. Where K' is not positive definite in double precision, the least jitter that helps is added and reported by
+   ms_gpr_jitter.
 
    Sources
    -------
    K. Zsolnai-Feher, Photorealistic Material Learning and Synthesis, TU Wien 2019, chapter 3 (numbers in brackets are its
    equations, misprints corrected); Rasmussen & Williams 2006, Gaussian Processes for Machine Learning; Nocedal & Wright
-   2006, Numerical Optimization; Riedmiller & Braun 1992; Moller 1993; Lawrence 2004; Neal 2003, Slice sampling.
+   2006, Numerical Optimization; Lawrence 2004; Neal 2003, Slice sampling; Au & Beck 2001, subset simulation.
 */
 #ifndef MS_GPR_H
 #define MS_GPR_H
@@ -328,7 +315,7 @@ typedef struct ms_gpr_fit_options {
     ms_simd simd;
     ms_allocator allocator;
     ms_parallel parallel;   /* kept by the model for what it says in ms_gpr_options; the fit runs on the calling thread */
-    ms_progress progress;   /* asked before every evaluation: 1 ms at n = 250, 0.1 s at n = 2000 */
+    ms_progress progress;   /* asked before every evaluation */
 } ms_gpr_fit_options;
 
 typedef struct ms_gpr_fit_report {
