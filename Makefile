@@ -5,6 +5,7 @@
 #   make check      tests that need a C compiler only, a minute or two
 #   make test       all tests
 #   make bench      speed against error: tables and plots in build/bench/, peers where they are installed
+#   make bench-gpu  milliseconds of the shaders on this machine's GPU (EGL)
 #   make sanitize, check-style, thread, valgrind, fuzz, soak     other ways to run the tests
 #   make mutate    do the tests notice when a line changes? (HEADER, COUNT, SEED)
 #   make coverage  lines and branches that the tests of each header reach (gcov)
@@ -123,6 +124,14 @@ sizes:
 bench: all sizes
 	@CC="$(CC)" CFLAGS="$(CFLAGS)" sh tests/bench/run.sh
 
+# Of OpenGL through EGL; not among the examples that need a C compiler only.
+build/engine: examples/gl/engine.c examples/gl/egl.h $(IMAGE) ms_sss.h
+	@mkdir -p build && $(COMPILE) -Iexamples -o $@ examples/gl/engine.c -lEGL $(LDLIBS)
+build/bench_gpu: tests/bench/gpu_sss.c examples/gl/egl.h tests/bench/bench.h ms_sss.h
+	@mkdir -p build && $(COMPILE) -D_POSIX_C_SOURCE=200809L -Iexamples -Itests/bench -o $@ tests/bench/gpu_sss.c -lEGL $(LDLIBS)
+bench-gpu: build/bench_gpu
+	@build/bench_gpu
+
 dataset:
 	@CC="$(CC)" sh tests/render/dataset.sh
 hero: build/recommend
@@ -136,4 +145,4 @@ common:
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench dataset hero train common clean
+.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu dataset hero train common clean

@@ -1,110 +1,11 @@
 /* The shader texts of ms_sss.h against the filter on the CPU: GLSL and compute through EGL without a window, on a software
    rasteriser where there is no GPU; OpenGL ES (as WebGL 2) and WGSL in a headless Chromium where it is installed; every
    text through glslangValidator where that is.   libraries: -lEGL */
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-#include <GLES3/gl31.h>
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "test.h"
-
-/* --- OpenGL through EGL alone --- */
-
-#define GL_LIST(X)                                                                                                     \
-    X(void, ActiveTexture, (GLenum))                                                                                   \
-    X(void, AttachShader, (GLuint, GLuint))                                                                            \
-    X(void, BindFramebuffer, (GLenum, GLuint))                                                                         \
-    X(void, BindImageTexture, (GLuint, GLuint, GLint, GLboolean, GLint, GLenum, GLenum))                               \
-    X(void, BindTexture, (GLenum, GLuint))                                                                             \
-    X(void, BindVertexArray, (GLuint))                                                                                 \
-    X(void, BlendFunc, (GLenum, GLenum))                                                                               \
-    X(GLenum, CheckFramebufferStatus, (GLenum))                                                                        \
-    X(void, CompileShader, (GLuint))                                                                                   \
-    X(GLuint, CreateProgram, (void))                                                                                   \
-    X(GLuint, CreateShader, (GLenum))                                                                                  \
-    X(void, DeleteProgram, (GLuint))                                                                                   \
-    X(void, DeleteTextures, (GLsizei, const GLuint *))                                                                 \
-    X(void, Disable, (GLenum))                                                                                         \
-    X(void, DispatchCompute, (GLuint, GLuint, GLuint))                                                                 \
-    X(void, DrawArrays, (GLenum, GLint, GLsizei))                                                                      \
-    X(void, Enable, (GLenum))                                                                                          \
-    X(void, FramebufferTexture2D, (GLenum, GLenum, GLenum, GLuint, GLint))                                             \
-    X(void, GenFramebuffers, (GLsizei, GLuint *))                                                                      \
-    X(void, GenTextures, (GLsizei, GLuint *))                                                                          \
-    X(void, GenVertexArrays, (GLsizei, GLuint *))                                                                      \
-    X(void, GetProgramInfoLog, (GLuint, GLsizei, GLsizei *, GLchar *))                                                 \
-    X(void, GetProgramiv, (GLuint, GLenum, GLint *))                                                                   \
-    X(void, GetShaderInfoLog, (GLuint, GLsizei, GLsizei *, GLchar *))                                                  \
-    X(const GLubyte *, GetString, (GLenum))                                                                            \
-    X(GLint, GetUniformLocation, (GLuint, const GLchar *))                                                             \
-    X(void, LinkProgram, (GLuint))                                                                                     \
-    X(void, MemoryBarrier, (GLbitfield))                                                                               \
-    X(void, ReadPixels, (GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *))                                      \
-    X(void, ShaderSource, (GLuint, GLsizei, const GLchar *const *, const GLint *))                                     \
-    X(void, TexImage2D, (GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void *))                 \
-    X(void, TexParameteri, (GLenum, GLenum, GLint))                                                                    \
-    X(void, Uniform1i, (GLint, GLint))                                                                                 \
-    X(void, Uniform4fv, (GLint, GLsizei, const GLfloat *))                                                             \
-    X(void, UseProgram, (GLuint))                                                                                      \
-    X(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
-
-#define GL_POINTER(type, name, arguments) static type(*gl_##name) arguments;
-GL_LIST(GL_POINTER)
-#define GL_ASSIGN(type, name, arguments) gl_##name = (type(*) arguments)eglGetProcAddress("gl" #name);
-#define GL_MISSING(type, name, arguments) || gl_##name == NULL
-
-typedef enum api { API_GL_33, API_ES_30, API_GL_43 } api;
-
-/* A context of the API without a window. */
-static int gl_open(api which)
-{
-    static const EGLint attributes[3][7] = {
-        {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE},
-        {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE, 0, 0, 0, 0},
-        {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE}};
-    EGLDisplay display;
-    EGLContext context;
-    PFNEGLGETPLATFORMDISPLAYEXTPROC get = (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
-    GLuint object;
-    if (!get) return 0;
-    display = get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-    if (display == EGL_NO_DISPLAY || !eglInitialize(display, NULL, NULL)) return 0;
-    if (!eglBindAPI(which == API_ES_30 ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return 0;
-    context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes[which]);
-    if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return 0;
-    GL_LIST(GL_ASSIGN)
-    if (0 GL_LIST(GL_MISSING)) return 0;
-    gl_GenVertexArrays(1, &object);
-    gl_BindVertexArray(object);
-    gl_GenFramebuffers(1, &object);
-    gl_BindFramebuffer(GL_FRAMEBUFFER, object);
-    return 1;
-}
-
-static GLuint gl_texture(int unit, int width, int height, int channels, const float *pixels)
-{
-    GLuint texture;
-    gl_GenTextures(1, &texture);
-    gl_ActiveTexture((GLenum)(GL_TEXTURE0 + unit));
-    gl_BindTexture(GL_TEXTURE_2D, texture);
-    gl_TexImage2D(GL_TEXTURE_2D, 0, channels == 4 ? GL_RGBA32F : GL_R32F, width, height, 0, channels == 4 ? GL_RGBA : GL_RED,
-                  GL_FLOAT, pixels);
-    gl_TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl_TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    return texture;
-}
-
-static GLuint gl_stage(GLuint program, GLenum type, const char *text)
-{
-    char log[2000];
-    GLuint shader = gl_CreateShader(type);
-    gl_ShaderSource(shader, 1, &text, NULL);
-    gl_CompileShader(shader);
-    gl_AttachShader(program, shader);
-    gl_GetShaderInfoLog(shader, sizeof log, NULL, log);
-    if (log[0]) TEST_FAIL("%.600s", log);
-    return shader;
-}
+#include "gl/egl.h"
+#include "image.h"
 
 /* --- a small picture: a bump over a tilted plane; three materials and none; holes, NaN and infinity --- */
 
@@ -297,23 +198,22 @@ static const char *const texture_name[7] = {"ms_sss_colour", "ms_sss_depth", "ms
                                             "ms_sss_profile", "ms_sss_sum", "ms_sss_normal"};
 enum { COLOUR, DEPTH, STRENGTH, INPUT, PROFILE, SUM, NORMAL, PREPARED, MIDDLE, RESULT, TEXTURES };
 
-static GLuint gl_program(const ms_sss_shader *shader, const ms_sss_filter_options *o)
+/* A program without a word from the driver. */
+static GLuint gl_silent(const char *corner, const char *shader)
 {
-    static const char *const corner[2] = {
-        "#version 330\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n",
-        "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n"};
-    GLuint program = gl_CreateProgram();
     char log[2000];
-    int linked = 0, i;
+    GLuint program = gl_program(corner, shader, log, sizeof log);
+    if (log[0] || !program) TEST_FAIL("%.600s", log);
+    return program;
+}
+
+static GLuint gl_step(const ms_sss_shader *shader, const ms_sss_filter_options *o)
+{
+    GLuint program;
+    int i;
     ms_error error;
     if (!ms_sss_shader_text(shader, o, text, sizeof text, &error)) TEST_FAIL("%s", error.message);
-    if (!shader->compute) gl_stage(program, GL_VERTEX_SHADER, corner[shader->language]);
-    gl_stage(program, shader->compute ? GL_COMPUTE_SHADER : GL_FRAGMENT_SHADER, text);
-    gl_LinkProgram(program);
-    gl_GetProgramiv(program, GL_LINK_STATUS, &linked);
-    gl_GetProgramInfoLog(program, sizeof log, NULL, log);
-    if (!linked) TEST_FAIL("%.600s", log);
-    gl_UseProgram(program);
+    program = gl_silent(shader->compute ? NULL : gl_corner[shader->language], text);
     for (i = 0; i < 7; ++i) {
         GLint at = gl_GetUniformLocation(program, texture_name[i]);
         if (at >= 0) gl_Uniform1i(at, i ? i : shader->step == MS_SSS_STEP_Y ? MIDDLE : shader->step == MS_SSS_STEP_X && shader->prepared ? PREPARED : COLOUR);
@@ -349,21 +249,21 @@ static double gl_compare(one_case *t)
     ms_error error;
     int term, i;
     make_reference(t);
-    texture[COLOUR] = gl_texture(COLOUR, WIDTH, HEIGHT, 4, input);
-    texture[DEPTH] = gl_texture(DEPTH, WIDTH, HEIGHT, 1, depth);
-    texture[STRENGTH] = gl_texture(STRENGTH, WIDTH, HEIGHT, 1, strength);
-    texture[INPUT] = gl_texture(INPUT, WIDTH, HEIGHT, 4, input);
-    texture[PROFILE] = gl_texture(PROFILE, WIDTH, HEIGHT, 1, index_of);
-    texture[NORMAL] = gl_texture(NORMAL, WIDTH, HEIGHT, 4, normal);
+    texture[COLOUR] = gl_texture(COLOUR, GL_RGBA32F, WIDTH, HEIGHT, input);
+    texture[DEPTH] = gl_texture(DEPTH, GL_R32F, WIDTH, HEIGHT, depth);
+    texture[STRENGTH] = gl_texture(STRENGTH, GL_R32F, WIDTH, HEIGHT, strength);
+    texture[INPUT] = gl_texture(INPUT, GL_RGBA32F, WIDTH, HEIGHT, input);
+    texture[PROFILE] = gl_texture(PROFILE, GL_R32F, WIDTH, HEIGHT, index_of);
+    texture[NORMAL] = gl_texture(NORMAL, GL_RGBA32F, WIDTH, HEIGHT, normal);
     for (i = 0; i < TEXTURES; ++i)
-        if (i == SUM || i >= PREPARED) texture[i] = gl_texture(i, WIDTH, HEIGHT, 4, NULL);
+        if (i == SUM || i >= PREPARED) texture[i] = gl_texture(i, GL_RGBA32F, WIDTH, HEIGHT, NULL);
     for (term = 0; term < t->terms; ++term) {
         if (ms_sss_shader_constants(t->kernel, term, &t->options, WIDTH, HEIGHT, s, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
         for (i = term || !s->prepared; i < 3; ++i) { /* PREPARE once, then X and Y */
             GLuint program, target;
             s->step = i == 0 ? MS_SSS_STEP_PREPARE : i == 1 ? MS_SSS_STEP_X : MS_SSS_STEP_Y;
             s->later = s->compute && i == 2 && term > 0;
-            program = gl_program(s, &t->options);
+            program = gl_step(s, &t->options);
             target = texture[i == 0 ? PREPARED : i == 1 ? MIDDLE : s->compute && term % 2 ? SUM : RESULT];
             if (s->later) gl_Uniform1i(gl_GetUniformLocation(program, texture_name[SUM]), term % 2 ? RESULT : SUM);
             if (s->compute) gl_compute(s, target);
@@ -379,16 +279,16 @@ static double gl_compare(one_case *t)
     return difference();
 }
 
-static void compare_all(api which, int count)
+static void compare_all(gl_api which, int count)
 {
     double worst = 0, worst_wider = 0;
     int i;
-    if (!gl_open(which)) SKIP("no %s context without a window", which == API_ES_30 ? "OpenGL ES 3.0" : which == API_GL_33 ? "OpenGL 3.3" : "OpenGL 4.3");
+    if (!gl_open(which)) SKIP("no %s context without a window", which == GL_API_ES_30 ? "OpenGL ES 3.0" : which == GL_API_33 ? "OpenGL 3.3" : "OpenGL 4.3");
     make_picture();
     for (i = 0; i < count; ++i) {
         one_case t;
         double e, *w;
-        make_case(&t, i, which == API_ES_30 ? MS_SSS_GLSL_ES_300 : MS_SSS_GLSL_330, which == API_GL_43, which == API_ES_30 ? 1 : 3);
+        make_case(&t, i, which == GL_API_ES_30 ? MS_SSS_GLSL_ES_300 : MS_SSS_GLSL_330, which == GL_API_43, which == GL_API_ES_30 ? 1 : 3);
         e = gl_compare(&t);
         w = tolerance_of(&t) > GPU_TOLERANCE ? &worst_wider : &worst;
         if (!(e <= tolerance_of(&t))) TEST_FAIL("case %d (depth %d, profile %d, depth mode %d, flat %g, normal %d, turned %d): %g", i, (int)t.shader.depth,
@@ -398,9 +298,9 @@ static void compare_all(api which, int count)
     TEST_NOTE("%s: largest difference %.1e, with slopes, turned axes or two numbers in one %.1e", (const char *)gl_GetString(GL_RENDERER), worst, worst_wider);
 }
 
-static void case_desktop(void) { compare_all(API_GL_33, test_full ? 360 : 36); }
-static void case_es(void) { compare_all(API_ES_30, test_full ? 360 : 12); }
-static void case_compute(void) { compare_all(API_GL_43, test_full ? 360 : 24); }
+static void case_desktop(void) { compare_all(GL_API_33, test_full ? 360 : 36); }
+static void case_es(void) { compare_all(GL_API_ES_30, test_full ? 360 : 12); }
+static void case_compute(void) { compare_all(GL_API_43, test_full ? 360 : 24); }
 
 /* What the light loop's function returns for column x and row y of a picture, as a fragment shader. */
 static const char *transmission_shader(ms_sss_language language)
@@ -553,7 +453,7 @@ static void case_bleeding(void)
     one_case t;
     int i, c;
     double worst = 0;
-    if (!gl_open(API_GL_33)) SKIP("no OpenGL 3.3 context without a window");
+    if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
     make_picture();
     make_case(&t, 4, MS_SSS_GLSL_330, 0, 1);
     t.shader.depth = MS_SSS_NONE;
@@ -622,19 +522,14 @@ static void case_constants(void)
 
 static void case_transmission(void)
 {
-    static const char corner[] = "#version 330\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n";
-    GLuint program, texture;
+    GLuint texture;
     ms_sss_kernel k;
     double worst = 0, most = 0;
     int x, y, c;
     CHECK_INT(ms_sss_transmission_text((ms_sss_language)9, NULL, 0), 0);
-    if (!gl_open(API_GL_33)) SKIP("no OpenGL 3.3 context without a window");
-    program = gl_CreateProgram();
-    gl_stage(program, GL_VERTEX_SHADER, corner);
-    gl_stage(program, GL_FRAGMENT_SHADER, transmission_shader(MS_SSS_GLSL_330));
-    gl_LinkProgram(program);
-    gl_UseProgram(program);
-    texture = gl_texture(0, WIDTH, HEIGHT, 4, NULL);
+    if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
+    gl_silent(gl_corner[0], transmission_shader(MS_SSS_GLSL_330));
+    texture = gl_texture(0, GL_RGBA32F, WIDTH, HEIGHT, NULL);
     gl_draw(texture, 0);
     gl_ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, drawn);
     memset(&k, 0, sizeof k);
@@ -658,6 +553,31 @@ static void case_transmission(void)
     CHECK(most > 1);
     CHECK_NEAR(worst, 0, 2e-5); /* exp of the rasteriser to 1e-6, times 1 / (1 - R) where the slab hardly absorbs */
     TEST_NOTE("largest difference %.1e", worst);
+}
+
+/* The engine's sample runs, and the cloth beside the glowing wax stays as dark as it is far away. */
+static void case_engine(void)
+{
+    const char *problem;
+    image im;
+    int x, k, found, c;
+    if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
+    if (system("${CC:-cc} -std=c99 -O1 -D_POSIX_C_SOURCE=200809L -I. -Iexamples examples/gl/engine.c -o build/engine -lEGL -lm && build/engine build/engine.png") != 0)
+        TEST_FAIL("examples/gl/engine.c does not build or run");
+    problem = image_read("build/engine.png", &im);
+    if (problem) TEST_FAIL("build/engine.png: %s", problem);
+    CHECK_INT(im.width, 960);
+    CHECK_INT(im.height, 540);
+    for (x = 744; !problem && x < 800; ++x) {
+        const float *here = im.pixels + 3 * (318 * 960 + x);
+        for (found = 0, k = 0; k < 200 && !found; ++k) { /* the cloth's own colours, from the top of the picture */
+            const float *far_away = im.pixels + 3 * (20 * 960 + k);
+            for (found = 1, c = 0; c < 3; ++c) found &= fabs((double)here[c] - (double)far_away[c]) < 0.5 / 255;
+        }
+        if (!found) TEST_FAIL("column %d: %g %g %g is not cloth", x, (double)here[0], (double)here[1], (double)here[2]);
+    }
+    if (!problem) CHECK((double)im.pixels[3 * (318 * 960 + 640)] > 0.5); /* wax */
+    if (!problem) image_free(&im);
 }
 
 /* --- every text is valid --- */
@@ -735,6 +655,7 @@ static const test_case cases[] = {
     {"nothing crosses between materials", case_bleeding},
     {"layout of the constants", case_constants},
     {"transmission in a light loop", case_transmission},
+    {"examples/gl/engine.c", case_engine},
     {"GLSL 330 is valid", case_glsl},
     {"GLSL ES 300 is valid", case_glsl_es},
     {"GLSL 430 compute is valid", case_glsl_compute},
