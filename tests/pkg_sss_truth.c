@@ -157,7 +157,7 @@ static void check_order(scene_object object, const char *name, int samples)
         truth_error e;
         if (truth_models[i].model != MS_SSS_PREINTEGRATED && truth_models[i].model != MS_SSS_IMAGE_OPTIMAL) continue;
         CHECK(truth_kernel(designer, &truth_models[i], &kernel) == MS_OK);
-        CHECK(truth_filter(&t, &kernel, truth_models[i].sigma, &picture) == MS_OK);
+        CHECK(truth_filter(&t, &kernel, truth_models[i].sigma, 1, &picture) == MS_OK);
         e = truth_compare(&t, &picture);
         TEST_NOTE("%s %.1f", truth_models[i].name, e.psnr);
         if (!(exact.relative < e.relative && e.relative < unfiltered.relative))

@@ -1,5 +1,6 @@
-/* Pictures filtered by every kernel model of ms_sss.h against a random walk through the bust (skin1) and the knot
-   (marble): a table of PSNR in build/bench/sss_truth.md and .csv, and the pictures.
+/* Pictures of ms_sss.h and its peers against random walks through a bust, a knot and a thin bowl, of four materials, lit
+   from three sides: tables in build/bench/sss_truth.md, everything in sss_truth.csv, some pictures. The walks take a quarter
+   of an hour on one core and are kept in build/truth.
    peer libraries: -lembree3 -lembree4 */
 #include "bench.h"
 #if defined(HAVE_EMBREE3) || defined(HAVE_EMBREE4)
@@ -7,133 +8,178 @@
 #include "ms_sss.h"
 #include "render/truth.h"
 
-enum { ROWS = TRUTH_MODELS + 3, SCENES = 4, SIGMAS = 7, SWEPT = 2 };
+enum { OBJECTS = 3, METHODS = 16, SHOWN = 8 };
+static const char *const object_name[OBJECTS] = {"bust", "knot", "bowl"};
+static const char *const substance_name[TRUTH_SUBSTANCES] = {"skin1", "marble", "cream", "ketchup"};
+static const char *const lamp_name[TRUTH_LAMPS] = {"front", "side", "behind"};
+static const int walks[TRUTH_SUBSTANCES] = {256, 96, 32, 256}; /* noise under 1% of the error after halves are split */
 
-/* The first two scenes fill the table of kernels, all the one of depth sigmas. */
+typedef enum method_kind { UNFILTERED, SEPARABLE, PYRAMID, DISC, GATHER, MESH } method_kind;
+
 static const struct {
     const char *name;
-    scene_object object;
-    truth_substance substance;
-    int walks;
-} scenes[SCENES] = {{"bust, skin1", SCENE_BUST, TRUTH_SKIN, 256},
-                    {"knot, marble", SCENE_KNOT, TRUTH_MARBLE, 256},
-                    {"bust, marble", SCENE_BUST, TRUTH_MARBLE, 64},
-                    {"knot, skin1", SCENE_KNOT, TRUTH_SKIN, 64}};
-static const double sigmas[SIGMAS] = {0.06, 0.085, TRUTH_SIGMA, 0.17, 0.24, 0.333, 0.5};
-static const truth_model swept[SWEPT] = {{"pre-integrated", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0, 0},
-                                         {"image-optimal, 7 taps", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, 0}};
+    method_kind kind;
+    ms_sss_model model;
+    int taps, through, back;
+    float flat;
+    const char *reads;
+} methods[METHODS] = {
+    {"unfiltered", UNFILTERED, MS_SSS_SLICE, 0, 0, 0, 1, "1"},
+    {"released separable shader, 17 taps", SEPARABLE, MS_SSS_SLICE, 17, 0, 0, 1, "34"},
+    {"disc sampling, 64 samples", DISC, MS_SSS_SLICE, 64, 0, 0, 1, "64"},
+    {"separable, 7 taps, flat", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 1, "14"},
+    {"**separable, 7 taps (default)**", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 0, "14"},
+    {"the same and a shadow map", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 1, 0, 0, "15"},
+    {"separable, 17 taps", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 17, 0, 0, 0, "34"},
+    {"pyramid, flat", PYRAMID, MS_SSS_SLICE, 0, 0, 0, 1, "-"},
+    {"pyramid", PYRAMID, MS_SSS_SLICE, 0, 0, 0, 0, "-"},
+    {"pyramid and a shadow map", PYRAMID, MS_SSS_SLICE, 0, 1, 0, 0, "-"},
+    {"2D in space, flat", GATHER, MS_SSS_SLICE, 0, 0, 0, 1, "all"},
+    {"2D in space", GATHER, MS_SSS_SLICE, 0, 0, 0, 0, "all"},
+    {"2D in space and a shadow map", GATHER, MS_SSS_SLICE, 0, 1, 0, 0, "all"},
+    {"2D in space, front and back", GATHER, MS_SSS_SLICE, 0, 0, 1, 0, "all"},
+    {"whole mesh, without elevation", MESH, MS_SSS_SLICE, 0, 0, 0, 1, "all"},
+    {"whole mesh", MESH, MS_SSS_SLICE, 0, 0, 0, 0, "all"}};
 
-/* Rows of the table of depth sigmas for one scene. */
-static int sweep(const truth *t, const char *name, const ms_sss_designer *designer, image *picture, FILE *out)
+/* Columns of the first table; the whole mesh is tried on these alone. */
+static const int shown[SHOWN][3] = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, 2}, {2, 0, 0}, {2, 1, 2}, {0, 3, 0}};
+
+static truth_report report[OBJECTS][TRUTH_SUBSTANCES][TRUTH_LAMPS][METHODS];
+static double nanoseconds[METHODS]; /* a pixel of the object, bust of skin */
+
+static int is_shown(int object, int substance, int lamp)
 {
-    int k, i;
-    for (k = 0; k < SWEPT; ++k) {
-        ms_sss_kernel kernel;
-        double error[SIGMAS], least = 1e9;
-        if (truth_kernel(designer, &swept[k], &kernel) != MS_OK) return 0;
-        for (i = 0; i < SIGMAS; ++i) {
-            if (truth_filter(t, &kernel, sigmas[i], picture) != MS_OK) return 0;
-            error[i] = truth_compare(t, picture).relative;
-            if (error[i] < least) least = error[i];
-        }
-        fprintf(out, "| %s; %s |", name, swept[k].name);
-        for (i = 0; i < SIGMAS; ++i) fprintf(out, error[i] > least ? " %.1f%% |" : " **%.1f%%** |", 100 * error[i]);
-        fputs("\n", out);
-    }
-    return 1;
+    int i;
+    for (i = 0; i < SHOWN; ++i)
+        if (shown[i][0] == object && shown[i][1] == substance && shown[i][2] == lamp) return 1;
+    return 0;
 }
 
-static void row(const truth *t, const char *file, const image *picture, truth_error *result)
+static ms_status picture_of(const truth *t, int m, const ms_sss_kernel *kernel, const ms_sss_pyramid *pyramid, image *out)
 {
-    *result = truth_compare(t, picture);
-    truth_save(t, picture, file);
+    ms_status status = MS_OK;
+    switch (methods[m].kind) {
+    case UNFILTERED: memcpy(out->pixels, t->lit->unfiltered.pixels, image_count(out) * sizeof(float)); break;
+    case SEPARABLE: status = truth_filter(t, kernel, methods[m].flat > 0 ? TRUTH_SIGMA : 0, methods[m].flat, out); break;
+    case PYRAMID: status = truth_pyramid(t, pyramid, methods[m].flat, out); break;
+    case DISC: truth_disc(t, methods[m].taps, out); break;
+    case GATHER: status = truth_gather(t, methods[m].back, methods[m].flat, out); break;
+    case MESH: truth_mesh(t, !(methods[m].flat > 0), out); break;
+    }
+    if (methods[m].through) truth_through(t, kernel, out);
+    return status;
+}
+
+/* All methods and lamps of one object and material. */
+static int measure(int object, int substance, FILE *csv)
+{
+    static ms_sss_kernel kernel[METHODS];
+    static ms_sss_pyramid pyramid;
+    char path[200];
+    const char *problem;
+    ms_sss_designer *designer;
+    image picture;
+    truth t;
+    int m, lamp;
+    snprintf(path, sizeof path, "build/truth/%s_%s_%d.bin", object_name[object], substance_name[substance], walks[substance]);
+    if (!truth_make(&t, (scene_object)object, (truth_substance)substance, 240, 135, walks[substance], 0, path, &problem)) {
+        fprintf(stderr, "%s\n", problem);
+        return 0;
+    }
+    picture = image_new(t.width, t.height, 3);
+    if (picture.pixels == NULL || ms_sss_designer_create(&designer, t.profile, t.radius_px, NULL, NULL) != MS_OK ||
+        ms_sss_pyramid_make(&pyramid, t.profile, NULL) != MS_OK)
+        return 0;
+    for (m = 0; m < METHODS; ++m) {
+        ms_sss_kernel_options o = ms_sss_kernel_defaults();
+        o.model = methods[m].kind == SEPARABLE ? methods[m].model : MS_SSS_IMAGE_OPTIMAL;
+        o.tap_count = methods[m].kind == SEPARABLE ? methods[m].taps : 7;
+        if (o.model == MS_SSS_SLICE) o.placement = MS_SSS_QUADRATIC;
+        if (ms_sss_kernel_build(&kernel[m], designer, &o, NULL) != MS_OK) return 0;
+    }
+    for (lamp = 0; lamp < TRUTH_LAMPS; ++lamp) {
+        signed char *region;
+        truth_light(&t, lamp);
+        region = truth_regions(&t);
+        for (m = 0; m < METHODS; ++m) {
+            truth_report *r = &report[object][substance][lamp][m];
+            double start = bench_cpu();
+            if (methods[m].kind == MESH && !is_shown(object, substance, lamp)) continue;
+            if (picture_of(&t, m, &kernel[m], &pyramid, &picture) != MS_OK) return 0;
+            if (object == SCENE_BUST && substance == TRUTH_SKIN && lamp == 0)
+                nanoseconds[m] = 1e9 * (bench_cpu() - start) / t.pixels;
+            *r = truth_judge(&t, region, &picture);
+            fprintf(csv, "%s,%s,%s,\"%s\",%.5f,%.5f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", object_name[object],
+                    substance_name[substance], lamp_name[lamp], methods[m].name, r->relative, r->scaled, r->lost[0],
+                    r->lost[1], r->lost[2], r->share[0], r->share[1], r->share[2], r->share[3]);
+            if (is_shown(object, substance, lamp)) {
+                snprintf(path, sizeof path, "build/bench/sss_truth_%s_%s_%s_%d.png", object_name[object],
+                         substance_name[substance], lamp_name[lamp], m);
+                truth_save(&t, &picture, path);
+            }
+        }
+        free(region);
+    }
+    printf("%s of %s: R %.2f %.2f %.2f, 99%% radius %.0f px\n", object_name[object], substance_name[substance],
+           t.reflectance[0], t.reflectance[1], t.reflectance[2], t.radius_px);
+    fflush(stdout);
+    ms_sss_designer_destroy(designer);
+    image_free(&picture);
+    truth_free(&t);
+    return 1;
 }
 
 int main(void)
 {
-    static const char *const object_name[] = {"bust", "knot"};
-    static truth_error result[2][ROWS];
-    const char *name[ROWS];
-    char path[100];
-    double radius_px[2] = {0, 0}, seconds[2];
-    int object, i;
     FILE *md = bench_open("sss_truth.md"), *csv = bench_open("sss_truth.csv");
-    FILE *depths = tmpfile();
-    if (depths == NULL) return 1;
-    for (object = 0; object < SCENES; ++object) {
-        truth t;
-        const char *problem;
-        ms_sss_designer *designer;
-        image picture;
-        double start = bench_cpu();
-        if (!truth_make(&t, scenes[object].object, scenes[object].substance, 240, 135, scenes[object].walks, 1, NULL, &problem)) {
-            fprintf(stderr, "%s\n", problem);
-            return 1;
-        }
-        picture = image_new(t.width, t.height, 3);
-        if (picture.pixels == NULL || ms_sss_designer_create(&designer, t.profile, t.radius_px, NULL, NULL) != MS_OK)
-            return 1;
-        if (!sweep(&t, scenes[object].name, designer, &picture, depths)) return 1;
-        if (object < 2) {
-            seconds[object] = bench_cpu() - start;
-            radius_px[object] = t.radius_px;
-        }
-        for (i = 0; i < ROWS && object < 2; ++i) {
-            snprintf(path, sizeof path, "build/bench/sss_truth_%s_%d.png", object_name[object], i);
-            name[i] = i == 0          ? "unfiltered"
-                      : i == ROWS - 2 ? "2D kernel, distances on the screen"
-                      : i == ROWS - 1 ? "2D kernel, distances in space"
-                                      : truth_models[i - 1].name;
-            if (i == 0) {
-                memcpy(picture.pixels, t.lit->unfiltered.pixels, image_count(&picture) * sizeof(float));
-            } else if (i >= ROWS - 2) {
-                truth_filter_2d(&t, i == ROWS - 1, &picture);
-            } else {
-                ms_sss_kernel kernel;
-                if (truth_kernel(designer, &truth_models[i - 1], &kernel) != MS_OK ||
-                    truth_filter(&t, &kernel, truth_models[i - 1].sigma, &picture) != MS_OK)
-                    return 1;
-            }
-            row(&t, path, &picture, &result[object][i]);
-        }
-        for (i = 0; i < (int)image_count(&picture); ++i)
-            picture.pixels[i] = 0.5f * (t.lit->half[0].pixels[i] + t.lit->half[1].pixels[i]);
-        if (object < 2) {
-            snprintf(path, sizeof path, "build/bench/sss_truth_%s.png", object_name[object]);
-            truth_save(&t, &picture, path);
-        }
-        ms_sss_designer_destroy(designer);
-        image_free(&picture);
-        truth_free(&t);
+    int object, substance, lamp, m, i;
+    mkdir("build/truth", 0777);
+    fprintf(csv, "object,material,lamp,method,error,error_after_scale,lost_red,lost_green,lost_blue,at_outlines,at_shadow_borders,in_the_dark,elsewhere\n");
+    for (substance = 0; substance < TRUTH_SUBSTANCES; ++substance)
+        for (object = 0; object < OBJECTS; ++object)
+            if (!measure(object, substance, csv)) return 1;
+    fprintf(md,
+            "Random walks through index-matched bodies, 240 x 135 pixels, 2 x %d to 2 x %d walks a pixel and channel. Error: root mean\n"
+            "square over that of the truth, on the object's pixels, %%, the truth's noise taken out by its two halves. Normals from depth. A\n"
+            "shadow map: ms_sss_transmission by max. Reads: a pixel, both passes. Time: ns a pixel of the object, one core of %s,\n"
+            "bust of skin, with what a call costs beside pixels.\n\n| method |", walks[TRUTH_CREAM], walks[TRUTH_SKIN], bench_processor());
+    for (i = 0; i < SHOWN; ++i)
+        fprintf(md, " %s, %s, %s |", object_name[shown[i][0]], substance_name[shown[i][1]], lamp_name[shown[i][2]]);
+    fprintf(md, " reads | ns |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    for (m = 0; m < METHODS; ++m) {
+        fprintf(md, "| %s |", methods[m].name);
+        for (i = 0; i < SHOWN; ++i) fprintf(md, " %.1f |", 100 * report[shown[i][0]][shown[i][1]][shown[i][2]][m].relative);
+        fprintf(md, " %s | %.0f |\n", methods[m].reads, nanoseconds[m]);
     }
-    fprintf(
-        md,
-        "Random walk: 240 x 135 pixels, 2 x 256 walks a pixel and channel, %.0f and %.0f s on one core of %s; skin1 on "
-        "a bust of\n"
-        "70 mm (99%% radius %.0f px), marble on a knot of 50 mm (%.0f px), one lamp. Error: root mean square over that "
-        "of the truth,\n"
-        "on the object's pixels, the truth's noise taken out. PSNR: below the brightest unfiltered value. `make "
-        "bench`.\n\n"
-        "| kernel (dense taps) | bust, error | bust, PSNR | knot, error | knot, PSNR |\n|---|---:|---:|---:|---:|\n",
-        seconds[0], seconds[1], bench_processor(), radius_px[0], radius_px[1]);
-    fprintf(csv, "kernel,bust_error,bust_psnr,knot_error,knot_psnr\n");
-    for (i = 0; i < ROWS; ++i) {
-        const truth_error *a = &result[0][i], *b = &result[1][i];
-        const char *bold = strstr(name[i], "(default)") ? "**" : "";
-        fprintf(md, "| %s%s%s | %.1f%% | %.1f dB | %.1f%% | %.1f dB |\n", bold, name[i], bold, 100 * a->relative, a->psnr,
-                100 * b->relative, b->psnr);
-        fprintf(csv, "\"%s\",%.5f,%.3f,%.5f,%.3f\n", name[i], a->relative, a->psnr, b->relative, b->psnr);
-        printf("%-36s bust %5.1f%% %5.1f dB   knot %5.1f%% %5.1f dB\n", name[i], 100 * a->relative, a->psnr,
-               100 * b->relative, b->psnr);
+    fprintf(md, "\nBust of skin, lit from the front: error after the best factor a channel, light lost (red, green, blue), and where the squared\nerror is: "
+                "within 2 pixels of outlines, near a shadow's border, in the dark, elsewhere; %%.\n\n"
+                "| method | error | after scale | lost | outlines | borders | dark | elsewhere |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
+    for (m = 0; m < METHODS; ++m) {
+        const truth_report *r = &report[0][0][0][m];
+        fprintf(md, "| %s | %.1f | %.1f | %.0f, %.0f, %.0f | %.0f | %.0f | %.0f | %.0f |\n", methods[m].name, 100 * r->relative,
+                100 * r->scaled, 100 * r->lost[0], 100 * r->lost[1], 100 * r->lost[2], 100 * r->share[0], 100 * r->share[1],
+                100 * r->share[2], 100 * r->share[3]);
     }
-    fprintf(md, "\nThe same error against the sigma of the depth weights, in 99%% radii; default %.2f, least in bold. Bust of marble, knot\n"
-                "of skin: 2 x 64 walks.\n\n| scene; kernel |",
-            TRUTH_SIGMA);
-    for (i = 0; i < SIGMAS; ++i) fprintf(md, " %.3g |", sigmas[i]);
-    fprintf(md, "\n|---|%s\n", "---:|---:|---:|---:|---:|---:|---:|");
-    rewind(depths);
-    while ((i = getc(depths)) != EOF) putc(i, md);
-    fclose(depths);
+    fprintf(md, "\nRoot mean square over the objects and lamps of a material, over the objects and materials of a lamp, over all 36:\n\n| method |");
+    for (substance = 0; substance < TRUTH_SUBSTANCES; ++substance) fprintf(md, " %s |", substance_name[substance]);
+    for (lamp = 0; lamp < TRUTH_LAMPS; ++lamp) fprintf(md, " %s |", lamp_name[lamp]);
+    fprintf(md, " all |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    for (m = 0; m < METHODS; ++m) {
+        double by_substance[TRUTH_SUBSTANCES] = {0, 0, 0, 0}, by_lamp[TRUTH_LAMPS] = {0, 0, 0}, all = 0;
+        if (methods[m].kind == MESH) continue;
+        for (object = 0; object < OBJECTS; ++object)
+            for (substance = 0; substance < TRUTH_SUBSTANCES; ++substance)
+                for (lamp = 0; lamp < TRUTH_LAMPS; ++lamp) {
+                    double e = report[object][substance][lamp][m].relative;
+                    by_substance[substance] += e * e / (OBJECTS * TRUTH_LAMPS);
+                    by_lamp[lamp] += e * e / (OBJECTS * TRUTH_SUBSTANCES);
+                    all += e * e / (OBJECTS * TRUTH_SUBSTANCES * TRUTH_LAMPS);
+                }
+        fprintf(md, "| %s |", methods[m].name);
+        for (substance = 0; substance < TRUTH_SUBSTANCES; ++substance) fprintf(md, " %.1f |", 100 * sqrt(by_substance[substance]));
+        for (lamp = 0; lamp < TRUTH_LAMPS; ++lamp) fprintf(md, " %.1f |", 100 * sqrt(by_lamp[lamp]));
+        fprintf(md, " %.1f |\n", 100 * sqrt(all));
+    }
     return (fclose(md) | fclose(csv)) != 0;
 }
 #else

@@ -270,33 +270,307 @@ static inline truth_error truth_compare(const truth *t, const image *picture)
     return e;
 }
 
+/* What a picture gives up, and where. */
+enum { TRUTH_OUTLINE, TRUTH_BORDER, TRUTH_DARK, TRUTH_PLAIN, TRUTH_REGIONS };
+
+typedef struct truth_report {
+    double relative, scaled;       /* as in truth_error; after the best factor for each channel */
+    double lost[3];                /* of the light, by channel */
+    double share[TRUTH_REGIONS];   /* of the squared error: near outlines, near a shadow's border, in the dark, elsewhere */
+} truth_report;
+
+static inline int truth__lit(const truth *t, int x, int y)
+{
+    const float *e = t->lit->irradiance.pixels + 3 * (y * t->width + x);
+    return (double)(e[0] + e[1] + e[2]) > 0.02 * t->lit->peak;
+}
+
+/* Within `reach` pixels: 1: the outline, or a step in depth of more than a radius; 2: lit and unlit surface. */
+static inline int truth__near(const truth *t, int x, int y, int reach, int what)
+{
+    int dx, dy, at = y * t->width + x;
+    for (dy = -reach; dy <= reach; ++dy)
+        for (dx = -reach; dx <= reach; ++dx) {
+            int qx = x + dx, qy = y + dy, q = qy * t->width + qx, inside;
+            if (dx * dx + dy * dy > reach * reach || qx < 0 || qy < 0 || qx >= t->width || qy >= t->height) continue;
+            inside = t->layers.triangle[q] >= 0;
+            if (what == 1 && (!inside || fabs((double)(t->layers.depth.pixels[q] - t->layers.depth.pixels[at]) *
+                                              (double)t->mm_per_unit) > t->radius_mm))
+                return 1;
+            if (what == 2 && inside && truth__lit(t, qx, qy) != truth__lit(t, x, y)) return 1;
+        }
+    return 0;
+}
+
+/* [height][width], -1 beside the object; the caller frees it. */
+static inline signed char *truth_regions(const truth *t)
+{
+    signed char *region = (signed char *)malloc((size_t)(t->width * t->height));
+    int x, y, border = t->radius_px < 8 ? 2 : t->radius_px > 32 ? 8 : (int)(t->radius_px / 4);
+    if (region == NULL) abort();
+    for (y = 0; y < t->height; ++y)
+        for (x = 0; x < t->width; ++x) {
+            int at = y * t->width + x;
+            region[at] = (signed char)(t->layers.triangle[at] < 0                  ? -1
+                                       : truth__near(t, x, y, 2, 1)      ? TRUTH_OUTLINE
+                                       : truth__near(t, x, y, border, 2) ? TRUTH_BORDER
+                                       : truth__lit(t, x, y)             ? TRUTH_PLAIN
+                                                                         : TRUTH_DARK);
+        }
+    return region;
+}
+
+static inline truth_report truth_judge(const truth *t, const signed char *region, const image *picture)
+{
+    double ff[3] = {0, 0, 0}, fa[3] = {0, 0, 0}, power[3] = {0, 0, 0}, light[3] = {0, 0, 0}, got[3] = {0, 0, 0}, error = 0, all = 0, rest = 0;
+    truth_report r;
+    int i, c;
+    memset(&r, 0, sizeof r);
+    for (i = 0; i < t->width * t->height; ++i)
+        for (c = 0; c < 3 && region[i] >= 0; ++c) {
+            double f = (double)picture->pixels[3 * i + c], a = (double)t->lit->half[0].pixels[3 * i + c],
+                   b = (double)t->lit->half[1].pixels[3 * i + c], square = (f - a) * (f - b);
+            ff[c] += f * f;
+            fa[c] += 0.5 * f * (a + b);
+            power[c] += a * b;
+            light[c] += 0.5 * (a + b);
+            got[c] += f;
+            error += square;
+            r.share[region[i]] += square;
+        }
+    for (c = 0; c < 3; ++c) {
+        double g = ff[c] > 0 ? fa[c] / ff[c] : 1;
+        all += power[c];
+        rest += g * g * ff[c] - 2 * g * fa[c] + power[c];
+        r.lost[c] = light[c] > 0 ? 1 - got[c] / light[c] : 0;
+    }
+    r.relative = error > 0 ? sqrt(error / all) : 0;
+    r.scaled = rest > 0 ? sqrt(rest / all) : 0;
+    for (i = 0; i < TRUTH_REGIONS; ++i) r.share[i] /= error;
+    return r;
+}
+
+/* The frame and options that the filters get: irradiance in, out, depth (0 beside the object: takes no part). */
+static inline ms_sss_filter_options truth_frame(const truth *t, ms_sss_frame *frame, image *out)
+{
+    ms_sss_filter_options options = ms_sss_filter_defaults();
+    memset(frame, 0, sizeof *frame);
+    frame->width = t->width;
+    frame->height = t->height;
+    frame->input = ms_sss_interleaved(t->lit->irradiance.pixels, 3, 0);
+    frame->output = ms_sss_interleaved(out->pixels, 3, 0);
+    frame->depth = ms_sss_map(t->layers.depth.pixels, 1, 0);
+    options.fov_degrees = 2 * atanf(t->camera.tan_half_fov) * (180 / 3.14159265f);
+    options.mm_per_unit = t->mm_per_unit;
+    return options;
+}
+
+static inline void truth_reflect(const truth *t, image *out)
+{
+    int i, c;
+    for (i = 0; i < t->width * t->height; ++i)
+        for (c = 0; c < 3; ++c) out->pixels[3 * i + c] *= (float)t->reflectance[c];
+}
+
 /* The irradiance filtered by a separable kernel, times reflectance, into out (of the same size); sigma: of the depth
-   weights, in radii of 99% of the energy. */
-static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel, double sigma, image *out)
+   weights, in radii of 99% of the energy, the same for every kernel, however far its last tap is; 0: the filter's own. */
+static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel, double sigma, float flat, image *out)
 {
     ms_sss_frame frame;
-    ms_sss_filter_options options = ms_sss_filter_defaults();
+    ms_sss_filter_options options = truth_frame(t, &frame, out);
     size_t size;
     void *workspace;
     ms_status status;
-    int i, c;
-    memset(&frame, 0, sizeof frame);
-    frame.width = t->width;
-    frame.height = t->height;
-    frame.input = ms_sss_interleaved(t->lit->irradiance.pixels, 3, 0);
-    frame.output = ms_sss_interleaved(out->pixels, 3, 0);
-    frame.depth = ms_sss_map(t->layers.depth.pixels, 1, 0); /* 0 beside the object: takes no part */
-    options.fov_degrees = 2 * atanf(t->camera.tan_half_fov) * (180 / 3.14159265f);
-    options.mm_per_unit = t->mm_per_unit;
-    options.depth_sigma_mm = (float)(t->radius_mm * sigma); /* the same for every kernel, however far its last tap is */
+    options.flat = flat;
+    options.depth_sigma_mm = (float)(t->radius_mm * sigma);
     size = ms_sss_filter_workspace(t->width, t->height, kernel, 1, &options);
     workspace = malloc(size);
     if (workspace == NULL) return MS_OUT_OF_MEMORY;
     status = ms_sss_filter(&frame, kernel, 1, &options, workspace, size, NULL);
     free(workspace);
-    for (i = 0; i < t->width * t->height; ++i)
-        for (c = 0; c < 3; ++c) out->pixels[3 * i + c] *= (float)t->reflectance[c];
+    truth_reflect(t, out);
     return status;
+}
+
+static inline ms_status truth_pyramid(const truth *t, const ms_sss_pyramid *pyramid, float flat, image *out)
+{
+    ms_sss_frame frame;
+    ms_sss_filter_options options = truth_frame(t, &frame, out);
+    size_t size = ms_sss_pyramid_workspace(t->width, t->height);
+    void *workspace = malloc(size);
+    ms_status status;
+    if (workspace == NULL) return MS_OUT_OF_MEMORY;
+    options.flat = flat;
+    status = ms_sss_pyramid_filter(&frame, pyramid, &options, workspace, size, NULL);
+    free(workspace);
+    truth_reflect(t, out);
+    return status;
+}
+
+static inline ms_status truth_gather(const truth *t, int with_back, float flat, image *out)
+{
+    ms_sss_frame frame;
+    ms_sss_back back;
+    ms_sss_filter_options options = truth_frame(t, &frame, out);
+    size_t size = ms_sss_gather_workspace(t->width, t->height, with_back);
+    void *workspace = malloc(size);
+    ms_status status;
+    if (workspace == NULL) return MS_OUT_OF_MEMORY;
+    memset(&back, 0, sizeof back);
+    back.input = ms_sss_interleaved(t->lit->back.pixels, 3, 0);
+    back.depth = ms_sss_map(t->behind.depth.pixels, 1, 0);
+    options.flat = flat;
+    status = ms_sss_gather(&frame, with_back ? &back : NULL, t->profile, &options, workspace, size, NULL);
+    free(workspace);
+    truth_reflect(t, out);
+    return status;
+}
+
+/* A filtered picture and what ms_sss_transmission sends through, by max. */
+static inline void truth_through(const truth *t, const ms_sss_kernel *kernel, image *out)
+{
+    const scene_light *light = &t->t->light[t->lit - t->lamp];
+    int i, c;
+    for (i = 0; i < t->width * t->height; ++i) {
+        float normal[3], entry_normal[3], to_light[3], in[3], through[3], cosine;
+        scene_vec d = scene_normalize(scene_sub(light->position, t->layers.position[i]));
+        if (t->layers.triangle[i] < 0) continue;
+        normal[0] = t->layers.normal[i].x, normal[1] = t->layers.normal[i].y, normal[2] = t->layers.normal[i].z;
+        entry_normal[0] = t->lit->entry_normal[i].x, entry_normal[1] = t->lit->entry_normal[i].y, entry_normal[2] = t->lit->entry_normal[i].z;
+        to_light[0] = d.x, to_light[1] = d.y, to_light[2] = d.z;
+        cosine = scene_dot(t->lit->entry_normal[i], d);
+        for (c = 0; c < 3; ++c) in[c] = cosine > 0 ? t->lit->entry.pixels[3 * i + c] / cosine : 0; /* at right angle */
+        ms_sss_transmission(kernel, t->lit->thickness.pixels[i], normal, entry_normal, to_light, in, through);
+        for (c = 0; c < 3; ++c) {
+            float v = through[c] * (float)t->reflectance[c];
+            if (v > out->pixels[3 * i + c]) out->pixels[3 * i + c] = v;
+        }
+    }
+}
+
+/* Golubev 2018 (Unity) and Unreal's Burley filter: samples of a disc, importance-sampled by the widest channel, weighted by
+   the profile at the distance in space; no curvature. */
+static inline void truth_disc(const truth *t, int samples, image *out)
+{
+    double radius[3], (*value)[3] = (double(*)[3])malloc(4097 * sizeof *value), reach;
+    float *offset = (float *)malloc(4 * (size_t)samples * sizeof *offset);
+    int x, y, i, c, widest = 0;
+    if (value == NULL || offset == NULL) abort();
+    ms_sss_profile_radius(t->profile, 0.99, radius);
+    for (c = 1; c < 3; ++c)
+        if (radius[c] > radius[widest]) widest = c;
+    reach = 2 * radius[widest];
+    for (i = 0; i <= 4096; ++i) ms_sss_profile_value(t->profile, reach * (i > 0 ? i : 0.25) / 4096, value[i]);
+    for (i = 0; i < samples; ++i) {
+        double r[3], at[3];
+        ms_sss_profile_radius(t->profile, (i + 0.5) / samples * 0.995, r);
+        ms_sss_profile_value(t->profile, r[widest], at);
+        offset[4 * i] = (float)(r[widest] * cos(2.39996323 * i));
+        offset[4 * i + 1] = (float)(r[widest] * sin(2.39996323 * i));
+        offset[4 * i + 2] = (float)(r[widest] * r[widest]);
+        offset[4 * i + 3] = (float)at[widest];
+    }
+    for (y = 0; y < t->height; ++y)
+        for (x = 0; x < t->width; ++x) {
+            int at = y * t->width + x;
+            double sum[3] = {0, 0, 0}, weights[3] = {0, 0, 0};
+            float z = t->layers.depth.pixels[at], scale;
+            if (t->layers.triangle[at] < 0) continue;
+            scale = (float)t->height / (2 * t->camera.tan_half_fov * z * t->mm_per_unit);
+            for (i = 0; i < samples; ++i) {
+                int qx = x + (int)floorf(offset[4 * i] * scale + 0.5f), qy = y + (int)floorf(offset[4 * i + 1] * scale + 0.5f), q, cell;
+                double dz, r;
+                if (qx < 0 || qy < 0 || qx >= t->width || qy >= t->height) continue;
+                q = qy * t->width + qx;
+                if (t->layers.triangle[q] < 0) continue;
+                dz = (double)((t->layers.depth.pixels[q] - z) * t->mm_per_unit);
+                r = sqrt((double)offset[4 * i + 2] + dz * dz);
+                cell = (int)(r / reach * 4096 + 0.5);
+                if (cell > 4096) continue;
+                for (c = 0; c < 3; ++c) {
+                    double w = value[cell][c] / (double)offset[4 * i + 3];
+                    weights[c] += w;
+                    sum[c] += w * (double)t->lit->irradiance.pixels[3 * q + c];
+                }
+            }
+            for (c = 0; c < 3; ++c) out->pixels[3 * at + c] = (float)(weights[c] > 0 ? t->reflectance[c] * sum[c] / weights[c] : 0);
+        }
+    free(value);
+    free(offset);
+}
+
+/* What the profile makes of the whole surface, seen or not: every triangle gives its share of the ring as wide as itself, at
+   its true distance, with the elevation or without. */
+static inline void truth_mesh(const truth *t, int elevation, image *out)
+{
+    const int steps = 4096;
+    double(*disc)[3] = (double(*)[3])malloc((size_t)(steps + 1) * sizeof *disc), reach = t->radius_mm * 1.5, K[3];
+    float *point = (float *)malloc(10 * (size_t)t->m.triangles * sizeof *point), from, to;
+    int i, k, c, x, lamp = (int)(t->lit - t->lamp);
+    if (disc == NULL || point == NULL) abort();
+    for (i = 0; i <= steps; ++i) ms_sss_profile_disc(t->profile, reach * i / steps, disc[i]);
+    for (c = 0; c < 3; ++c) K[c] = elevation ? ms_sss_elevation(t->reflectance[c], 1) : 0;
+    for (i = 0; i < t->m.triangles; ++i) { /* middle and size in mm, normal, irradiance by four rays */
+        scene_vec v[3], middle, n;
+        float *p = point + 10 * i, length;
+        for (k = 0; k < 3; ++k) {
+            const float *a = t->m.position + 3 * t->m.triangle[3 * i + k];
+            v[k] = scene_v(a[0], a[1], a[2]);
+        }
+        middle = scene_mul(scene_add(v[0], scene_add(v[1], v[2])), 1 / 3.0f);
+        n = scene_cross(scene_sub(v[1], v[0]), scene_sub(v[2], v[0]));
+        length = scene_length(n);
+        memset(p, 0, 10 * sizeof *p);
+        if (!(length > 0)) continue;
+        n = scene_mul(n, 1 / length);
+        p[0] = middle.x * t->mm_per_unit, p[1] = middle.y * t->mm_per_unit, p[2] = middle.z * t->mm_per_unit;
+        p[3] = n.x, p[4] = n.y, p[5] = n.z;
+        p[6] = sqrtf(0.5f * length) * t->mm_per_unit;
+        for (k = 0; k < 4; ++k) {
+            trace_sampler s;
+            s.seed = trace__hash((uint32_t)i + 77);
+            s.index = (uint32_t)k;
+            s.pair = 0;
+            trace__lamp(t->t, lamp, &s, middle, n, p + 7);
+        }
+        for (c = 0; c < 3; ++c) p[7 + c] *= 0.25f;
+    }
+    from = (float)(reach * reach);
+    for (x = 0; x < t->width * t->height; ++x) {
+        double sum[3] = {0, 0, 0}, weights[3] = {0, 0, 0}, factors[3] = {0, 0, 0};
+        scene_vec at = scene_mul(t->layers.position[x], t->mm_per_unit), n = t->layers.normal[x];
+        if (t->layers.triangle[x] < 0) continue;
+        for (i = 0; i < t->m.triangles; ++i) {
+            const float *p = point + 10 * i;
+            float dx = at.x - p[0], dy = at.y - p[1], dz = at.z - p[2];
+            double r, low, high, area, sine;
+            int inner, outer;
+            to = dx * dx + dy * dy + dz * dz;
+            if (to > from || !(p[6] > 0)) continue;
+            r = sqrt((double)to);
+            low = r > 0.5 * (double)p[6] ? r - 0.5 * (double)p[6] : 0;
+            high = r + 0.5 * (double)p[6];
+            if (high > reach) continue;
+            inner = (int)(low / reach * steps + 0.5);
+            outer = (int)(high / reach * steps + 0.5);
+            if (outer <= inner) outer = inner + 1;
+            area = (double)(p[6] * p[6]) / (high * high - low * low);
+            sine = r > 0 ? 0.5 * (double)((n.x - p[3]) * dx + (n.y - p[4]) * dy + (n.z - p[5]) * dz) / r : 0;
+            for (c = 0; c < 3; ++c) {
+                double w = area * (disc[outer][c] - disc[inner][c]), f = 1 + 0.25 * K[c] * sine;
+                f = f > 0 ? f * f * f * f * w : 0;
+                weights[c] += w;
+                factors[c] += f;
+                sum[c] += f * (double)p[7 + c];
+            }
+        }
+        for (c = 0; c < 3; ++c) {
+            double most = t->reflectance[c] * factors[c] / weights[c];
+            out->pixels[3 * x + c] = (float)(weights[c] > 0 ? t->reflectance[c] * sum[c] / weights[c] / (most > 1 ? most : 1) : 0);
+        }
+    }
+    free(disc);
+    free(point);
 }
 
 /* The same by the profile itself, pixel by pixel: each pixel gives its share of the ring as wide as itself,
