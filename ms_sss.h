@@ -473,6 +473,8 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
    Both were fitted to random walks of albedo 0.3 to 0.999 with isotropic scattering: within 7% where R is 0.15 to 0.95 and
    T above 1e-3; an index of 1.4 inside loses up to 15% more. Needs the true reflectance: a profile that was normalised to 1
    passes too much. A channel without light passes none. */
+MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
+
 /* The same as a table: out [count][3], entry i at thickness i * max_thickness_mm / (count - 1), count >= 2.
    Read between its entries linearly. MS_INVALID_ARGUMENT: count, a thickness not above 0; out untouched. */
 MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
