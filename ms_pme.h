@@ -39,28 +39,35 @@
 
    Which optimiser
       The default is Levenberg-Marquardt whose every step is a least-squares problem inside the box, solved exactly by an
-      active-set method on a QR factorisation. On the 14 problems of tests/data/pme_problems.json (More, Garbow,
-      Hillstrom, free and bounded) it ends within 1e-7 of a trust-region solver's minima on all; L-BFGS, conjugate
-      gradient and SQP on 12, clipped Nelder-Mead on 8, the thesis's Nelder-Mead with a barrier on 4, basin hopping (3000
-      evaluations) on 14: `tests/test_pme.c reference` prints this. Give a Jacobian when you have one: it costs a network
-      a few evaluations, differences cost n. On float32 pictures differences of 1.5e-8, the customary default, are noise;
-      this is why gradient methods stand still in the thesis's Table 4.3 (`tests/test_pme.c table` shows it).
+      active-set method whose QR factorisation follows each bound that is entered or left. On the 14 problems of
+      tests/data/pme_problems.json (More, Garbow, Hillstrom, free and bounded) it ends within 1e-7 of a trust-region solver's
+      minima on all (`tests/test_pme.c reference`; the methods of the thesis are in tests/bench/thesis_methods.h). With
+      restarts, what is left of the budget goes to the next best first guesses. Give a Jacobian when you have one: it
+      costs a network a few evaluations, differences cost n. On float32 pictures differences of 1.5e-8, the customary
+      default, are noise.
    Budget
       Counted in evaluations; one with a Jacobian counts jacobian_cost. A call never spends more than max_cost (the
-      candidates of ms_pme_match and its final render come on top), and stops earlier at a target value, after
-      max_seconds, or when progress says so: before the next callback. With the networks of examples/data the default of 50
-      pictures takes 6 ms at 64 x 64; 1000 with restarts look into the other minima as well (`make bench FILTER=pme`).
+      candidates of ms_pme_match, its final render and its deviations come on top), and stops earlier at a target value,
+      after max_seconds on the wall's clock, or when progress says so: before the next callback. `make bench FILTER=pme`
+      has times and what more cost buys.
+   Edits that no material explains
+      Exposure, tint and an offset of the picture can be fitted along (options.nuisance). A logo, a stitch: weights by
+      ms_pme_reweigh, and match again from the answer, some times (examples/match.c --robust). Parameters: frozen by equal
+      bounds, tied (options.tie), pulled towards a source (options.pull); bounds around the last frame's answer limit what a
+      frame may change.
    Memory
-      One block a call (two for ms_pme_match) from options.allocator, sizes stated there; stack below 10 KB.
+      One block a call (two for ms_pme_match) from options.allocator, sizes stated there; stack below 32 KB, 64 KB when
+      compiled without optimisation.
    Threads
       No state: calls may overlap. The callbacks run on the calling thread; a renderer may be parallel inside.
    Determinism
       The same bits at every call with the same seed, as far as the callbacks' answers are; no SIMD, so on one build. -ffast-math
       voids this and what is said of NaN and infinity.
    Errors
-      Statuses, and a sentence in ms_error. NaN or infinite values of a function are no errors: such points lose.
+      Statuses, and a sentence in ms_error. NaN or infinite values of a function are no errors: such points lose; a derivative
+      that is not finite is MS_BAD_DATA. Residuals may have any size that doubles have.
    Configuration
-      MS_PME_NO_CLOCK   no <time.h>; max_seconds then needs options.clock. The header never uses stdio.
+      MS_PME_NO_CLOCK   no <time.h>, <sys/time.h>; max_seconds then needs options.clock. The header never uses stdio.
       MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport)
    Limits
       256 parameters; dense Jacobians [m][n] in double. Local methods: the answer is the minimum nearest to the best
@@ -68,8 +75,8 @@
       than the tolerance wants difference_step or Nelder-Mead.
    Sources
       Zsolnai-Feher, Photorealistic Material Learning and Synthesis, chapter 4 (algorithm 4, equations 4.1 to 4.4);
-      More 1978; Nielsen 1999; Stark and Parker 1995; Nocedal and Wright 2006; Nelder and Mead 1965; Powell 1978; Wales
-      and Doye 1997; Hestenes 1958; More, Garbow and Hillstrom 1981.
+      More 1978; Nielsen 1999; Stark and Parker 1995; Nocedal and Wright 2006; Nelder and Mead 1965; Wales and Doye 1997;
+      Hestenes 1958; Huber 1981; More, Garbow and Hillstrom 1981.
 */
 #ifndef MS_PME_H
 #define MS_PME_H
@@ -193,8 +200,7 @@ static inline const char *ms_simd_string(ms_simd level)
 /* What is to be made small over the box lower <= x <= upper: f(x) = sum of r_i(x)^2 when `residuals` is given, else
    `value`. A callback returns MS_OK, or a status that ends the run and becomes its answer. Values that are NaN or
    infinite are no failure: such a point is taken as worse than every finite one. Callbacks are called from the
-   thread that made the call, one at a time; x is always inside the box but in MS_PME_NELDER_MEAD_BARRIER and with
-   options.barrier, where points outside it are never passed on. */
+   thread that made the call, one at a time; x is always inside the box. */
 typedef struct ms_pme_function {
     void *user;
     int parameter_count;   /* n, 1 to MS_PME_PARAMETERS_MAX */
@@ -214,13 +220,9 @@ typedef struct ms_pme_function {
 typedef enum ms_pme_method {
     MS_PME_LEVENBERG_MARQUARDT = 0, /* trust region by damping, each step a bounded least-squares problem solved
                                        exactly; needs residuals (else L-BFGS takes over) */
-    MS_PME_NELDER_MEAD = 1,         /* simplex, points clipped to the box, first edges 0.1 of the range */
-    MS_PME_NELDER_MEAD_BARRIER = 2, /* as in the thesis: infinite outside the box, first edges 5% of x (0.00025 at 0) */
-    MS_PME_LBFGS = 3,               /* limited-memory quasi-Newton, active set of bounds */
-    MS_PME_CONJUGATE_GRADIENT = 4,  /* Polak-Ribiere+, active set of bounds */
-    MS_PME_SQP = 5,                 /* what SLSQP is when bounds are the only constraints: damped BFGS model,
-                                       quadratic program in the box, line search */
-    MS_PME_BASIN_HOPPING = 6        /* random hops, each followed by Levenberg-Marquardt (or L-BFGS) */
+    MS_PME_NELDER_MEAD = 1,         /* simplex, points clipped to the box, first edges 0.1 of the range: for noise */
+    MS_PME_LBFGS = 2,               /* limited-memory quasi-Newton, active set of bounds */
+    MS_PME_BASIN_HOPPING = 3        /* random hops, each followed by Levenberg-Marquardt (or L-BFGS) */
 } ms_pme_method;
 
 typedef enum ms_pme_stop {
@@ -241,24 +243,25 @@ typedef struct ms_pme_options {
                                Basin hopping: hop, 0: 0.25 */
     double difference_step; /* > 0: forward differences of this absolute step; 0: central, near the best step for f64.
                                A float32 renderer wants about 1e-3: with 1.5e-8 its differences are rounding noise */
-    int barrier;            /* non-zero: no projection, f is infinite outside the box (to reproduce Table 4.3) */
     int restarts;           /* Levenberg-Marquardt: further runs while cost is left, from random points; ms_pme_match
                                takes its next best candidates first. Rough runs, finished where they lead further */
     uint64_t seed;          /* of restarts and hops */
-    double (*clock)(void *user); /* seconds, from any origin; NULL: the C library's clock() */
+    double (*clock)(void *user); /* seconds, from any origin; NULL: the wall's clock */
     void *clock_user;
     ms_progress progress;   /* asked before every callback */
     ms_allocator allocator; /* one block of about (m n + m + 6 n^2) doubles, released before the call returns */
 } ms_pme_options;
 
 typedef struct ms_pme_result {
-    double value;          /* f at x */
+    double value;          /* f at x; infinite or 0 where the sum of squares is out of double's range */
     double cost;           /* spent, in evaluations */
     size_t evaluations;    /* calls without derivatives */
     size_t jacobians;      /* calls with them */
     size_t iterations;     /* steps of the method */
     ms_pme_stop stop;
-    double projected_gradient; /* largest |component| at x of the gradient that bounds do not hold; -1: not known */
+    double projected_gradient; /* largest |component| at x of the gradient that bounds do not hold; where a run ends
+                                  on a value, one call with derivatives more, which does not count, gives it. -1: not known (Nelder-Mead;
+                                  ms_pme_match or differences alone that ended on a value) */
 } ms_pme_result;
 
 MS_API ms_pme_options ms_pme_defaults(void);
@@ -273,8 +276,9 @@ MS_API const char *ms_pme_method_string(int method);
    error    may be NULL; position is the index of the offending parameter
    The answer is the same bits at every call with the same seed, as far as the callbacks are.
    MS_INVALID_ARGUMENT: n, m or a callback is missing or out of range, lower > upper or NaN (position tells which),
-   x not finite, no finite value at the start. MS_OUT_OF_MEMORY, MS_CANCELLED, or what a callback returned: x is then
-   untouched. MS_NOT_CONVERGED is never returned: a budget that ended the run is said in result->stop. */
+   x not finite, no finite value at the start. MS_BAD_DATA: a derivative is not finite at a point whose value is.
+   MS_OUT_OF_MEMORY, MS_CANCELLED, or what a callback returned: x is then untouched. MS_NOT_CONVERGED is never returned: a
+   budget that ended the run is said in result->stop. */
 MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_options *options, double *x,
                                  ms_pme_result *result, ms_error *error);
 
@@ -304,6 +308,15 @@ typedef struct ms_pme_renderer {
 /* All zero: fill in what you have. */
 MS_API ms_pme_renderer ms_pme_renderer_defaults(void);
 
+#define MS_PME_CHANNELS_MAX 4
+
+/* What of the picture, not of the material, is fitted along: in the unit of the values, gain x phi(x) + offset. */
+typedef enum ms_pme_nuisance {
+    MS_PME_EXPOSURE = 1, /* one gain, 1/8 to 8 */
+    MS_PME_TINT = 2,     /* a gain for each channel */
+    MS_PME_OFFSET = 4    /* an offset for each channel, -1 to 1 */
+} ms_pme_nuisance;
+
 typedef struct ms_pme_match_options {
     ms_pme_options refine;   /* max_cost 0: 50, spent after the candidates; target_value is set from target_rmse */
     double target_rmse;      /* good enough: no refinement once a candidate has it ("best of both worlds"); 0: none */
@@ -311,6 +324,13 @@ typedef struct ms_pme_match_options {
     const double *candidates;/* [candidate_count][n]: the previous frame's answer, the source material; may be NULL */
     int candidate_count;
     int random_count;        /* further candidates drawn uniformly. The middle of the box is tried where no other has a finite picture */
+    int nuisance;            /* flags of ms_pme_nuisance; `reduced` does not serve then */
+    int channels;            /* planes that follow each other in a picture, up to MS_PME_CHANNELS_MAX; 0: 1 */
+    const int *tie;          /* [n] x_j is x_tie[j]; a parameter tied to itself is free; NULL: all are */
+    const double *source;    /* [n] where pulls lead */
+    const double *pull;      /* [n] >= 0: pull (x_j - source_j)^2 is added to RMSE^2; NULL: none */
+    double *deviation;       /* [n] out, or NULL: standard deviations of x if errors of the size of the RMSE in the values are
+                                independent; 0 where bounds are equal, near 0.29 of its range where the picture leaves x_j open */
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
@@ -320,6 +340,7 @@ typedef struct ms_pme_match_result {
     int candidates_refused; /* predictions and candidates that were not finite */
     ms_pme_result refine;   /* cost does not hold that of the candidates */
     double cost;            /* all renders */
+    double gain[MS_PME_CHANNELS_MAX], offset[MS_PME_CHANNELS_MAX]; /* of each channel; 1 and 0 where nothing was fitted */
 } ms_pme_match_result;
 
 MS_API ms_pme_match_options ms_pme_match_defaults(void);
@@ -328,13 +349,24 @@ MS_API ms_pme_match_options ms_pme_match_defaults(void);
    target   [p], finite where the weight is not 0
    weight   [p] >= 0, or NULL: all 1. RMSE^2 = sum w (phi - t)^2 / sum w
    x        [n] out: the material
-   image    [p] out: phi(x), or NULL
+   image    [p] out: phi(x), gain and offset applied, or NULL
    MS_INVALID_ARGUMENT: as ms_pme_minimize; a target that is not finite (error->position: its index), a negative or
    non-finite weight (likewise), weights that are all 0, no candidate with a finite picture.
    MS_OUT_OF_MEMORY, MS_CANCELLED, or the status of a callback: outputs untouched. */
 MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *target, const float *weight,
                               const ms_pme_match_options *options, double *x, float *image,
                               ms_pme_match_result *result, ms_error *error);
+
+/* How an error of e costs, with s a typical one: Huber e^2 up to 1.345 s, then |e|; Tukey nothing more beyond 4.685 s. */
+typedef enum ms_pme_loss { MS_PME_HUBER = 1, MS_PME_TUKEY = 2 } ms_pme_loss;
+
+/* Weights that make the next match's squares follow such a loss around this picture (Huber 1981): a pixel of `channels` values gets
+   one factor, so that channels go on sharing what they share.
+   scale       s; 0: 1.4826 times the median of the pixels' errors
+   image, target, weight [count], weight NULL: all 1; reweighted [count] out, may be weight
+   used_scale  out, may be NULL */
+MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image, const float *target, const float *weight,
+                                float *reweighted, double *used_scale, ms_error *error);
 
 /* What a picture tells about the parameters: the singular values of the Jacobian at x, largest first.
    singular_value [n] out: change of the residual vector per unit change of x along that direction
@@ -630,13 +662,15 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
 
-/* Sections: small maths | the run: budgets and evaluations | bounded least squares | Levenberg-Marquardt | line search |
-   quasi-Newton, conjugate gradient, SQP | Nelder-Mead | basin hopping | public: minimize | public: match |
-   public: sensitivity */
+/* Sections: small maths | the run: budgets and evaluations | bounded least squares | Levenberg-Marquardt | restarts | L-BFGS |
+   Nelder-Mead | basin hopping | public: minimize | match: objectives | match: stages | public: match | public: sensitivity */
 
 #include <float.h>
 #include <math.h>
 #ifndef MS_PME_NO_CLOCK
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/time.h>
+#endif
 #include <time.h>
 #endif
 
@@ -644,14 +678,45 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
 
 #define MS_PME__INF ((double)HUGE_VAL)
 #define MS_PME__MEMORY 8 /* pairs that L-BFGS keeps */
+#define MS_PME__VARIABLES (MS_PME_PARAMETERS_MAX + 2 * MS_PME_CHANNELS_MAX)
 #define MS_PME__ROWS 32  /* rows of the Jacobian that one QR update takes: they stay in the cache */
 
 static double ms_pme__dot(const double *a, const double *b, int n)
 {
-    double sum = 0;
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+    int i = 0;
+    for (; i + 4 <= n; i += 4) {
+        s0 += a[i] * b[i];
+        s1 += a[i + 1] * b[i + 1];
+        s2 += a[i + 2] * b[i + 2];
+        s3 += a[i + 3] * b[i + 3];
+    }
+    for (; i < n; ++i) s0 += a[i] * b[i];
+    return (s0 + s1) + (s2 + s3);
+}
+
+/* y += t x */
+static void ms_pme__add(double *y, double t, const double *x, int n)
+{
+    int i = 0;
+    for (; i + 4 <= n; i += 4) {
+        y[i] += t * x[i];
+        y[i + 1] += t * x[i + 1];
+        y[i + 2] += t * x[i + 2];
+        y[i + 3] += t * x[i + 3];
+    }
+    for (; i < n; ++i) y[i] += t * x[i];
+}
+
+/* (a, b) = (c a + s b, c b - s a) for n elements of two rows. */
+static void ms_pme__rotate(double *a, double *b, double c, double s, int n)
+{
     int i;
-    for (i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
+    for (i = 0; i < n; ++i) {
+        double u = a[i], v = b[i];
+        a[i] = c * u + s * v;
+        b[i] = c * v - s * u;
+    }
 }
 
 static double ms_pme__clip(double x, double low, double high)
@@ -669,12 +734,36 @@ static void ms_pme__copy(double *to, const double *from, int n)
     memcpy(to, from, (size_t)n * sizeof *to);
 }
 
+/* x 2^e, infinite or 0 where that is out of range, without an exception on the way. */
+static double ms_pme__shifted(double x, int e)
+{
+    int own;
+    if (e == 0 || !(x > 0)) return x;
+    frexp(x, &own);
+    return own + e > 1023 ? MS_PME__INF : own + e < -1020 ? 0 : ldexp(x, e);
+}
+
+/* The rotation that turns (a, b) into (r, 0). */
+static double ms_pme__rotation(double a, double b, double *c, double *s)
+{
+    double size = ms_pme__max(fabs(a), fabs(b)), r;
+    if (!(size > 0)) {
+        *c = 1;
+        *s = 0;
+        return 0;
+    }
+    r = size * sqrt(a / size * (a / size) + b / size * (b / size));
+    *c = a / r;
+    *s = b / r;
+    return r;
+}
+
 /* Rows [k][n + 1] (the last column is the right-hand side) are folded into the upper triangle r [n + 1][n + 1] by
    Householder reflections of (r_jj, column j of the rows): the R of a QR factorisation, built row block by row block
-   (TSQR with a chain for a tree). The rows are destroyed. */
-static void ms_pme__qr_append(double *r, int n, double *rows, int k)
+   (TSQR with a chain for a tree). The rows are destroyed; work [n + 1]. */
+static void ms_pme__qr_append(double *r, int n, double *rows, int k, double *work)
 {
-    int w = n + 1, i, j, c;
+    int w = n + 1, i, j;
     for (j = 0; j <= n; ++j) {
         double largest = fabs(r[j * w + j]), norm, head, beta;
         for (i = 0; i < k; ++i) largest = ms_pme__max(largest, fabs(rows[i * w + j]));
@@ -685,14 +774,11 @@ static void ms_pme__qr_append(double *r, int n, double *rows, int k)
         if (r[j * w + j] > 0) norm = -norm;
         head = r[j * w + j] - norm; /* v = (head, column), |v|^2 = -2 norm head */
         beta = 1 / (norm * head);
+        for (i = j; i <= n; ++i) work[i] = head * r[j * w + i]; /* v' times the columns from j on */
+        for (i = 0; i < k; ++i) ms_pme__add(work + j, rows[i * w + j], rows + i * w + j, w - j);
+        ms_pme__add(r + j * w + j + 1, beta * head, work + j + 1, n - j);
+        for (i = 0; i < k; ++i) ms_pme__add(rows + i * w + j + 1, beta * rows[i * w + j], work + j + 1, n - j);
         r[j * w + j] = norm;
-        for (c = j + 1; c <= n; ++c) {
-            double t = head * r[j * w + c];
-            for (i = 0; i < k; ++i) t += rows[i * w + j] * rows[i * w + c];
-            t *= beta;
-            r[j * w + c] += t * head;
-            for (i = 0; i < k; ++i) rows[i * w + c] += t * rows[i * w + j];
-        }
         for (i = 0; i < k; ++i) rows[i * w + j] = 0;
     }
 }
@@ -702,20 +788,23 @@ static void ms_pme__qr_append(double *r, int n, double *rows, int k)
 typedef struct ms_pme__run {
     const ms_pme_function *function;
     const ms_pme_options *options;
-    int n, barrier, ranged;           /* ranged: every parameter has one that means something */
+    int n, ranged;                    /* ranged: every parameter has a range that means something */
     size_t m;
     double max_cost, tolerance, jacobian_cost, start_time;
+    int shift, shifted;               /* residuals are worked on times 2^shift, chosen once one was seen */
     double *lower, *upper;            /* [n] */
-    double *best;                     /* [n] the best point evaluated, and its value */
-    double best_value;
+    double *best;                     /* [n] the best point evaluated, its value, and its projected gradient (-1: not known) */
+    double best_value, best_gradient;
     double *residual, *residual_step; /* [m] of the last evaluation; of a difference */
     double *jacobian;                 /* [m][n] of the last one with derivatives */
-    double *triangle;                 /* [n + 1][n + 1] */
-    double *rows;                     /* [ROWS][n + 1] */
+    double *rows;                     /* [ROWS + 1][n + 1] */
     double *scratch;                  /* what the methods share out among themselves */
     ms_pme_result result;
     int stopped;                      /* a budget, the target, a failure: nothing more may be evaluated */
+    int finishing;                    /* the run is over: what is evaluated now is about its answer, and free */
     ms_status status;
+    size_t bad;                       /* the derivative that was not finite: residual, parameter */
+    int bad_parameter;
     ms__rng rng;
 } ms_pme__run;
 
@@ -731,13 +820,22 @@ static int ms_pme__fail(ms_pme__run *run, ms_status status)
     return run->stopped = 1;
 }
 
+/* Seconds on the wall. */
 static double ms_pme__seconds(const ms_pme_options *options)
 {
     if (options->clock != NULL) return options->clock(options->clock_user);
-#ifndef MS_PME_NO_CLOCK
-    return (double)clock() / (double)CLOCKS_PER_SEC;
-#else
+#if defined(MS_PME_NO_CLOCK)
     return 0;
+#elif defined(__unix__) || defined(__APPLE__)
+    {
+        struct timeval t;
+        gettimeofday(&t, NULL);
+        return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
+    }
+#elif defined(_WIN32)
+    return (double)clock() / (double)CLOCKS_PER_SEC; /* there it is the wall's */
+#else
+    return (double)time(NULL);
 #endif
 }
 
@@ -746,11 +844,12 @@ static int ms_pme__spend(ms_pme__run *run, double cost)
 {
     const ms_pme_options *options = run->options;
     if (run->stopped) return 1;
+    if (run->finishing) return 0;
     if (run->result.cost + cost > run->max_cost * (1 + 1e-12)) return ms_pme__stop(run, MS_PME_STOP_COST);
     if (options->max_seconds > 0 && ms_pme__seconds(options) - run->start_time >= options->max_seconds)
         return ms_pme__stop(run, MS_PME_STOP_SECONDS);
     if (options->progress.report != NULL &&
-        options->progress.report(options->progress.user, run->result.cost / run->max_cost) != 0)
+        options->progress.report(options->progress.user, ms__finite(run->max_cost) ? run->result.cost / run->max_cost : 0) != 0)
         return ms_pme__fail(run, MS_CANCELLED);
     run->result.cost += cost;
     return 0;
@@ -762,29 +861,39 @@ static double ms_pme__seen(ms_pme__run *run, const double *x, double f)
     if (!ms__finite(f)) return MS_PME__INF;
     if (f < run->best_value) {
         run->best_value = f;
+        run->best_gradient = -1;
         ms_pme__copy(run->best, x, run->n);
     }
-    if (f <= run->options->target_value) ms_pme__stop(run, MS_PME_STOP_TARGET);
+    if (!run->finishing && f <= ms_pme__shifted(run->options->target_value, 2 * run->shift)) ms_pme__stop(run, MS_PME_STOP_TARGET);
     return f;
 }
 
-static int ms_pme__outside(const ms_pme__run *run, const double *x)
+/* The sum of squares of r [m] times 2^(2 shift), r becoming that; infinite where an element is not finite or the sum is no
+   number. The first residuals that are seen choose the shift: 0 unless their squares would leave the range of double. */
+static double ms_pme__sum_of_squares(ms_pme__run *run, double *r)
 {
-    int j;
-    for (j = 0; j < run->n; ++j)
-        if (!(x[j] >= run->lower[j] && x[j] <= run->upper[j])) return 1;
-    return 0;
-}
-
-static double ms_pme__sum_of_squares(const double *r, size_t m)
-{
-    double sum = 0;
+    double largest = 0, sum = 0;
     size_t i;
-    for (i = 0; i < m; ++i) sum += r[i] * r[i];
+    int exponent;
+    for (i = 0; i < run->m; ++i) {
+        if (!ms__finite(r[i])) return MS_PME__INF;
+        if (fabs(r[i]) > largest) largest = fabs(r[i]);
+    }
+    if (!run->shifted && largest > 0) {
+        run->shifted = 1;
+        frexp(largest, &exponent);
+        run->shift = exponent > 330 || exponent < -330 ? -exponent : 0;
+    }
+    if (run->shift != 0) {
+        for (i = 0; i < run->m; ++i) r[i] = r[i] < 0 ? -ms_pme__shifted(-r[i], run->shift) : ms_pme__shifted(r[i], run->shift);
+        largest = ms_pme__shifted(largest, run->shift);
+    }
+    if (largest > 1e140) return MS_PME__INF;
+    for (i = 0; i < run->m; ++i) sum += r[i] * r[i];
     return sum;
 }
 
-/* f(x); infinity outside the box, for NaN, and once the run has stopped. With residuals they go to r [m]. */
+/* f(x); infinity for NaN, and once the run has stopped. With residuals they go to r [m]. */
 static double ms_pme__value_to(ms_pme__run *run, const double *x, double *r)
 {
     const ms_pme_function *function = run->function;
@@ -792,18 +901,12 @@ static double ms_pme__value_to(ms_pme__run *run, const double *x, double *r)
     ms_status status;
     if (ms_pme__spend(run, 1)) return MS_PME__INF;
     run->result.evaluations++;
-    if (ms_pme__outside(run, x)) return MS_PME__INF;
-    if (function->residuals != NULL) {
-        status = function->residuals(function->user, x, r, NULL);
-        if (status == MS_OK) f = ms_pme__sum_of_squares(r, run->m);
-    } else {
-        status = function->value(function->user, x, &f);
-    }
+    status = function->residuals != NULL ? function->residuals(function->user, x, r, NULL) : function->value(function->user, x, &f);
     if (status != MS_OK) {
         ms_pme__fail(run, status);
         return MS_PME__INF;
     }
-    return ms_pme__seen(run, x, f);
+    return ms_pme__seen(run, x, function->residuals != NULL ? ms_pme__sum_of_squares(run, r) : f);
 }
 
 static double ms_pme__value(ms_pme__run *run, const double *x)
@@ -811,7 +914,7 @@ static double ms_pme__value(ms_pme__run *run, const double *x)
     return ms_pme__value_to(run, x, run->residual_step);
 }
 
-/* The step of a difference in x_j and whether it may be central; inside the box unless there is a barrier. */
+/* The step of a difference in x_j, inside the box, and whether it may be central. */
 static double ms_pme__difference_step(const ms_pme__run *run, double x, int j, int central, double *back)
 {
     double range = run->upper[j] - run->lower[j], scale = ms__finite(range) ? range : 1;
@@ -819,7 +922,6 @@ static double ms_pme__difference_step(const ms_pme__run *run, double x, int j, i
     if (!(h > 0)) h = (central ? 6.1e-6 : 1.5e-8) * ms_pme__max(fabs(x), 1e-2 * scale); /* eps^(1/3), eps^(1/2) */
     if (!(h > 1e-15 * fabs(x))) h = 1e-15 * fabs(x) + DBL_MIN;
     *back = central && !(run->options->difference_step > 0) ? h : 0;
-    if (run->barrier) return h;
     if (x + h > run->upper[j]) {
         if (x - h < run->lower[j]) h = run->upper[j] - x > x - run->lower[j] ? run->upper[j] - x : run->lower[j] - x;
         else h = -h;
@@ -830,15 +932,24 @@ static double ms_pme__difference_step(const ms_pme__run *run, double x, int j, i
     return h;
 }
 
-/* Residuals and Jacobian at x into run->residual and run->jacobian; returns f. */
-static double ms_pme__linearize(ms_pme__run *run, const double *x)
+/* A derivative is not finite: the run fails, as no step can be made of it. */
+static double ms_pme__bad_derivative(ms_pme__run *run, size_t i, int j)
+{
+    run->bad = i;
+    run->bad_parameter = j;
+    ms_pme__fail(run, MS_BAD_DATA);
+    return MS_PME__INF;
+}
+
+/* Residuals and Jacobian at x into run->residual and run->jacobian; returns f. known: residual_step holds the residuals. */
+static double ms_pme__linearize(ms_pme__run *run, const double *x, double known)
 {
     const ms_pme_function *function = run->function;
-    int n = run->n, j;
-    size_t i;
-    double f;
+    int n = run->n, j, k;
+    size_t i, size = run->m * (size_t)n;
+    double f = known;
+    ms_status status;
     if (!function->residuals_only) {
-        ms_status status;
         if (ms_pme__spend(run, run->jacobian_cost)) return MS_PME__INF;
         run->result.jacobians++;
         status = function->residuals(function->user, x, run->residual, run->jacobian);
@@ -846,21 +957,52 @@ static double ms_pme__linearize(ms_pme__run *run, const double *x)
             ms_pme__fail(run, status);
             return MS_PME__INF;
         }
-        return ms_pme__seen(run, x, ms_pme__sum_of_squares(run->residual, run->m));
+        f = ms_pme__sum_of_squares(run, run->residual);
+        if (!ms__finite(f)) return MS_PME__INF;
+        for (i = 0; i < size; ++i) {
+            if (!ms__finite(run->jacobian[i])) return ms_pme__bad_derivative(run, i / (size_t)n, (int)(i % (size_t)n));
+            if (run->shift != 0)
+                run->jacobian[i] = run->jacobian[i] < 0 ? -ms_pme__shifted(-run->jacobian[i], run->shift) : ms_pme__shifted(run->jacobian[i], run->shift);
+        }
+        return ms_pme__seen(run, x, f);
     }
-    f = ms_pme__value_to(run, x, run->residual);
+    if (!ms__finite(f)) f = ms_pme__value_to(run, x, run->residual);
+    else memcpy(run->residual, run->residual_step, run->m * sizeof(double));
     if (!ms__finite(f)) return f;
     for (j = 0; j < n; ++j) {
         double back, h = ms_pme__difference_step(run, x[j], j, 0, &back), *moved = run->scratch;
-        ms_pme__copy(moved, x, n);
-        moved[j] = x[j] + h;
-        h = moved[j] - x[j];
-        ms_pme__value_to(run, moved, run->residual_step);
-        if (run->stopped) return MS_PME__INF;
+        for (k = 0; k < 2; ++k, h = -h) { /* where it is not finite on one side, the other */
+            double value;
+            ms_pme__copy(moved, x, n);
+            moved[j] = ms_pme__clip(x[j] + h, run->lower[j], run->upper[j]);
+            h = moved[j] - x[j];
+            if (!(h < 0) && !(h > 0)) break;
+            value = ms_pme__value_to(run, moved, run->residual_step);
+            if (run->stopped) return MS_PME__INF;
+            if (ms__finite(value)) break;
+        }
+        if (k == 2) return ms_pme__bad_derivative(run, 0, j);
         for (i = 0; i < run->m; ++i)
-            run->jacobian[i * (size_t)n + (size_t)j] = h != 0 ? (run->residual_step[i] - run->residual[i]) / h : 0;
+            run->jacobian[i * (size_t)n + (size_t)j] = h < 0 || h > 0 ? (run->residual_step[i] - run->residual[i]) / h : 0;
     }
     return f;
+}
+
+/* Is x_j held by its bound against a descent along -g? */
+static int ms_pme__held(const ms_pme__run *run, const double *x, const double *g, int j)
+{
+    return (x[j] <= run->lower[j] && g[j] >= 0) || (x[j] >= run->upper[j] && g[j] <= 0);
+}
+
+/* The projected gradient at x; kept if x is the best point. */
+static double ms_pme__projected_gradient(ms_pme__run *run, const double *x, const double *g)
+{
+    double largest = 0;
+    int j;
+    for (j = 0; j < run->n; ++j)
+        if (!ms_pme__held(run, x, g, j)) largest = ms_pme__max(largest, fabs(g[j]));
+    if (memcmp(x, run->best, (size_t)run->n * sizeof *x) == 0) run->best_gradient = largest;
+    return largest;
 }
 
 /* f and gradient at x by the best way that there is; infinity if the run has stopped. */
@@ -869,10 +1011,6 @@ static double ms_pme__gradient(ms_pme__run *run, const double *x, double *g)
     const ms_pme_function *function = run->function;
     int n = run->n, j;
     double f = 0;
-    if (run->barrier && ms_pme__outside(run, x)) {
-        for (j = 0; j < n; ++j) g[j] = 0;
-        return ms_pme__value(run, x);
-    }
     if (function->gradient != NULL && !(run->options->difference_step > 0)) {
         ms_status status;
         if (ms_pme__spend(run, run->jacobian_cost)) return MS_PME__INF;
@@ -883,13 +1021,14 @@ static double ms_pme__gradient(ms_pme__run *run, const double *x, double *g)
             return MS_PME__INF;
         }
         f = ms_pme__seen(run, x, f);
+        for (j = 0; j < n && ms__finite(f); ++j)
+            if (!ms__finite(g[j])) return ms_pme__bad_derivative(run, 0, j);
     } else if (function->residuals != NULL && !function->residuals_only && !(run->options->difference_step > 0)) {
         size_t i;
-        f = ms_pme__linearize(run, x);
+        f = ms_pme__linearize(run, x, MS_PME__INF);
         for (j = 0; j < n; ++j) g[j] = 0;
         if (!ms__finite(f)) return f;
-        for (i = 0; i < run->m; ++i)
-            for (j = 0; j < n; ++j) g[j] += 2 * run->residual[i] * run->jacobian[i * (size_t)n + (size_t)j];
+        for (i = 0; i < run->m; ++i) ms_pme__add(g, 2 * run->residual[i], run->jacobian + i * (size_t)n, n);
     } else {
         f = ms_pme__value(run, x);
         for (j = 0; j < n && !run->stopped; ++j) {
@@ -903,245 +1042,332 @@ static double ms_pme__gradient(ms_pme__run *run, const double *x, double *g)
                 h += x[j] - moved[j];
                 low = ms_pme__value(run, moved);
             }
-            g[j] = h != 0 ? (high - low) / h : 0;
+            if (!ms__finite(high) || !ms__finite(low)) return MS_PME__INF; /* an edge: such a point leads nowhere */
+            g[j] = h < 0 || h > 0 ? (high - low) / h : 0;
         }
+        if (j < n) return MS_PME__INF;
     }
-    for (j = 0; j < n; ++j)
-        if (!ms__finite(g[j])) {
-            if (!run->barrier) return MS_PME__INF;
-            g[j] = 0; /* a difference over the barrier: the direction is lost, as it was for the thesis */
-        }
-    return run->stopped && run->status != MS_OK ? MS_PME__INF : f;
-}
-
-/* Is x_j held by its bound against a descent along -g? */
-static int ms_pme__held(const ms_pme__run *run, const double *x, const double *g, int j)
-{
-    if (run->barrier) return 0;
-    return (x[j] <= run->lower[j] && g[j] >= 0) || (x[j] >= run->upper[j] && g[j] <= 0);
-}
-
-static double ms_pme__projected_gradient(const ms_pme__run *run, const double *x, const double *g)
-{
-    double largest = 0;
-    int j;
-    for (j = 0; j < run->n; ++j)
-        if (!ms_pme__held(run, x, g, j)) largest = ms_pme__max(largest, fabs(g[j]));
-    return largest;
+    if (run->status != MS_OK) return MS_PME__INF;
+    if (ms__finite(f)) ms_pme__projected_gradient(run, x, g);
+    return f;
 }
 
 /* ---- bounded least squares ------------------------------------------------------------------------------------------ */
 
-/* d [n] minimises |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995),
-   exact after finitely many changes of the set. A [rows][n] has full rank; work holds (n + 1)^2 + rows (n + 1) + n
-   doubles, state n ints, which come in as the first guess of the set (0 free, -1 at low, 1 at high). */
-static void ms_pme__bounded_least_squares(const double *a, const double *b, int rows, int n, const double *low,
-                                          const double *high, double *d, int *state, double *work)
+/* The columns `order`[0 .. free) of a matrix [n][n + 1] are an upper triangle; the others are full, the last is the right-hand
+   side. Rotations of neighbouring rows keep that when a column enters or leaves, at the cost of some rows each. */
+typedef struct ms_pme__active {
+    double *a; /* [n][n + 1] */
+    int *order, n, free;
+} ms_pme__active;
+
+static void ms_pme__turn(ms_pme__active *s, int row, int column)
+{
+    int w = s->n + 1;
+    double c, sine, *upper = s->a + row * w, *lower = upper + w, r = ms_pme__rotation(upper[column], lower[column], &c, &sine);
+    if (sine < 0 || sine > 0) ms_pme__rotate(upper, lower, c, sine, w);
+    upper[column] = r;
+    lower[column] = 0;
+}
+
+static void ms_pme__leave(ms_pme__active *s, int place)
+{
+    int column = s->order[place], i;
+    for (i = place; i + 1 < s->free; ++i) s->order[i] = s->order[i + 1];
+    s->order[--s->free] = column;
+    for (i = place; i < s->free; ++i) ms_pme__turn(s, i, s->order[i]);
+}
+
+static void ms_pme__enter(ms_pme__active *s, int column)
+{
+    int place = s->free, i;
+    while (s->order[place] != column) ++place;
+    s->order[place] = s->order[s->free];
+    s->order[s->free] = column;
+    for (i = s->n - 2; i >= s->free; --i) ms_pme__turn(s, i, column);
+    s->free++;
+}
+
+/* d [n] minimises |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995), exact
+   after finitely many changes of the set. a [n][n + 1]: A upper triangular of full rank, then b; destroyed. state: the first
+   guess of the set (0 free, -1 at low, 1 at high), out: the set. order [n], z [2 n] scratch. */
+static void ms_pme__bounded_least_squares(double *a, int n, const double *low, const double *high, double *d, int *state, int *order,
+                                          double *z)
 {
     int w = n + 1, change, i, j, released = -1;
-    double *triangle = work, *part = work + w * w, *z = part + rows * w;
-    for (j = 0; j < n; ++j) d[j] = state[j] < 0 ? low[j] : state[j] > 0 ? high[j] : 0;
+    double *rest = z + n;
+    ms_pme__active s;
+    s.a = a;
+    s.order = order;
+    s.n = s.free = n;
+    for (j = 0; j < n; ++j) order[j] = j;
+    for (j = n; j-- > 0;) {
+        d[j] = state[j] < 0 ? low[j] : state[j] > 0 ? high[j] : 0;
+        if (state[j] != 0) ms_pme__leave(&s, j);
+    }
     for (change = 0; change < 4 * n + 8; ++change) {
-        int count = 0, worst = -1, hit = -1;
+        int worst = -1, hit = -1;
         double alpha = 1, steepest = 0;
-        /* the free columns, and what the held ones leave of b */
-        for (j = 0; j < n; ++j) count += state[j] == 0;
-        for (i = 0; i < rows; ++i) {
-            double rest = b[i];
-            int c = 0;
-            for (j = 0; j < n; ++j) {
-                if (state[j] == 0) part[i * (count + 1) + c++] = a[i * n + j];
-                else rest -= a[i * n + j] * d[j];
-            }
-            part[i * (count + 1) + count] = rest;
+        for (i = 0; i < n; ++i) { /* what the held columns leave of b */
+            rest[i] = a[i * w + n];
+            for (j = s.free; j < n; ++j) rest[i] -= a[i * w + order[j]] * d[order[j]];
         }
-        memset(triangle, 0, (size_t)((count + 1) * (count + 1)) * sizeof *triangle);
-        for (i = 0; i < rows; i += MS_PME__ROWS)
-            ms_pme__qr_append(triangle, count, part + i * (count + 1), rows - i < MS_PME__ROWS ? rows - i : MS_PME__ROWS);
-        for (i = count - 1; i >= 0; --i) {
-            double t = triangle[i * (count + 1) + count], pivot = triangle[i * (count + 1) + i];
-            for (j = i + 1; j < count; ++j) t -= triangle[i * (count + 1) + j] * z[j];
-            z[i] = pivot != 0 ? t / pivot : 0;
+        for (i = s.free - 1; i >= 0; --i) {
+            double t = rest[i], pivot = a[i * w + order[i]];
+            for (j = i + 1; j < s.free; ++j) t -= a[i * w + order[j]] * z[j];
+            z[i] = fabs(pivot) > 0 ? t / pivot : 0;
         }
-        /* as far towards z as the box allows */
-        for (j = 0, i = 0; j < n; ++j) {
-            if (state[j] != 0) continue;
-            if (z[i] < low[j] || z[i] > high[j]) {
-                double limit = z[i] < low[j] ? low[j] : high[j];
-                double t = z[i] != d[j] ? (limit - d[j]) / (z[i] - d[j]) : 0;
-                if (t < alpha || hit < 0) { alpha = ms_pme__clip(t, 0, 1); hit = j; }
+        for (i = 0; i < s.free; ++i) { /* as far towards z as the box allows */
+            double limit, t;
+            j = order[i];
+            if (z[i] >= low[j] && z[i] <= high[j]) continue;
+            limit = z[i] < low[j] ? low[j] : high[j];
+            t = z[i] < d[j] || z[i] > d[j] ? (limit - d[j]) / (z[i] - d[j]) : 0;
+            if (t < alpha || hit < 0) {
+                alpha = ms_pme__clip(t, 0, 1);
+                hit = i;
             }
-            ++i;
         }
-        for (j = 0, i = 0; j < n; ++j) {
-            if (state[j] != 0) continue;
-            d[j] += alpha * (z[i] - d[j]);
-            if (j == hit) {
-                state[j] = z[i] < low[j] ? -1 : 1;
-                d[j] = state[j] < 0 ? low[j] : high[j];
-            } else if (d[j] < low[j] || d[j] > high[j]) {
-                d[j] = ms_pme__clip(d[j], low[j], high[j]);
-            }
-            ++i;
+        for (i = 0; i < s.free; ++i) {
+            j = order[i];
+            d[j] = ms_pme__clip(d[j] + alpha * (z[i] - d[j]), low[j], high[j]);
         }
         if (hit >= 0) {
-            if (hit == released) break; /* rounding frees it again and again */
+            j = order[hit];
+            state[j] = z[hit] < low[j] ? -1 : 1;
+            d[j] = state[j] < 0 ? low[j] : high[j];
+            ms_pme__leave(&s, hit);
+            if (j == released) break; /* rounding frees it again and again */
             continue;
         }
-        /* on the face: which bound holds against the descent? */
-        for (i = 0; i < rows; ++i) {
-            part[i] = b[i];
-            for (j = 0; j < n; ++j) part[i] -= a[i * n + j] * d[j];
-        }
-        for (j = 0; j < n; ++j) {
+        for (j = s.free; j < n; ++j) { /* on the face: which bound holds against the descent? */
             double t = 0, size = 0, push;
-            if (state[j] == 0 || !(low[j] < high[j])) continue;
-            for (i = 0; i < rows; ++i) {
-                t += a[i * n + j] * part[i];
-                size += fabs(a[i * n + j] * part[i]);
+            int column = order[j];
+            if (!(low[column] < high[column])) continue;
+            for (i = s.free; i < n; ++i) {
+                t += a[i * w + column] * rest[i];
+                size += fabs(a[i * w + column] * rest[i]);
             }
-            push = state[j] < 0 ? t : -t;
-            if (push > 1e-14 * size && push > steepest) { steepest = push; worst = j; }
+            push = state[column] < 0 ? t : -t;
+            if (push > 1e-14 * size && push > steepest) {
+                steepest = push;
+                worst = column;
+            }
         }
         if (worst < 0) break;
         released = worst;
         state[worst] = 0;
+        ms_pme__enter(&s, worst);
     }
 }
 
 /* ---- Levenberg-Marquardt --------------------------------------------------------------------------------------------- */
 
-/* R and Q'(-r) of the Jacobian into run->triangle, g = 2 J'r; 0 if something is not finite. */
-static int ms_pme__factor(ms_pme__run *run, double *g)
+/* One descent, which may rest and go on: where it stands, and R and Q'(-r) there. */
+typedef struct ms_pme__walk {
+    double f, lambda, grow;
+    int done;         /* nothing left to gain, or nothing finite */
+    double *x, *g;    /* [n] the last accepted point, its gradient */
+    double *scale;    /* [n] */
+    double *triangle; /* [n + 1][n + 1] */
+} ms_pme__walk;
+
+static int ms_pme__walk_size(int n) { return 3 * n + (n + 1) * (n + 1); }
+
+static void ms_pme__walk_place(ms_pme__walk *walk, double *memory, int n)
+{
+    memset(walk, 0, sizeof *walk);
+    walk->x = memory;
+    walk->g = walk->x + n;
+    walk->scale = walk->g + n;
+    walk->triangle = walk->scale + n;
+}
+
+static double ms_pme__column_norm(const ms_pme__walk *walk, int n, int j)
+{
+    double sum = 0;
+    int i;
+    for (i = 0; i <= j; ++i) sum += walk->triangle[i * (n + 1) + j] * walk->triangle[i * (n + 1) + j];
+    return sqrt(sum);
+}
+
+/* R and Q'(-r) of run->jacobian, g = 2 J'r. */
+static void ms_pme__factor(ms_pme__run *run, ms_pme__walk *walk)
 {
     int n = run->n, w = n + 1, i, j;
+    double *triangle = walk->triangle;
     size_t row = 0;
-    memset(run->triangle, 0, (size_t)(w * w) * sizeof(double));
+    memset(triangle, 0, (size_t)(w * w) * sizeof(double));
     while (row < run->m) {
         int k = run->m - row < MS_PME__ROWS ? (int)(run->m - row) : MS_PME__ROWS;
         for (i = 0; i < k; ++i, ++row) {
             ms_pme__copy(run->rows + i * w, run->jacobian + row * (size_t)n, n);
             run->rows[i * w + n] = -run->residual[row];
         }
-        ms_pme__qr_append(run->triangle, n, run->rows, k);
+        ms_pme__qr_append(triangle, n, run->rows, k, run->rows + MS_PME__ROWS * w);
     }
     for (j = 0; j < n; ++j) {
         double t = 0;
-        for (i = 0; i <= j; ++i) t -= run->triangle[i * w + j] * run->triangle[i * w + n];
-        g[j] = 2 * t;
-        if (!ms__finite(t)) return 0;
+        for (i = 0; i <= j; ++i) t -= triangle[i * w + j] * triangle[i * w + n];
+        walk->g[j] = 2 * t;
     }
-    return 1;
 }
 
-static double ms_pme__column_norm(const ms_pme__run *run, int j)
+/* Takes the derivatives at walk->x: factor, and the trust region's scale. That is the largest column norms so far (More 1978); for
+   pictures, whose parameters all have a range, the norms of now, none below 0.3 of the largest (both for a step across the
+   box): what hardly changes the picture does not run off to its bounds. known: f there, or infinity. */
+static void ms_pme__arrive(ms_pme__run *run, ms_pme__walk *walk, double known)
 {
-    double sum = 0;
-    int i;
-    for (i = 0; i <= j; ++i) sum += run->triangle[i * (run->n + 1) + j] * run->triangle[i * (run->n + 1) + j];
-    return sqrt(sum);
+    int n = run->n, j;
+    double largest = 0, angle = 0; /* angle: largest cosine between the residual and a column that may move */
+    walk->f = ms_pme__linearize(run, walk->x, known);
+    if (!ms__finite(walk->f)) {
+        walk->done = 1;
+        return;
+    }
+    ms_pme__factor(run, walk);
+    ms_pme__projected_gradient(run, walk->x, walk->g);
+    for (j = 0; j < n && run->ranged; ++j)
+        largest = ms_pme__max(largest, (run->upper[j] - run->lower[j]) * ms_pme__column_norm(walk, n, j));
+    for (j = 0; j < n; ++j) {
+        double range = run->upper[j] - run->lower[j], norm = ms_pme__column_norm(walk, n, j);
+        walk->scale[j] = ms_pme__max(norm, !run->ranged ? walk->scale[j] : range > 0 ? 0.3 * largest / range : 0);
+        if (!ms_pme__held(run, walk->x, walk->g, j) && norm > 0 && walk->f > 0)
+            angle = ms_pme__max(angle, 0.5 * fabs(walk->g[j]) / (norm * sqrt(walk->f)));
+    }
+    if (!(walk->f > 0) || angle <= 1e-14) walk->done = 1;
+}
+
+static void ms_pme__set_out(ms_pme__run *run, ms_pme__walk *walk, const double *x)
+{
+    int j;
+    ms_pme__copy(walk->x, x, run->n);
+    for (j = 0; j < run->n; ++j) walk->scale[j] = 0;
+    walk->lambda = 1e-3;
+    walk->grow = 2;
+    walk->done = 0;
+    ms_pme__arrive(run, walk, MS_PME__INF);
+}
+
+/* [R; sqrt(lambda) D] as a triangle with its right-hand side, by rotations of each row of D into R. */
+static void ms_pme__damp(const ms_pme__walk *walk, int n, double *a, double *row)
+{
+    int w = n + 1, i, j;
+    ms_pme__copy(a, walk->triangle, n * w);
+    for (i = n - 1; i >= 0; --i) { /* from below: a row meets only those under it */
+        memset(row + i, 0, (size_t)(w - i) * sizeof *row);
+        row[i] = sqrt(walk->lambda) * (walk->scale[i] > 0 ? walk->scale[i] : 1);
+        for (j = i; j < n; ++j) {
+            double c, s, r = ms_pme__rotation(a[j * w + j], row[j], &c, &s);
+            ms_pme__rotate(a + j * w + j, row + j, c, s, w - j);
+            a[j * w + j] = r;
+        }
+    }
 }
 
 /* What the linear model promises: |r|^2 - |r + J d|^2. */
-static double ms_pme__predicted_decrease(const ms_pme__run *run, const double *d)
+static double ms_pme__predicted_decrease(const ms_pme__walk *walk, int n, const double *d)
 {
-    int n = run->n, w = n + 1, i, j;
     double sum = 0;
+    int i;
     for (i = 0; i < n; ++i) {
-        double t = 0;
-        for (j = i; j < n; ++j) t += run->triangle[i * w + j] * d[j];
-        sum += t * (2 * run->triangle[i * w + n] - t);
+        const double *row = walk->triangle + i * (n + 1);
+        double t = ms_pme__dot(row + i, d + i, n - i);
+        sum += t * (2 * row[n] - t);
     }
     return sum;
 }
 
-/* The trust region's scaling: the largest column norms so far (More 1978). For pictures, whose parameters all have a range,
-   the norms of now, none below 0.3 of the largest (both for a step across the box): what hardly changes the picture does
-   not run off to its bounds. */
-static void ms_pme__rescale(const ms_pme__run *run, double *scale)
+/* Trials until one is accepted, the walk is done or the run has stopped: the damped problem in the box, solved exactly; damping
+   by the ratio of actual to predicted decrease (Nielsen 1999). run->jacobian must be the walk's. */
+static void ms_pme__step(ms_pme__run *run, ms_pme__walk *walk, double *memory)
 {
-    double largest = 0;
-    int n = run->n, j;
-    for (j = 0; j < n && run->ranged; ++j)
-        largest = ms_pme__max(largest, (run->upper[j] - run->lower[j]) * ms_pme__column_norm(run, j));
-    for (j = 0; j < n; ++j) {
-        double range = run->upper[j] - run->lower[j], norm = ms_pme__column_norm(run, j);
-        scale[j] = ms_pme__max(norm, !run->ranged ? scale[j] : range > 0 ? 0.3 * largest / range : 0);
-    }
-}
-
-/* One run from x, which ends as the last accepted point; returns its value. Damping by the ratio of actual to predicted
-   decrease (Nielsen 1999). */
-static double ms_pme__levenberg_marquardt(ms_pme__run *run, double *x, double *memory)
-{
-    int n = run->n, w = n + 1, i, j, done = 0;
-    double *trial = memory, *d = trial + n, *scale = d + n, *low = scale + n, *high = low + n, *g = high + n;
-    double *a = g + n, *b = a + 2 * n * n, *work = b + 2 * n;
-    int *state = (int *)(void *)(work + w * w + 2 * n * w + n);
-    double lambda = 1e-3, grow = 2, f = ms_pme__linearize(run, x);
-    for (j = 0; j < n; ++j) scale[j] = 0;
-    while (!done && !run->stopped && ms__finite(f) && ms_pme__factor(run, g)) {
-        double angle = 0; /* largest cosine between the residual and a column that may move */
-        int accepted = 0;
-        ms_pme__rescale(run, scale);
+    int n = run->n, j, state[MS_PME__VARIABLES], order[MS_PME__VARIABLES];
+    double *trial = memory, *d = trial + n, *low = d + n, *high = low + n, *z = high + n, *row = z + 2 * n, *a = row + n + 1;
+    double *x = walk->x;
+    while (!walk->done && !run->stopped) {
+        double predicted, f, t, step = 0, size = 0;
+        ms_pme__damp(walk, n, a, row);
         for (j = 0; j < n; ++j) {
-            double norm = ms_pme__column_norm(run, j);
-            if (!ms_pme__held(run, x, g, j) && norm > 0) angle = ms_pme__max(angle, 0.5 * fabs(g[j]) / (norm * sqrt(f)));
+            low[j] = run->lower[j] - x[j];
+            high[j] = run->upper[j] - x[j];
+            state[j] = !ms_pme__held(run, x, walk->g, j) ? 0 : low[j] >= 0 ? -1 : 1;
         }
-        run->result.projected_gradient = ms_pme__projected_gradient(run, x, g);
-        if (f <= 0 || angle <= 1e-14) break;
-        while (!accepted && !done && !run->stopped) {
-            double predicted, f_trial, step = 0, size = 0;
-            for (i = 0; i < n; ++i) { /* A = [R; sqrt(lambda) D], b = [Q'(-r); 0] */
-                for (j = 0; j < n; ++j) {
-                    a[i * n + j] = j >= i ? run->triangle[i * w + j] : 0;
-                    a[(n + i) * n + j] = i == j ? sqrt(lambda) * (scale[j] > 0 ? scale[j] : 1) : 0;
-                }
-                b[i] = run->triangle[i * w + n];
-                b[n + i] = 0;
-            }
-            for (j = 0; j < n; ++j) {
-                low[j] = run->lower[j] - x[j];
-                high[j] = run->upper[j] - x[j];
-                state[j] = !ms_pme__held(run, x, g, j) ? 0 : low[j] >= 0 ? -1 : 1;
-            }
-            ms_pme__bounded_least_squares(a, b, 2 * n, n, low, high, d, state, work);
-            for (j = 0; j < n; ++j) {
-                trial[j] = state[j] < 0   ? run->lower[j]
-                           : state[j] > 0 ? run->upper[j]
-                                          : ms_pme__clip(x[j] + d[j], run->lower[j], run->upper[j]);
-                step += scale[j] * scale[j] * d[j] * d[j];
-                size += scale[j] * scale[j] * x[j] * x[j];
-            }
-            predicted = ms_pme__predicted_decrease(run, d);
-            if (!(predicted > 1e-15 * f) || step <= 1e-30 * size || !(lambda < 1e60)) {
-                done = 1; /* nothing left to gain that rounding would not swallow */
-                break;
-            }
-            f_trial = ms_pme__value_to(run, trial, run->residual_step);
-            if (f - f_trial > 1e-4 * predicted) {
-                double t = 2 * (f - f_trial) / predicted - 1;
-                lambda = ms_pme__max(lambda * ms_pme__max(0.1, 1 - t * t * t), 1e-16);
-                grow = 2;
-                accepted = 1;
-                done = (f - f_trial <= run->tolerance * f && predicted <= run->tolerance * f) ||
+        ms_pme__bounded_least_squares(a, n, low, high, d, state, order, z);
+        for (j = 0; j < n; ++j) {
+            trial[j] = state[j] < 0   ? run->lower[j]
+                       : state[j] > 0 ? run->upper[j]
+                                      : ms_pme__clip(x[j] + d[j], run->lower[j], run->upper[j]);
+            step += walk->scale[j] * walk->scale[j] * d[j] * d[j];
+            size += walk->scale[j] * walk->scale[j] * x[j] * x[j];
+        }
+        predicted = ms_pme__predicted_decrease(walk, n, d);
+        if (!(predicted > 1e-15 * walk->f) || step <= 1e-30 * size || !(walk->lambda < 1e60)) {
+            walk->done = 1; /* nothing left to gain that rounding would not swallow */
+            break;
+        }
+        f = ms_pme__value_to(run, trial, run->residual_step);
+        if (ms__finite(f) && walk->f - f > 1e-4 * predicted) {
+            int done = (walk->f - f <= run->tolerance * walk->f && predicted <= run->tolerance * walk->f) ||
                        step <= run->tolerance * run->tolerance * size;
-                f = f_trial;
-                ms_pme__copy(x, trial, n);
-                run->result.iterations++;
-            } else {
-                lambda *= grow;
-                grow *= 2;
-            }
+            t = 2 * (walk->f - f) / predicted - 1;
+            walk->lambda = ms_pme__max(walk->lambda * ms_pme__max(0.1, 1 - t * t * t), 1e-16);
+            walk->grow = 2;
+            ms_pme__copy(x, trial, n);
+            run->result.iterations++;
+            walk->f = f;
+            if (run->stopped) break;
+            ms_pme__arrive(run, walk, f);
+            walk->done |= done;
+            break;
         }
-        if (accepted && !done) f = ms_pme__linearize(run, x);
+        walk->lambda *= walk->grow;
+        walk->grow *= 2;
     }
-    return f;
 }
 
-/* ---- line search ------------------------------------------------------------------------------------------------------ */
+/* ---- restarts ---------------------------------------------------------------------------------------------------------- */
 
-/* Where the gradient methods stand: a point, its value and gradient, and a trial. */
+#define MS_PME__FIELD 16 /* first guesses that are kept at most */
+
+/* Uniform in the box; a side without a bound reaches max(|x|, 1) beyond x. */
+static void ms_pme__random_point(ms_pme__run *run, const double *near_x, double *x)
+{
+    int j;
+    for (j = 0; j < run->n; ++j) {
+        double reach = ms_pme__max(fabs(near_x[j]), 1), u = ms__rng_uniform(&run->rng);
+        double low = ms__finite(run->lower[j]) ? run->lower[j] : near_x[j] - reach;
+        double high = ms__finite(run->upper[j]) ? run->upper[j] : near_x[j] + reach;
+        x[j] = ms_pme__clip(low + u * (high - low), run->lower[j], run->upper[j]);
+    }
+}
+
+/* Levenberg-Marquardt from starts [count][n], the best first. While cost is left, `restarts` further runs: from the other starts, then
+   from random points; roughly at first, to the end where that leads further. */
+static void ms_pme__descend(ms_pme__run *run, const double *starts, int count, int restarts, double *memory)
+{
+    ms_pme__walk walk;
+    int n = run->n, i;
+    double *scratch = memory + ms_pme__walk_size(n), tolerance = run->tolerance;
+    ms_pme__walk_place(&walk, memory, n);
+    for (i = 0; i <= restarts && !run->stopped; ++i) {
+        double best = run->best_value;
+        if (i > 0) run->tolerance = ms_pme__max(tolerance, 1e-3);
+        if (i < count) ms_pme__copy(scratch, starts + (size_t)i * (size_t)n, n);
+        else ms_pme__random_point(run, run->best, scratch);
+        ms_pme__set_out(run, &walk, scratch);
+        while (!walk.done && !run->stopped) ms_pme__step(run, &walk, scratch);
+        run->tolerance = tolerance;
+        if (i > 0 && run->best_value < best && ms__finite(walk.f) && !run->stopped) {
+            walk.done = 0;
+            while (!walk.done && !run->stopped) ms_pme__step(run, &walk, scratch);
+        }
+    }
+}
+
+/* ---- L-BFGS ------------------------------------------------------------------------------------------------------------ */
+
+/* Where a line search stands: a point, its value and gradient. */
 typedef struct ms_pme__point {
     double f;
     double *x, *g; /* [n] each */
@@ -1150,7 +1376,7 @@ typedef struct ms_pme__point {
 /* Strong Wolfe conditions along d by bracketing and cubic interpolation (Nocedal and Wright 2006, algorithms 3.5 and
    3.6), the step at most longest; at longest decrease alone is enough. From p to q; the step, or 0 if none was found. */
 static double ms_pme__line_search(ms_pme__run *run, const ms_pme__point *p, const double *d, double first, double longest,
-                                  double curvature, ms_pme__point *q)
+                                  ms_pme__point *q)
 {
     int n = run->n, j, tries;
     double slope = ms_pme__dot(p->g, d, n), t = first < longest ? first : longest;
@@ -1158,215 +1384,116 @@ static double ms_pme__line_search(ms_pme__run *run, const ms_pme__point *p, cons
     int bracketed = 0;
     if (!(slope < 0) || !(longest > 0)) return 0;
     for (tries = 0; tries < 40 && !run->stopped; ++tries) {
-        for (j = 0; j < n; ++j) {
-            q->x[j] = p->x[j] + t * d[j];
-            if (!run->barrier) q->x[j] = ms_pme__clip(q->x[j], run->lower[j], run->upper[j]);
-        }
+        for (j = 0; j < n; ++j) q->x[j] = ms_pme__clip(p->x[j] + t * d[j], run->lower[j], run->upper[j]);
         q->f = ms_pme__gradient(run, q->x, q->g);
-        s = ms_pme__dot(q->g, d, n);
-        if (!(q->f <= p->f + 1e-4 * t * slope) || (bracketed && q->f >= f_low) || !ms__finite(q->f)) {
+        s = ms__finite(q->f) ? ms_pme__dot(q->g, d, n) : 0;
+        if (!ms__finite(q->f) || !(q->f <= p->f + 1e-4 * t * slope) || (bracketed && q->f >= f_low)) {
             high = t; f_high = q->f; slope_high = s;
             bracketed = 1;
         } else {
-            if (fabs(s) <= -curvature * slope || (t >= longest && s < 0)) return t;
+            if (fabs(s) <= -0.9 * slope || (t >= longest && s < 0)) return t;
             if (s * (bracketed ? high - low : 1) >= 0) { high = low; f_high = f_low; slope_high = slope_low; bracketed = 1; }
             low = t; f_low = q->f; slope_low = s;
         }
         if (!bracketed) {
             t = 4 * t < longest ? 4 * t : longest;
         } else { /* minimum of the cubic through both ends, well inside; the middle where that fails */
-            double width = high - low, theta, radical, next = low + 0.5 * width;
-            if (ms__finite(f_high) && width != 0) {
+            double width = high - low, theta, radical, next = low + (ms__finite(f_high) ? 0.5 : 0.1) * width;
+            if (fabs(width) <= 1e-15 * (fabs(low) + fabs(high))) break;
+            t = next;
+            if (ms__finite(f_high)) {
                 theta = 3 * (f_low - f_high) / width + slope_low + slope_high;
                 radical = theta * theta - slope_low * slope_high;
                 if (radical >= 0) {
                     double root = sqrt(radical) * (width > 0 ? 1 : -1), below = slope_high - slope_low + 2 * root;
-                    if (below != 0) next = high - width * (slope_high + root - theta) / below;
+                    if (fabs(below) > 0) next = high - width * (slope_high + root - theta) / below;
                 }
-            } else if (width != 0) {
-                next = low + 0.1 * width;
+                if ((next - low) / width > 0.05 && (next - low) / width < 0.95) t = next;
             }
-            t = (next - low) / width > 0.05 && (next - low) / width < 0.95 ? next : low + (ms__finite(f_high) ? 0.5 : 0.1) * width;
-            if (fabs(width) <= 1e-15 * (fabs(low) + fabs(high))) break;
         }
     }
     /* rounding or noise: the best bracketed point will do if it is lower at all */
     if (low > 0 && f_low < p->f && !run->stopped) {
-        for (j = 0; j < n; ++j) {
-            q->x[j] = p->x[j] + low * d[j];
-            if (!run->barrier) q->x[j] = ms_pme__clip(q->x[j], run->lower[j], run->upper[j]);
-        }
+        for (j = 0; j < n; ++j) q->x[j] = ms_pme__clip(p->x[j] + low * d[j], run->lower[j], run->upper[j]);
         q->f = ms_pme__gradient(run, q->x, q->g);
-        if (q->f < p->f) return low;
+        if (ms__finite(q->f) && q->f < p->f) return low;
     }
     return 0;
 }
-
-/* The longest step along d inside the box. */
-static double ms_pme__longest_step(const ms_pme__run *run, const double *x, const double *d)
-{
-    double longest = 1e10;
-    int j;
-    if (run->barrier) return longest;
-    for (j = 0; j < run->n; ++j) {
-        double room = d[j] > 0 ? run->upper[j] - x[j] : d[j] < 0 ? run->lower[j] - x[j] : 0;
-        if (d[j] != 0 && room / d[j] < longest) longest = room / d[j];
-    }
-    return longest;
-}
-
-/* ---- quasi-Newton, conjugate gradient, SQP ---------------------------------------------------------------------------- */
 
 /* d = -H g on the variables that no bound holds, H from the last pairs by the two-loop recursion (Nocedal 1980). */
 static void ms_pme__lbfgs_direction(const ms_pme__run *run, const ms_pme__point *p, const double *s, const double *y,
                                     int newest, int count, double *d)
 {
-    int n = run->n, j, k;
+    int n = run->n, j, k, pass;
     double alpha[MS_PME__MEMORY], rho[MS_PME__MEMORY];
     for (j = 0; j < n; ++j) d[j] = ms_pme__held(run, p->x, p->g, j) ? 0 : -p->g[j];
-    for (k = 0; k < count; ++k) {
-        int at = (newest - k + MS_PME__MEMORY) % MS_PME__MEMORY;
-        double sy = 0, sd = 0;
-        for (j = 0; j < n; ++j)
-            if (!ms_pme__held(run, p->x, p->g, j)) {
-                sy += s[at * n + j] * y[at * n + j];
-                sd += s[at * n + j] * d[j];
+    for (pass = 0; pass < 2; ++pass) {
+        for (k = pass ? count - 1 : 0; pass ? k >= 0 : k < count; k += pass ? -1 : 1) {
+            const double *sk = s + (newest - k + MS_PME__MEMORY) % MS_PME__MEMORY * n, *yk = y + (sk - s);
+            double sy = 0, along = 0;
+            for (j = 0; j < n; ++j) {
+                if (ms_pme__held(run, p->x, p->g, j)) continue;
+                sy += sk[j] * yk[j];
+                along += (pass ? yk[j] : sk[j]) * d[j];
             }
-        rho[k] = sy;
-        alpha[k] = sy > 0 ? sd / sy : 0;
-        for (j = 0; j < n; ++j)
-            if (!ms_pme__held(run, p->x, p->g, j)) d[j] -= alpha[k] * y[at * n + j];
-    }
-    if (count > 0) {
-        double yy = 0;
-        for (j = 0; j < n; ++j)
-            if (!ms_pme__held(run, p->x, p->g, j)) yy += y[newest * n + j] * y[newest * n + j];
-        if (rho[0] > 0 && yy > 0)
-            for (j = 0; j < n; ++j) d[j] *= rho[0] / yy;
-    }
-    for (k = count - 1; k >= 0; --k) {
-        int at = (newest - k + MS_PME__MEMORY) % MS_PME__MEMORY;
-        double yd = 0;
-        if (!(rho[k] > 0)) continue;
-        for (j = 0; j < n; ++j)
-            if (!ms_pme__held(run, p->x, p->g, j)) yd += y[at * n + j] * d[j];
-        for (j = 0; j < n; ++j)
-            if (!ms_pme__held(run, p->x, p->g, j)) d[j] += (alpha[k] - yd / rho[k]) * s[at * n + j];
-    }
-}
-
-/* Damped BFGS update of the dense model B (Powell 1978). */
-static void ms_pme__bfgs_update(double *model, int n, const double *s, const double *y, double *bs)
-{
-    double sy = ms_pme__dot(s, y, n), sbs = 0, theta = 1, sr;
-    int i, j;
-    for (i = 0; i < n; ++i) {
-        bs[i] = ms_pme__dot(model + i * n, s, n);
-        sbs += s[i] * bs[i];
-    }
-    if (!(sbs > 0)) return;
-    if (sy < 0.2 * sbs) theta = 0.8 * sbs / (sbs - sy);
-    sr = theta * sy + (1 - theta) * sbs;
-    for (i = 0; i < n; ++i)
-        for (j = 0; j < n; ++j)
-            model[i * n + j] += (theta * y[i] + (1 - theta) * bs[i]) * (theta * y[j] + (1 - theta) * bs[j]) / sr -
-                                bs[i] * bs[j] / sbs;
-}
-
-/* Step of the quadratic program min g'd + d'B d / 2 over the box, as the least-squares problem |L'd + L^-1 g|. */
-static int ms_pme__sqp_direction(const ms_pme__run *run, const ms_pme__point *p, const double *model, double *d, double *work)
-{
-    int n = run->n, i, j, c;
-    double *l = work, *a = l + n * n, *b = a + n * n, *low = b + n, *high = low + n, *rest = high + n;
-    int *state = (int *)(void *)(rest + (n + 1) * (n + 1) + n * (n + 1) + n);
-    for (j = 0; j < n; ++j) {
-        for (i = j; i < n; ++i) {
-            double t = model[i * n + j];
-            for (c = 0; c < j; ++c) t -= l[i * n + c] * l[j * n + c];
-            if (i == j && !(t > 0)) return 0;
-            l[i * n + j] = i == j ? sqrt(t) : t / l[j * n + j];
+            rho[k] = sy;
+            if (!(sy > 0)) continue;
+            if (pass == 0) alpha[k] = along / sy;
+            for (j = 0; j < n; ++j)
+                if (!ms_pme__held(run, p->x, p->g, j)) d[j] += pass ? (alpha[k] - along / sy) * sk[j] : -alpha[k] * yk[j];
+        }
+        if (pass == 0 && count > 0 && rho[0] > 0) { /* the first H: s'y / y'y of the newest pair */
+            double yy = 0;
+            for (j = 0; j < n; ++j)
+                if (!ms_pme__held(run, p->x, p->g, j)) yy += y[newest * n + j] * y[newest * n + j];
+            for (j = 0; j < n && yy > 0; ++j) d[j] *= rho[0] / yy;
         }
     }
-    for (i = 0; i < n; ++i) {
-        double t = -p->g[i];
-        for (c = 0; c < i; ++c) t -= l[i * n + c] * b[c];
-        b[i] = t / l[i * n + i];
-        for (j = 0; j < n; ++j) a[i * n + j] = j >= i ? l[j * n + i] : 0;
-        low[i] = run->barrier ? -MS_PME__INF : run->lower[i] - p->x[i];
-        high[i] = run->barrier ? MS_PME__INF : run->upper[i] - p->x[i];
-        state[i] = !ms_pme__held(run, p->x, p->g, i) ? 0 : low[i] >= 0 ? -1 : 1;
-    }
-    ms_pme__bounded_least_squares(a, b, n, n, low, high, d, state, rest);
-    return 1;
 }
 
-/* L-BFGS, conjugate gradient and SQP differ in their direction alone. */
-static double ms_pme__gradient_method(ms_pme__run *run, double *x, int method, double *memory)
+/* Limited-memory quasi-Newton with an active set of bounds. */
+static void ms_pme__lbfgs(ms_pme__run *run, const double *x, double *memory)
 {
-    int n = run->n, i, j, count = 0, newest = 0, fresh = 1;
-    double *d = memory, *s = d + n, *y = s + MS_PME__MEMORY * n, *model = y + MS_PME__MEMORY * n, *work = model + n * n;
-    double previous = 0, gain = 0;
+    int n = run->n, j, count = 0, newest = 0, fresh = 1;
+    double *d = memory, *s = d + n, *y = s + MS_PME__MEMORY * n;
     ms_pme__point p, q;
-    p.x = work;
+    p.x = y + MS_PME__MEMORY * n;
     p.g = p.x + n;
     q.x = p.g + n;
     q.g = q.x + n;
-    work = q.g + n;
     ms_pme__copy(p.x, x, n);
     p.f = ms_pme__gradient(run, p.x, p.g);
     while (!run->stopped && ms__finite(p.f)) {
-        double step, longest, slope, steep = 0, first = 1, sy = 0, size = 0, moved = 0;
-        run->result.projected_gradient = ms_pme__projected_gradient(run, p.x, p.g);
-        if (!(run->result.projected_gradient > 0)) break;
-        if (fresh) { /* the model starts as the gradient, or the identity */
-            for (i = 0; i < n * n; ++i) model[i] = i % (n + 1) == 0;
-            count = 0;
-        }
-        if (method == MS_PME_SQP) {
-            if (!ms_pme__sqp_direction(run, &p, model, d, work)) {
-                if (fresh) break;
-                fresh = 1;
-                continue;
-            }
-        } else if (method == MS_PME_CONJUGATE_GRADIENT) {
-            double now = 0, along = 0; /* Polak-Ribiere+ over the variables that may move */
-            for (j = 0; j < n; ++j)
-                if (!ms_pme__held(run, p.x, p.g, j)) {
-                    now += p.g[j] * p.g[j];
-                    along += p.g[j] * (p.g[j] - y[j]);
-                }
-            for (j = 0; j < n; ++j) {
-                double beta = !fresh && previous > 0 ? ms_pme__max(along / previous, 0) : 0;
-                d[j] = ms_pme__held(run, p.x, p.g, j) ? 0 : -p.g[j] + beta * d[j];
-                y[j] = p.g[j];
-            }
-            previous = now;
-        } else {
-            ms_pme__lbfgs_direction(run, &p, s, y, newest, count, d);
-        }
-        for (j = 0; j < n && !run->barrier; ++j) /* no pushing against a bound */
+        double step, longest = 1e10, slope, steep = 0, first = 1, sy = 0, yy, size = 0, moved = 0, gain;
+        int was_fresh = fresh;
+        if (!(ms_pme__projected_gradient(run, p.x, p.g) > 0)) break;
+        if (fresh) count = 0; /* the model starts as the gradient */
+        ms_pme__lbfgs_direction(run, &p, s, y, newest, count, d);
+        for (j = 0; j < n; ++j) /* no pushing against a bound */
             if ((p.x[j] <= run->lower[j] && d[j] < 0) || (p.x[j] >= run->upper[j] && d[j] > 0)) d[j] = 0;
-        for (j = 0; j < n; ++j)
-            if (d[j] != 0) steep += p.g[j] * p.g[j];
+        for (j = 0; j < n; ++j) {
+            double room = d[j] > 0 ? run->upper[j] - p.x[j] : run->lower[j] - p.x[j];
+            if (!(fabs(d[j]) > 0)) continue;
+            steep += p.g[j] * p.g[j];
+            if (room / d[j] < longest) longest = room / d[j];
+        }
         slope = ms_pme__dot(p.g, d, n);
-        if (!(slope < -1e-12 * sqrt(steep * ms_pme__dot(d, d, n)))) { /* (a NaN too) */
+        if (!(slope < -1e-12 * sqrt(steep * ms_pme__dot(d, d, n)))) {
             if (fresh) break;
             fresh = 1;
             continue;
         }
-        longest = ms_pme__longest_step(run, p.x, d);
-        if (fresh) { /* no idea of the scale yet: a step of 1% of the box, or what the last gain suggests */
+        if (fresh) { /* no idea of the scale yet: a step of 1% of the box */
             double reach = 0;
             for (j = 0; j < n; ++j) {
                 double range = run->upper[j] - run->lower[j];
                 reach = ms_pme__max(reach, fabs(d[j]) / (ms__finite(range) && range > 0 ? range : ms_pme__max(fabs(p.x[j]), 1)));
             }
             first = reach > 0 ? 0.01 / reach : 1;
-        } else if (method == MS_PME_CONJUGATE_GRADIENT) {
-            first = gain > 0 ? 1.01 * 2 * gain / -slope : 1;
         }
-        step = ms_pme__line_search(run, &p, d, first, longest, method == MS_PME_CONJUGATE_GRADIENT ? 0.1 : 0.9, &q);
-        if (step == 0) {
+        step = ms_pme__line_search(run, &p, d, first, longest, &q);
+        if (!(step > 0)) {
             if (fresh || run->stopped) break;
             fresh = 1; /* once more along the gradient */
             continue;
@@ -1374,70 +1501,53 @@ static double ms_pme__gradient_method(ms_pme__run *run, double *x, int method, d
         gain = p.f - q.f;
         newest = (newest + 1) % MS_PME__MEMORY;
         for (j = 0; j < n; ++j) {
-            double sj = q.x[j] - p.x[j], yj = q.g[j] - p.g[j];
-            if (step >= longest && d[j] != 0 && !run->barrier) { /* all that reach their bound together land on it */
+            s[newest * n + j] = q.x[j] - p.x[j];
+            y[newest * n + j] = q.g[j] - p.g[j];
+            if (step >= longest && fabs(d[j]) > 0) { /* all that reach their bound together land on it */
                 double bound = d[j] > 0 ? run->upper[j] : run->lower[j];
                 if ((bound - p.x[j]) / d[j] <= longest * (1 + 1e-9)) q.x[j] = bound;
             }
-            if (method != MS_PME_CONJUGATE_GRADIENT) {
-                s[newest * n + j] = sj;
-                y[newest * n + j] = yj;
-            }
-            sy += sj * yj;
-            moved = ms_pme__max(moved, fabs(sj));
+            sy += s[newest * n + j] * y[newest * n + j];
+            moved = ms_pme__max(moved, fabs(s[newest * n + j]));
             size = ms_pme__max(size, fabs(q.x[j]));
         }
-        if (method == MS_PME_SQP) {
-            if (fresh && sy > 0) /* size of the first model (Shanno and Phua 1978) */
-                for (i = 0; i < n; ++i)
-                    model[i * (n + 1)] = ms_pme__dot(y + newest * n, y + newest * n, n) / sy;
-            ms_pme__bfgs_update(model, n, s + newest * n, y + newest * n, work);
-        } else if (method == MS_PME_LBFGS) {
-            double yy = ms_pme__dot(y + newest * n, y + newest * n, n);
-            if (sy > 1e-14 * yy) count = count < MS_PME__MEMORY ? count + 1 : count;
-            else newest = (newest + MS_PME__MEMORY - 1) % MS_PME__MEMORY;
-        }
+        yy = ms_pme__dot(y + newest * n, y + newest * n, n);
+        if (sy > 1e-14 * yy) count = count < MS_PME__MEMORY ? count + 1 : count;
+        else newest = (newest + MS_PME__MEMORY - 1) % MS_PME__MEMORY;
         run->result.iterations++;
-        i = fresh;
         fresh = 0;
         ms_pme__copy(p.x, q.x, n);
         ms_pme__copy(p.g, q.g, n);
         p.f = q.f;
         if (gain <= run->tolerance * (fabs(p.f) + DBL_MIN) && moved <= run->tolerance * size) break;
         if (gain <= 1e-16 * fabs(p.f)) {
-            if (i) break;
+            if (was_fresh) break;
             fresh = 1;
         }
     }
-    ms_pme__copy(x, p.x, n);
-    return p.f;
 }
 
 /* ---- Nelder-Mead -------------------------------------------------------------------------------------------------------- */
 
-/* Nelder and Mead 1965 with the customary coefficients 1, 2, 1/2, 1/2; a simplex that collapsed is built anew around
-   the best point until that gains nothing. */
-static double ms_pme__nelder_mead(ms_pme__run *run, double *x, int barrier, double *memory)
+/* Nelder and Mead 1965 with the customary coefficients 1, 2, 1/2, 1/2, points clipped to the box; a simplex that collapsed is
+   built anew around the best point until that gains nothing. */
+static void ms_pme__nelder_mead(ms_pme__run *run, const double *x, double *memory)
 {
-    int n = run->n, i, j, rounds;
+    int n = run->n, i, j;
     double *vertex = memory, *value = vertex + (n + 1) * n, *middle = value + n + 1, *trial = middle + n, *farther = trial + n;
-    double best_before = MS_PME__INF;
-    for (rounds = 0; !run->stopped; ++rounds) {
-        double edge = run->options->start_step > 0 ? run->options->start_step : 0.1;
+    double best_before = MS_PME__INF, edge = run->options->start_step > 0 ? run->options->start_step : 0.1;
+    ms_pme__copy(run->best, x, n);
+    while (!run->stopped) {
         for (i = 0; i <= n; ++i) {
             double *v = vertex + i * n;
-            ms_pme__copy(v, x, n);
+            ms_pme__copy(v, run->best, n);
             if (i > 0) {
                 double range = run->upper[i - 1] - run->lower[i - 1], *c = &v[i - 1];
-                if (barrier) {
-                    *c = *c != 0 ? 1.05 * *c : 0.00025;
-                } else {
-                    double h = edge * (ms__finite(range) ? range : ms_pme__max(fabs(*c), 1));
-                    *c = *c + h <= run->upper[i - 1] ? *c + h : ms_pme__max(*c - h, run->lower[i - 1]);
-                }
+                double h = edge * (ms__finite(range) ? range : ms_pme__max(fabs(*c), 1));
+                *c = *c + h <= run->upper[i - 1] ? *c + h : ms_pme__max(*c - h, run->lower[i - 1]);
             }
-            value[i] = ms_pme__value(run, v);
         }
+        for (i = 0; i <= n; ++i) value[i] = ms_pme__value(run, vertex + i * n);
         while (!run->stopped) {
             int low = 0, high = 0, next, inside, c;
             double f_trial, f_far, spread = 0, size = 0;
@@ -1452,7 +1562,8 @@ static double ms_pme__nelder_mead(ms_pme__run *run, double *x, int barrier, doub
                     spread = ms_pme__max(spread, fabs(vertex[i * n + j] - vertex[low * n + j]));
                     size = ms_pme__max(size, fabs(vertex[low * n + j]));
                 }
-            if ((value[high] - value[low] <= run->tolerance * fabs(value[low]) && spread <= 1e-4 * ms_pme__max(size, 1e-30)) ||
+            if ((ms__finite(value[high]) && value[high] - value[low] <= run->tolerance * fabs(value[low]) &&
+                 spread <= 1e-4 * ms_pme__max(size, 1e-30)) ||
                 spread <= 1e-14 * ms_pme__max(size, 1e-290))
                 break;
             run->result.iterations++;
@@ -1461,15 +1572,12 @@ static double ms_pme__nelder_mead(ms_pme__run *run, double *x, int barrier, doub
                 for (i = 0; i <= n; ++i)
                     if (i != high) middle[j] += vertex[i * n + j];
                 middle[j] /= n;
-                trial[j] = middle[j] + (middle[j] - vertex[high * n + j]);
-                if (!barrier) trial[j] = ms_pme__clip(trial[j], run->lower[j], run->upper[j]);
+                trial[j] = ms_pme__clip(middle[j] + (middle[j] - vertex[high * n + j]), run->lower[j], run->upper[j]);
             }
             f_trial = ms_pme__value(run, trial);
             if (f_trial < value[low]) { /* expand */
-                for (j = 0; j < n; ++j) {
-                    farther[j] = middle[j] + 2 * (middle[j] - vertex[high * n + j]);
-                    if (!barrier) farther[j] = ms_pme__clip(farther[j], run->lower[j], run->upper[j]);
-                }
+                for (j = 0; j < n; ++j)
+                    farther[j] = ms_pme__clip(middle[j] + 2 * (middle[j] - vertex[high * n + j]), run->lower[j], run->upper[j]);
                 f_far = ms_pme__value(run, farther);
                 c = f_far < f_trial;
                 ms_pme__copy(vertex + high * n, c ? farther : trial, n);
@@ -1497,52 +1605,53 @@ static double ms_pme__nelder_mead(ms_pme__run *run, double *x, int barrier, doub
                 value[i] = ms_pme__value(run, vertex + i * n);
             }
         }
-        ms_pme__copy(x, run->best, n);
-        if (barrier || run->best_value >= best_before - run->tolerance * fabs(best_before)) break;
+        if (!ms__finite(run->best_value) ||
+            (ms__finite(best_before) && run->best_value >= best_before - run->tolerance * fabs(best_before)))
+            break;
         best_before = run->best_value;
     }
-    return run->best_value;
 }
 
 /* ---- basin hopping ------------------------------------------------------------------------------------------------------- */
 
-static double ms_pme__local(ms_pme__run *run, double *x, double *memory)
+/* The method that other methods stand on, from x. */
+static void ms_pme__local(ms_pme__run *run, const double *x, double *memory)
 {
-    return run->function->residuals != NULL ? ms_pme__levenberg_marquardt(run, x, memory)
-                                            : ms_pme__gradient_method(run, x, MS_PME_LBFGS, memory);
-}
-
-/* Uniform in the box; a side without a bound reaches max(|x|, 1) beyond x. */
-static void ms_pme__random_point(ms_pme__run *run, const double *near_x, double *x)
-{
-    int j;
-    for (j = 0; j < run->n; ++j) {
-        double reach = ms_pme__max(fabs(near_x[j]), 1), u = ms__rng_uniform(&run->rng);
-        double low = ms__finite(run->lower[j]) ? run->lower[j] : near_x[j] - reach;
-        double high = ms__finite(run->upper[j]) ? run->upper[j] : near_x[j] + reach;
-        x[j] = ms_pme__clip(low + u * (high - low), run->lower[j], run->upper[j]);
-    }
+    if (run->function->residuals != NULL) ms_pme__descend(run, x, 1, 0, memory);
+    else ms_pme__lbfgs(run, x, memory);
 }
 
 /* Wales and Doye 1997. The temperature follows the scatter of the minima seen; the hop is tuned to accept half. */
-static double ms_pme__basin_hopping(ms_pme__run *run, double *x, double *memory)
+static void ms_pme__basin_hopping(ms_pme__run *run, const double *x, double *memory)
 {
     int n = run->n, j, hops, accepted = 0;
-    double *here = memory, *trial = here + n, hop = run->options->start_step > 0 ? run->options->start_step : 0.25;
-    double f_here, temperature = 0;
-    memory = trial + n;
-    ms_pme__copy(here, x, n);
-    f_here = ms_pme__local(run, here, memory);
-    for (hops = 1; !run->stopped; ++hops) {
+    double *here = memory, *trial = here + n, *best = trial + n, hop = run->options->start_step > 0 ? run->options->start_step : 0.25;
+    double f_here = MS_PME__INF, temperature = 0, best_value = MS_PME__INF, best_gradient = -1;
+    memory = best + n;
+    ms_pme__copy(trial, x, n);
+    for (hops = 0; !run->stopped; ++hops) {
         double f_trial, rise;
-        for (j = 0; j < n; ++j) {
+        for (j = 0; j < n && hops > 0; ++j) {
             double range = run->upper[j] - run->lower[j], u = 2 * ms__rng_uniform(&run->rng) - 1;
             trial[j] = here[j] + hop * u * (ms__finite(range) ? range : ms_pme__max(fabs(here[j]), 1));
             trial[j] = ms_pme__clip(trial[j], run->lower[j], run->upper[j]);
         }
-        f_trial = ms_pme__local(run, trial, memory);
+        run->best_value = MS_PME__INF; /* so that run->best is where this descent ends */
+        ms_pme__local(run, trial, memory);
+        f_trial = run->best_value;
+        if (ms__finite(f_trial)) ms_pme__copy(trial, run->best, n);
+        if (f_trial < best_value) {
+            best_value = f_trial;
+            best_gradient = run->best_gradient;
+            ms_pme__copy(best, trial, n);
+        }
+        if (hops == 0) {
+            ms_pme__copy(here, trial, n);
+            f_here = f_trial;
+            continue;
+        }
         if (!ms__finite(f_trial)) continue;
-        rise = f_trial - f_here;
+        rise = ms__finite(f_here) ? f_trial - f_here : -1;
         temperature += (0.5 * fabs(rise) - temperature) / hops;
         if (rise <= 0 || ms__rng_uniform(&run->rng) < exp(-rise / (temperature > 0 ? temperature : 1))) {
             ms_pme__copy(here, trial, n);
@@ -1551,36 +1660,48 @@ static double ms_pme__basin_hopping(ms_pme__run *run, double *x, double *memory)
         }
         if (hops % 10 == 0) hop = ms_pme__clip(2 * accepted > hops ? hop / 0.9 : hop * 0.9, 0.01, 1);
     }
-    ms_pme__copy(x, run->best, n);
-    return run->best_value;
+    run->best_value = best_value;
+    run->best_gradient = best_gradient;
+    ms_pme__copy(run->best, best, n);
 }
 
-/* The chosen method from x. Restarts are Levenberg-Marquardt's, from starts [count][n] first, then from random points. */
-static void ms_pme__method(ms_pme__run *run, double *x, const double *starts, int count, double *memory)
+/* The chosen method from starts [count][n], the best first. */
+static void ms_pme__method(ms_pme__run *run, const double *starts, int count, double *memory)
 {
-    int restart;
     switch (run->options->method) {
-    case MS_PME_NELDER_MEAD: ms_pme__nelder_mead(run, x, 0, memory); break;
-    case MS_PME_NELDER_MEAD_BARRIER: ms_pme__nelder_mead(run, x, 1, memory); break;
-    case MS_PME_LBFGS:
-    case MS_PME_CONJUGATE_GRADIENT:
-    case MS_PME_SQP: ms_pme__gradient_method(run, x, run->options->method, memory); break;
-    case MS_PME_BASIN_HOPPING: ms_pme__basin_hopping(run, x, memory); break;
+    case MS_PME_NELDER_MEAD: ms_pme__nelder_mead(run, starts, memory); break;
+    case MS_PME_LBFGS: ms_pme__lbfgs(run, starts, memory); break;
+    case MS_PME_BASIN_HOPPING: ms_pme__basin_hopping(run, starts, memory); break;
     default:
-        ms_pme__local(run, x, memory);
-        for (restart = 0; restart < run->options->restarts && !run->stopped; ++restart) {
-            double best = run->best_value, tolerance = run->tolerance;
-            if (restart < count) ms_pme__copy(x, starts + (size_t)restart * (size_t)run->n, run->n);
-            else ms_pme__random_point(run, run->best, x);
-            run->tolerance = ms_pme__max(tolerance, 1e-3); /* roughly at first, to the end where it leads further */
-            ms_pme__local(run, x, memory);
-            run->tolerance = tolerance;
-            if (run->best_value < best) {
-                ms_pme__copy(x, run->best, run->n);
-                ms_pme__local(run, x, memory);
-            }
-        }
+        if (run->function->residuals == NULL) ms_pme__lbfgs(run, starts, memory);
+        else ms_pme__descend(run, starts, count, run->options->restarts, memory);
     }
+    run->result.projected_gradient = run->best_gradient < 0 ? -1 : ms_pme__shifted(run->best_gradient, -2 * run->shift);
+    run->result.value = run->best_value < 0 ? run->best_value : ms_pme__shifted(run->best_value, -2 * run->shift);
+}
+
+/* The run ended on a value: the gradient there, by one call more with derivatives, where there are any. */
+static void ms_pme__last_gradient(ms_pme__run *run, double *g)
+{
+    const ms_pme_function *function = run->function;
+    double cost = run->result.cost, *x = g + run->n;
+    size_t jacobians = run->result.jacobians;
+    if (!ms__finite(run->best_value) || (function->gradient == NULL && (function->residuals == NULL || function->residuals_only))) return;
+    run->stopped = 0;
+    run->max_cost = MS_PME__INF;
+    ms_pme__copy(x, run->best, run->n);
+    run->finishing = 1;
+    ms_pme__gradient(run, x, g);
+    run->result.cost = cost;
+    run->result.jacobians = jacobians;
+    if (run->best_gradient >= 0) run->result.projected_gradient = ms_pme__shifted(run->best_gradient, -2 * run->shift);
+}
+
+/* Doubles that they need beside the run's own; with room for three squares. */
+static size_t ms_pme__method_scratch(int n)
+{
+    size_t un = (size_t)n;
+    return 3 * un * (un + 1) + (2 * MS_PME__MEMORY + 32) * un + 32;
 }
 
 /* ---- public: minimize ----------------------------------------------------------------------------------------------------- */
@@ -1594,31 +1715,39 @@ MS_API ms_pme_options ms_pme_defaults(void)
 
 MS_API const char *ms_pme_method_string(int method)
 {
-    static const char *const name[] = {"levenberg-marquardt", "nelder-mead", "nelder-mead-barrier", "l-bfgs",
-                                       "conjugate-gradient", "sqp", "basin-hopping"};
+    static const char *const name[] = {"levenberg-marquardt", "nelder-mead", "l-bfgs", "basin-hopping"};
     return method >= 0 && method <= MS_PME_BASIN_HOPPING ? name[method] : "unknown";
 }
 
 static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_options *options, const double *x, ms_error *error)
 {
+    const char *name[7] = {"max_cost", "max_seconds", "tolerance", "start_step", "difference_step", "target_value", "jacobian_cost"};
+    double value[7];
     int j;
-    if (function == NULL || x == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "function or x is NULL");
+    if (function == NULL || x == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, function ? "x is NULL" : "function is NULL");
     if (function->residuals == NULL && function->value == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "neither residuals nor value is given");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residuals and value are NULL: one is needed");
     if (function->parameter_count < 1 || function->parameter_count > MS_PME_PARAMETERS_MAX)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d", function->parameter_count,
                         MS_PME_PARAMETERS_MAX);
     if (function->residuals != NULL && function->residual_count < 1)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residual_count is 0");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residual_count is 0, expected 1 or more");
     if (options->method < 0 || options->method > MS_PME_BASIN_HOPPING)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method %d is not one of ms_pme_method", options->method);
-    if (!(options->max_cost >= 0) || !(options->max_seconds >= 0) || !(options->tolerance >= 0) ||
-        !(options->start_step >= 0) || !(options->difference_step >= 0) || !(options->target_value >= 0) ||
-        !(function->jacobian_cost >= 0))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "an option is negative or NaN");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected 0 to %d (ms_pme_method)", options->method, (int)MS_PME_BASIN_HOPPING);
+    if (options->restarts < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "restarts is %d, expected 0 or more", options->restarts);
+    value[0] = options->max_cost;
+    value[1] = options->max_seconds;
+    value[2] = options->tolerance;
+    value[3] = options->start_step;
+    value[4] = options->difference_step;
+    value[5] = options->target_value;
+    value[6] = function->jacobian_cost;
+    for (j = 0; j < 7; ++j)
+        if (!ms__finite(value[j]) || value[j] < 0)
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected 0 (the default) or a number above it", name[j], value[j]);
     for (j = 0; j < function->parameter_count; ++j) {
         double low = function->lower ? function->lower[j] : -MS_PME__INF, high = function->upper ? function->upper[j] : MS_PME__INF;
-        if (!(low <= high) || low == MS_PME__INF || high == -MS_PME__INF)
+        if (!(low <= high) || !(low < MS_PME__INF) || !(high > -MS_PME__INF))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)j, "bounds of parameter %d are %g and %g: no number between them",
                             j, low, high);
         if (!ms__finite(x[j]))
@@ -1628,8 +1757,7 @@ static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_opt
 }
 
 /* Sets up a run; its one block of memory is *block of *size bytes. */
-static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options,
-                               void **block, size_t *size, ms_error *error)
+static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options, void **block, size_t *size, ms_error *error)
 {
     int n = function->parameter_count, j;
     size_t m = function->residuals != NULL ? function->residual_count : 0, un = (size_t)n, count;
@@ -1639,17 +1767,16 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
     run->options = options;
     run->n = n;
     run->m = m;
-    run->barrier = options->barrier;
     run->max_cost = options->max_cost > 0 ? options->max_cost : 1000;
     run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
     run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * n;
     run->best_value = MS_PME__INF;
-    run->result.projected_gradient = -1;
+    run->best_gradient = run->result.projected_gradient = -1;
     run->rng = ms__rng_make(options->seed, 0x706d65);
     run->start_time = options->max_seconds > 0 ? ms_pme__seconds(options) : 0;
-    count = ms__size_add(ms__size_mul(m, un), 2 * m); /* jacobian, residual twice */
-    count = ms__size_add(count, 3 * un + (un + 1) * (un + 1) + MS_PME__ROWS * (un + 1)); /* bounds, best, triangle, rows */
-    count = ms__size_add(count, 7 * un * un + (2 * MS_PME__MEMORY + 40) * un + 64);       /* scratch of the methods */
+    count = ms__size_add(ms__size_mul(m, un), 2 * m);                                 /* jacobian, residual twice */
+    count = ms__size_add(count, 3 * un + (MS_PME__ROWS + 1) * (un + 1));              /* bounds, best, rows */
+    count = ms__size_add(count, (size_t)n + ms_pme__method_scratch(n));       /* scratch begins with a moved point */
     *size = ms__size_mul(count, sizeof(double));
     *block = ms__alloc(&options->allocator, *size);
     if (*block == NULL)
@@ -1661,14 +1788,25 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
     run->lower = p; p += n;
     run->upper = p; p += n;
     run->best = p; p += n;
-    run->triangle = p; p += (n + 1) * (n + 1);
-    run->rows = p; p += MS_PME__ROWS * (n + 1);
+    run->rows = p; p += (MS_PME__ROWS + 1) * (n + 1);
     run->scratch = p;
     for (j = 0; j < n; ++j) {
         run->lower[j] = function->lower ? function->lower[j] : -MS_PME__INF;
         run->upper[j] = function->upper ? function->upper[j] : MS_PME__INF;
     }
     return MS_OK;
+}
+
+/* The sentence of a run that failed; its status. */
+static ms_status ms_pme__why(const ms_pme__run *run, ms_error *error)
+{
+    double cost = run->result.cost;
+    if (run->status == MS_OK) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "no finite value within %g evaluations of the start", cost);
+    if (run->status == MS_BAD_DATA && run->bad_parameter >= 0)
+        return ms__fail(error, MS_BAD_DATA, (size_t)run->bad_parameter, "the derivative of residual %z by parameter %d is not finite", run->bad,
+                        run->bad_parameter);
+    return ms__fail(error, run->status, 0, run->status == MS_CANCELLED ? "cancelled after %g evaluations" : "a callback failed after %g evaluations",
+                    cost);
 }
 
 MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_options *options, double *x,
@@ -1678,7 +1816,7 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
     ms_pme__run run;
     void *block;
     size_t size;
-    double *start, *memory;
+    double *start;
     int n, j;
     ms_status status;
     if (options == NULL) options = &defaults;
@@ -1686,18 +1824,14 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
     if (status == MS_OK) status = ms_pme__begin(&run, function, options, &block, &size, error);
     if (status != MS_OK) return status;
     n = run.n;
-    start = run.scratch + n; /* scratch itself starts with the moved point of a difference */
-    memory = start + n;
+    run.bad_parameter = -1;
+    start = run.scratch + n;
     for (j = 0; j < n; ++j) start[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
-    ms_pme__method(&run, start, NULL, 0, memory);
-    if (run.status != MS_OK) {
-        status = ms__fail(error, run.status, 0, run.status == MS_CANCELLED ? "cancelled after %g evaluations"
-                                                                          : "the function failed after %g evaluations",
-                          run.result.cost);
-    } else if (!ms__finite(run.best_value)) {
-        status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "no finite value within %g evaluations of the start", run.result.cost);
+    ms_pme__method(&run, start, 1, start + n);
+    if (run.status == MS_OK && run.best_gradient < 0 && options->method != MS_PME_NELDER_MEAD) ms_pme__last_gradient(&run, start + n);
+    if (run.status != MS_OK || !ms__finite(run.best_value)) {
+        status = ms_pme__why(&run, error);
     } else {
-        run.result.value = run.best_value;
         ms_pme__copy(x, run.best, n);
         if (result != NULL) *result = run.result;
     }
@@ -1705,51 +1839,102 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
     return status;
 }
 
-/* ---- public: match ---------------------------------------------------------------------------------------------------------- */
+/* ---- match: objectives ------------------------------------------------------------------------------------------------------ */
 
-/* The image as a sum of squares: r_i = sqrt(w_i / sum w) (phi_i - t_i), so that f is the squared weighted RMSE. */
-typedef struct ms_pme__picture {
+/* What a match makes small, in variables z: the parameters that lead (others are tied to them), then the nuisance. The picture is a sum
+   of squares, r_i = sqrt(w_i / sum w) (gain phi_i + offset - t_i), so that f is the squared weighted RMSE, or the caller's
+   reduced function in that unit; behind it the pulls. */
+typedef struct ms_pme__objective {
     const ms_pme_renderer *renderer;
+    const ms_pme_match_options *options;
     const float *target, *weight;
-    double weight_sum;
-    float *image;    /* [p] */
-    float *jacobian; /* [p][n], only with renderer->jacobian */
-} ms_pme__picture;
+    double weight_sum, offset; /* offset: what the reduced function leaves out, in the unit of f */
+    int n, leads, pulled, gains, offsets, plain; /* plain: z is x */
+    size_t m, compared;        /* residuals of the picture; values with a weight */
+    int place[MS_PME_PARAMETERS_MAX];    /* x_j = z[place_j] */
+    int channel_of_gain[MS_PME_CHANNELS_MAX];
+    double x[MS_PME_PARAMETERS_MAX], low[MS_PME__VARIABLES], high[MS_PME__VARIABLES];
+    float *image, *jacobian;   /* [p], [p][n] */
+    double *slopes;            /* [m][n] of a reduced function whose parameters are tied */
+} ms_pme__objective;
 
-static ms_status ms_pme__picture_residuals(void *user, const double *x, double *r, double *jacobian)
+static const double *ms_pme__material(ms_pme__objective *o, const double *z)
 {
-    ms_pme__picture *picture = (ms_pme__picture *)user;
-    const ms_pme_renderer *renderer = picture->renderer;
-    size_t i, n = (size_t)renderer->parameter_count, j;
-    ms_status status = jacobian == NULL ? renderer->render(renderer->user, x, picture->image)
-                                        : renderer->jacobian(renderer->user, x, picture->image, picture->jacobian);
+    int j;
+    for (j = 0; j < o->n; ++j) o->x[j] = z[o->place[j]];
+    return o->x;
+}
+
+static void ms_pme__nuisance(const ms_pme__objective *o, const double *z, double *gain, double *offset)
+{
+    int c;
+    for (c = 0; c < MS_PME_CHANNELS_MAX; ++c) {
+        gain[c] = o->gains ? exp(z[o->leads + (o->gains > 1 && c < o->gains ? c : 0)]) : 1;
+        offset[c] = c < o->offsets ? z[o->leads + o->gains + c] : 0;
+    }
+}
+
+/* A row of derivatives by x into one by z. */
+static void ms_pme__lead(const ms_pme__objective *o, const double *by_x, double *by_z, int variables)
+{
+    int j;
+    for (j = 0; j < variables; ++j) by_z[j] = 0;
+    for (j = 0; j < o->n; ++j) by_z[o->place[j]] += by_x[j];
+}
+
+static ms_status ms_pme__picture_residuals(ms_pme__objective *o, const double *z, double *r, double *jacobian, int variables)
+{
+    const ms_pme_renderer *renderer = o->renderer;
+    double gain[MS_PME_CHANNELS_MAX], offset[MS_PME_CHANNELS_MAX], by_x[MS_PME_PARAMETERS_MAX];
+    size_t i, plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
+    int j, n = o->n;
+    const double *x = ms_pme__material(o, z);
+    ms_status status = jacobian == NULL ? renderer->render(renderer->user, x, o->image)
+                                        : renderer->jacobian(renderer->user, x, o->image, o->jacobian);
     if (status != MS_OK) return status;
+    ms_pme__nuisance(o, z, gain, offset);
     for (i = 0; i < renderer->image_size; ++i) {
-        double w = picture->weight ? (double)picture->weight[i] : 1, s = sqrt(w / picture->weight_sum);
-        r[i] = w > 0 ? s * ((double)picture->image[i] - (double)picture->target[i]) : 0;
-        if (jacobian != NULL)
-            for (j = 0; j < n; ++j) jacobian[i * n + j] = w > 0 ? s * (double)picture->jacobian[i * n + j] : 0;
+        int c = (int)(i / plane);
+        double w = o->weight ? (double)o->weight[i] : 1, s = w > 0 ? sqrt(w / o->weight_sum) : 0, lit = gain[c] * (double)o->image[i];
+        double *row = jacobian ? jacobian + i * (size_t)variables : NULL;
+        r[i] = w > 0 ? s * (lit + offset[c] - (double)o->target[i]) : 0;
+        if (row == NULL) continue;
+        for (j = 0; j < n; ++j) by_x[j] = w > 0 ? s * gain[c] * (double)o->jacobian[i * (size_t)n + (size_t)j] : 0;
+        ms_pme__lead(o, by_x, row, variables);
+        if (o->gains) row[o->leads + (o->gains > 1 ? c : 0)] = w > 0 ? s * lit : 0;
+        if (o->offsets) row[o->leads + o->gains + c] = s;
     }
     return MS_OK;
 }
 
-/* The caller's reduced function in the same unit: f = (sum of squares + offset) / sum w. */
-typedef struct ms_pme__reduced {
-    const ms_pme_function *function;
-    double scale;
-} ms_pme__reduced;
-
-static ms_status ms_pme__reduced_residuals(void *user, const double *x, double *r, double *jacobian)
+static ms_status ms_pme__objective_residuals(void *user, const double *z, double *r, double *jacobian)
 {
-    const ms_pme__reduced *reduced = (const ms_pme__reduced *)user;
-    const ms_pme_function *function = reduced->function;
-    size_t i, m = function->residual_count, n = (size_t)function->parameter_count;
-    ms_status status = function->residuals(function->user, x, r, jacobian);
-    if (status != MS_OK) return status;
-    for (i = 0; i < m; ++i) r[i] *= reduced->scale;
-    if (jacobian != NULL)
-        for (i = 0; i < m * n; ++i) jacobian[i] *= reduced->scale;
-    return MS_OK;
+    ms_pme__objective *o = (ms_pme__objective *)user;
+    const ms_pme_function *reduced = o->renderer->reduced;
+    int variables = o->leads + o->gains + o->offsets, j;
+    size_t i, row = o->m;
+    ms_status status;
+    if (reduced == NULL || o->gains + o->offsets > 0) {
+        status = ms_pme__picture_residuals(o, z, r, jacobian, variables);
+    } else {
+        double scale = 1 / sqrt(o->weight_sum), *slopes = jacobian && !o->plain ? o->slopes : jacobian;
+        status = reduced->residuals(reduced->user, ms_pme__material(o, z), r, slopes);
+        for (i = 0; i < o->m && status == MS_OK; ++i) r[i] *= scale;
+        for (i = 0; i < o->m * (size_t)o->n && jacobian && status == MS_OK; ++i) slopes[i] *= scale;
+        for (i = 0; i < o->m && jacobian && !o->plain && status == MS_OK; ++i)
+            ms_pme__lead(o, slopes + i * (size_t)o->n, jacobian + i * (size_t)variables, variables);
+    }
+    for (j = 0; j < o->n && o->pulled && status == MS_OK; ++j) {
+        double pull = sqrt(o->options->pull[j]);
+        if (!(pull > 0)) continue;
+        r[row] = pull * (z[o->place[j]] - o->options->source[j]);
+        if (jacobian) {
+            memset(jacobian + row * (size_t)variables, 0, (size_t)variables * sizeof *jacobian);
+            jacobian[row * (size_t)variables + (size_t)o->place[j]] = pull;
+        }
+        ++row;
+    }
+    return status;
 }
 
 MS_API ms_pme_renderer ms_pme_renderer_defaults(void)
@@ -1766,35 +1951,211 @@ MS_API ms_pme_match_options ms_pme_match_defaults(void)
     return options;
 }
 
-static ms_status ms_pme__check_picture(const ms_pme_renderer *renderer, const float *target, const float *weight,
-                                       const ms_pme_match_options *options, double *weight_sum, ms_error *error)
+static ms_status ms_pme__check_picture(ms_pme__objective *o, ms_error *error)
 {
+    const ms_pme_renderer *renderer = o->renderer;
+    const ms_pme_match_options *options = o->options;
     size_t i;
-    int positive = 0;
-    if (renderer == NULL || target == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "renderer or target is NULL");
+    if (renderer == NULL || o->target == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, renderer ? "target is NULL" : "renderer is NULL");
     if (renderer->render == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "renderer->render is NULL");
-    if (renderer->image_size < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "image_size is 0");
+    if (renderer->parameter_count < 1 || renderer->parameter_count > MS_PME_PARAMETERS_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d", renderer->parameter_count, MS_PME_PARAMETERS_MAX);
+    if (renderer->image_size < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "image_size is 0, expected 1 or more");
     if (renderer->prediction_count < 0 || (renderer->prediction_count > 0 && renderer->predict == NULL))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prediction_count is %d without a callback", renderer->prediction_count);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prediction_count is %d and predict is NULL", renderer->prediction_count);
     if (options->candidate_count < 0 || options->random_count < 0 || (options->candidate_count > 0 && options->candidates == NULL))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "candidate_count or random_count is negative, or candidates is NULL");
-    if (!(options->target_rmse >= 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "target_rmse is negative or NaN");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "candidate_count is %d, random_count %d: negative, or candidates is NULL",
+                        options->candidate_count, options->random_count);
+    if (!ms__finite(options->target_rmse) || options->target_rmse < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "target_rmse is %g, expected 0 or more", options->target_rmse);
     if (renderer->reduced != NULL && (renderer->reduced->residuals == NULL || !ms__finite(renderer->reduced_offset) ||
                                       renderer->reduced->parameter_count != renderer->parameter_count))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the reduced function lacks residuals or has other parameters");
-    *weight_sum = 0;
+    if (options->nuisance < 0 || options->nuisance > 7)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nuisance is %d, expected flags of ms_pme_nuisance", options->nuisance);
+    if (options->channels < 0 || options->channels > MS_PME_CHANNELS_MAX || (options->channels > 1 && renderer->image_size % (size_t)options->channels != 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "channels is %d, expected 0 to %d and a divisor of image_size", options->channels, MS_PME_CHANNELS_MAX);
+    if (options->pull != NULL && options->source == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pull is given and source is NULL");
+    for (i = 0; i < (size_t)renderer->parameter_count; ++i) {
+        int t = options->tie ? options->tie[i] : (int)i;
+        if (t < 0 || t >= renderer->parameter_count || (options->tie && options->tie[t] != t))
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "tie %z is %d, expected a parameter that is tied to itself", i, t);
+        if (options->pull && (!ms__finite(options->pull[i]) || options->pull[i] < 0 || !ms__finite(options->source[i])))
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "pull %z is %g towards %g, expected finite numbers, the first 0 or more", i, options->pull[i], options->source[i]);
+    }
     for (i = 0; i < renderer->image_size; ++i) {
-        double w = weight ? (double)weight[i] : 1;
+        double w = o->weight ? (double)o->weight[i] : 1;
         if (!ms__finite(w) || w < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g, expected a finite number >= 0", i, w);
-        if (w > 0 && !ms__finite_f(target[i]))
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "target %z is %g, expected a finite number", i, (double)target[i]);
-        positive |= w > 0;
-        *weight_sum += w;
+        if (w > 0 && !ms__finite_f(o->target[i]))
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "target %z is %g, expected a finite number", i, (double)o->target[i]);
+        o->compared += w > 0;
+        o->weight_sum += w;
     }
-    if (!positive) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "every weight is 0: nothing to match");
+    if (o->compared == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "every weight is 0: nothing to match");
     return MS_OK;
 }
+
+/* Which variable each parameter is, their bounds, how many residuals there are. */
+static void ms_pme__objective_make(ms_pme__objective *o, ms_pme_function *function)
+{
+    const ms_pme_renderer *renderer = o->renderer;
+    const ms_pme_match_options *options = o->options;
+    int n = renderer->parameter_count, j, k, channels = options->channels > 1 ? options->channels : 1;
+    const ms_pme_function *reduced = renderer->reduced;
+    o->n = n;
+    for (j = 0; j < n; ++j) {
+        double low = renderer->lower ? renderer->lower[j] : 0, high = renderer->upper ? renderer->upper[j] : 1;
+        k = options->tie ? options->tie[j] : j;
+        o->place[j] = k == j ? o->leads++ : 0;
+        if (k == j) {
+            o->low[o->place[j]] = low;
+            o->high[o->place[j]] = high;
+        }
+        o->pulled += options->pull != NULL && options->pull[j] > 0;
+    }
+    for (j = 0; j < n && options->tie; ++j)
+        if (options->tie[j] != j) { /* the box of a group is what all its members share */
+            double low = renderer->lower ? renderer->lower[j] : 0, high = renderer->upper ? renderer->upper[j] : 1;
+            k = o->place[j] = o->place[options->tie[j]];
+            if (low > o->low[k]) o->low[k] = low;
+            if (high < o->high[k]) o->high[k] = high;
+        }
+    o->gains = options->nuisance & MS_PME_TINT ? channels : options->nuisance & MS_PME_EXPOSURE ? 1 : 0;
+    o->offsets = options->nuisance & MS_PME_OFFSET ? channels : 0;
+    for (j = 0; j < o->gains + o->offsets; ++j) {
+        o->high[o->leads + j] = j < o->gains ? log(8.0) : 1;
+        o->low[o->leads + j] = -o->high[o->leads + j];
+    }
+    memset(function, 0, sizeof *function);
+    function->user = o;
+    function->parameter_count = o->leads + o->gains + o->offsets;
+    function->residuals = ms_pme__objective_residuals;
+    if (o->gains + o->offsets > 0) reduced = NULL;
+    o->m = reduced ? reduced->residual_count : renderer->image_size;
+    o->offset = reduced ? renderer->reduced_offset / o->weight_sum : 0;
+    function->residual_count = o->m + (size_t)o->pulled;
+    function->residuals_only = reduced ? reduced->residuals_only : renderer->jacobian == NULL;
+    function->jacobian_cost = reduced ? reduced->jacobian_cost : renderer->jacobian_cost > 0 ? renderer->jacobian_cost : 1 + 0.25 * n;
+    function->lower = o->low;
+    function->upper = o->high;
+    o->plain = o->leads == n && function->parameter_count == n;
+}
+
+/* ---- match: stages --------------------------------------------------------------------------------------------------------- */
+
+/* Best of n: eq. (4.3), with the caller's candidates as further members of the pool, eq. (4.4). The best `pool_size` go to pool,
+   sorted; how many there are. */
+static int ms_pme__first_guesses(ms_pme__run *run, ms_pme__objective *o, double *pool, double *pool_value, int pool_size, ms_pme_match_result *answer)
+{
+    const ms_pme_renderer *renderer = o->renderer;
+    const ms_pme_match_options *options = o->options;
+    int n = o->n, variables = run->n, total = renderer->prediction_count + options->candidate_count + options->random_count, i, j, kept = 0;
+    double *z = pool + pool_size * variables, x[MS_PME_PARAMETERS_MAX];
+    answer->best_candidate = -1;
+    for (i = 0; (i < total || (i == total && !ms__finite(run->best_value))) && run->status == MS_OK; ++i) {
+        double before = run->best_value, value;
+        int finite = 1;
+        for (j = 0; j < variables; ++j) /* the middle of the box; what has no box starts at 0; the nuisance does nothing */
+            z[j] = j < o->leads && ms__finite(run->lower[j]) && ms__finite(run->upper[j]) ? 0.5 * (run->lower[j] + run->upper[j])
+                                                                                          : ms_pme__clip(0, run->lower[j], run->upper[j]);
+        for (j = 0; j < n; ++j) x[j] = z[o->place[j]];
+        if (i < renderer->prediction_count) {
+            ms_status status = renderer->predict(renderer->user, i, o->target, x);
+            if (status != MS_OK) ms_pme__fail(run, status);
+        } else if (i < renderer->prediction_count + options->candidate_count) {
+            ms_pme__copy(x, options->candidates + (size_t)(i - renderer->prediction_count) * (size_t)n, n);
+        } else if (i < total) {
+            ms_pme__random_point(run, z, z);
+            for (j = 0; j < n; ++j) x[j] = z[o->place[j]];
+            for (j = o->leads; j < variables; ++j) z[j] = 0;
+        }
+        for (j = 0; j < n; ++j) {
+            finite &= ms__finite(x[j]);
+            if (finite && (options->tie == NULL || options->tie[j] == j)) z[o->place[j]] = ms_pme__clip(x[j], run->lower[o->place[j]], run->upper[o->place[j]]);
+        }
+        if (!finite) {
+            answer->candidates_refused++;
+            continue;
+        }
+        value = ms_pme__value(run, z);
+        if (run->best_value < before) answer->best_candidate = i;
+        for (j = kept < pool_size ? kept++ : pool_size; j > 0 && value < pool_value[j - 1]; --j)
+            if (j < pool_size) {
+                pool_value[j] = pool_value[j - 1];
+                ms_pme__copy(pool + j * variables, pool + (j - 1) * variables, variables);
+            }
+        if (j < pool_size) {
+            pool_value[j] = value;
+            ms_pme__copy(pool + j * variables, z, variables);
+        }
+        if (run->stopped && run->status == MS_OK) break;
+    }
+    answer->cost = run->result.cost;
+    return kept;
+}
+
+/* Standard deviations of x: noise of the size of the RMSE in every compared value, and each parameter somewhere in its box (a variance
+   of range^2 / 12) before the picture was seen. */
+static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, double rmse, double *memory)
+{
+    ms_pme__walk walk;
+    int n = run->n, w = n + 1, j, k, i;
+    double sigma = rmse / sqrt((double)o->compared), *variance, *y;
+    size_t row;
+    ms_pme__walk_place(&walk, memory, n);
+    variance = memory + ms_pme__walk_size(n);
+    y = variance + n;
+    run->stopped = 0;
+    run->finishing = 1;
+    for (j = 0; j < n; ++j) variance[j] = 0;
+    if (ms__finite(ms_pme__linearize(run, run->best, MS_PME__INF))) {
+        for (j = 0; j < n; ++j)
+            for (row = 0; row < run->m && !(run->lower[j] < run->upper[j]); ++row) run->jacobian[row * (size_t)n + (size_t)j] = 0;
+        ms_pme__factor(run, &walk);
+        for (j = 0; j < n; ++j) {
+            double range = run->upper[j] - run->lower[j];
+            memset(run->rows, 0, (size_t)w * sizeof(double));
+            run->rows[j] = !(range > 0) ? 1 : ms__finite(range) ? sqrt(12.0) / range * sigma : 0;
+            ms_pme__qr_append(walk.triangle, n, run->rows, 1, run->rows + MS_PME__ROWS * w);
+        }
+        for (k = 0; k < n; ++k) /* column k of the inverse */
+            for (i = k; i >= 0; --i) {
+                double t = i == k, pivot = walk.triangle[i * w + i];
+                for (j = i + 1; j <= k; ++j) t -= walk.triangle[i * w + j] * y[j];
+                y[i] = fabs(pivot) > 0 ? t / pivot : 0;
+                variance[i] += y[i] * y[i];
+            }
+    }
+    for (j = 0; j < o->n; ++j) {
+        k = o->place[j];
+        o->options->deviation[j] = run->lower[k] < run->upper[k] ? sigma * sqrt(variance[k]) : 0;
+    }
+}
+
+/* What the picture really looks like at the answer: image and RMSE. */
+static void ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_pme_match_result *answer)
+{
+    const ms_pme_renderer *renderer = o->renderer;
+    size_t i, plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
+    double sum = 0;
+    ms_status status = renderer->render(renderer->user, ms_pme__material(o, run->best), o->image);
+    answer->cost += 1;
+    if (status != MS_OK) {
+        ms_pme__fail(run, status);
+        return;
+    }
+    ms_pme__nuisance(o, run->best, answer->gain, answer->offset);
+    for (i = 0; i < renderer->image_size; ++i) {
+        double w = o->weight ? (double)o->weight[i] : 1, e;
+        if (o->gains + o->offsets > 0) o->image[i] = (float)(answer->gain[i / plane] * (double)o->image[i] + answer->offset[i / plane]);
+        e = (double)o->image[i] - (double)o->target[i];
+        if (w > 0) sum += w * e * e;
+    }
+    answer->rmse = sqrt(sum / o->weight_sum);
+}
+
+/* ---- public: match ---------------------------------------------------------------------------------------------------------- */
 
 MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *target, const float *weight,
                               const ms_pme_match_options *options, double *x, float *image, ms_pme_match_result *result,
@@ -1804,164 +2165,140 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     ms_pme_options refine;
     ms_pme_match_result answer;
     ms_pme_function function;
-    ms_pme__picture picture;
-    ms_pme__reduced reduced;
+    ms_pme__objective o;
     ms_pme__run run;
     void *block = NULL, *pictures = NULL;
-    size_t size = 0, pictures_size = 0, p;
-    double *candidate, *memory, *pool, *pool_value, offset = 0, weight_sum = 0, middle[MS_PME_PARAMETERS_MAX], low[MS_PME_PARAMETERS_MAX],
-        high[MS_PME_PARAMETERS_MAX];
-    int n, i, j, total, pool_size, kept = 0;
+    size_t size = 0, bytes, p, jacobian, slopes;
+    double *pool, *pool_value, *memory, start[MS_PME__VARIABLES];
+    int variables, total, pool_size, kept, j;
     ms_status status;
 
-    if (options == NULL) options = &defaults;
-    status = ms_pme__check_picture(renderer, target, weight, options, &weight_sum, error);
+    /* the function, its bounds and its budget */
+    memset(&o, 0, sizeof o);
+    memset(&answer, 0, sizeof answer);
+    o.renderer = renderer;
+    o.options = options != NULL ? options : &defaults;
+    o.target = target;
+    o.weight = weight;
+    status = ms_pme__check_picture(&o, error);
     if (status != MS_OK) return status;
     if (x == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "x is NULL");
-    n = renderer->parameter_count;
+    options = o.options;
     p = renderer->image_size;
-
-    /* the function, its bounds and its budget */
-    memset(&function, 0, sizeof function);
-    memset(&answer, 0, sizeof answer);
-    picture.renderer = renderer;
-    picture.target = target;
-    picture.weight = weight;
-    picture.weight_sum = weight_sum;
-    function.user = &picture;
-    function.parameter_count = n;
-    function.residual_count = p;
-    function.residuals = ms_pme__picture_residuals;
-    function.residuals_only = renderer->jacobian == NULL;
-    function.jacobian_cost = renderer->jacobian_cost;
-    if (renderer->reduced != NULL) {
-        reduced.function = renderer->reduced;
-        reduced.scale = 1 / sqrt(weight_sum);
-        offset = renderer->reduced_offset / weight_sum;
-        function.user = &reduced;
-        function.residual_count = renderer->reduced->residual_count;
-        function.residuals = ms_pme__reduced_residuals;
-        function.residuals_only = renderer->reduced->residuals_only;
-        function.jacobian_cost = renderer->reduced->jacobian_cost;
-    }
+    ms_pme__objective_make(&o, &function);
+    variables = function.parameter_count;
     refine = options->refine;
     if (!(refine.max_cost > 0) && !(refine.max_cost < 0)) refine.max_cost = 50;
     if (function.residuals_only && !(refine.difference_step > 0)) refine.difference_step = 1e-3; /* a float32 picture */
-    refine.target_value = options->target_rmse * options->target_rmse - offset;
-    if (!(refine.target_value > 0)) refine.target_value = 0;
-    for (j = 0; j < n && n <= MS_PME_PARAMETERS_MAX; ++j) {
-        low[j] = renderer->lower ? renderer->lower[j] : 0;
-        high[j] = renderer->upper ? renderer->upper[j] : 1;
-        middle[j] = ms__finite(low[j]) && ms__finite(high[j]) ? 0.5 * (low[j] + high[j]) : ms_pme__clip(0, low[j], high[j]);
-    }
-    function.lower = low;
-    function.upper = high;
-    if (n >= 1 && n <= MS_PME_PARAMETERS_MAX) status = ms_pme__check(&function, &refine, middle, error);
-    else status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d", n, MS_PME_PARAMETERS_MAX);
+    refine.target_value = ms_pme__max(options->target_rmse * options->target_rmse - o.offset, 0);
+    for (j = 0; j < variables; ++j) start[j] = 0;
+    status = ms_pme__check(&function, &refine, start, error);
     if (status != MS_OK) return status;
 
-    /* memory: the run; the candidates to restart from, one picture and, where there is one, its Jacobian */
+    /* memory: the run; the best first guesses, one picture and, where they are needed, its Jacobian or that of all parameters */
     total = renderer->prediction_count + options->candidate_count + options->random_count;
-    pool_size = refine.restarts > 0 && refine.restarts < total ? refine.restarts + 1 : refine.restarts > 0 && total > 0 ? total : 1;
-    pictures_size = ms__size_mul(ms__size_mul(p, renderer->jacobian != NULL && renderer->reduced == NULL ? (size_t)n + 1 : 1),
-                                 sizeof(float));
-    pictures_size = ms__size_add(pictures_size, ms__size_mul((size_t)pool_size * ((size_t)n + 1), sizeof(double)));
-    pictures = ms__alloc(&refine.allocator, pictures_size);
+    pool_size = total < 1 ? 1 : total < MS_PME__FIELD ? total : MS_PME__FIELD;
+    jacobian = renderer->reduced == NULL || o.gains + o.offsets > 0 ? ms__size_mul(p, (size_t)renderer->parameter_count) : 0;
+    slopes = renderer->reduced != NULL && !o.plain ? ms__size_mul(o.m, (size_t)renderer->parameter_count) : 0;
+    bytes = ms__size_add(ms__size_mul((size_t)(pool_size + 1) * (size_t)(variables + 1), sizeof(double)), ms__size_mul(slopes, sizeof(double)));
+    bytes = ms__size_add(bytes, ms__size_mul(ms__size_add(p, jacobian), sizeof(float)));
+    pictures = ms__alloc(&refine.allocator, bytes);
     if (pictures == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a picture of %z values", p);
     status = ms_pme__begin(&run, &function, &refine, &block, &size, error);
     if (status != MS_OK) {
-        ms__release(&refine.allocator, pictures, pictures_size);
+        ms__release(&refine.allocator, pictures, bytes);
         return status;
     }
-    pool = (double *)pictures; /* [pool_size][n], the best first */
-    pool_value = pool + (size_t)pool_size * (size_t)n;
-    picture.image = (float *)(void *)(pool_value + pool_size);
-    picture.jacobian = picture.image + p;
-    candidate = run.scratch + n;
-    memory = candidate + n;
-    for (j = 0, run.ranged = 1; j < n; ++j) run.ranged &= ms__finite(high[j] - low[j]);
+    pool = (double *)pictures; /* [pool_size + 1][variables], the best first, the last scratch */
+    pool_value = pool + (pool_size + 1) * variables;
+    o.slopes = pool_value + pool_size + 1;
+    o.image = (float *)(void *)(o.slopes + slopes);
+    o.jacobian = o.image + p;
+    memory = run.scratch + variables;
+    run.bad_parameter = -1;
+    for (j = 0, run.ranged = 1; j < variables; ++j) run.ranged &= ms__finite(run.upper[j] - run.lower[j]);
 
-    /* best of n: eq. (4.3), with the caller's candidates as further members of the pool, eq. (4.4) */
+    /* first guesses; refinement with a budget of its own; one real render */
     run.max_cost = MS_PME__INF;
-    answer.best_candidate = -1;
-    for (i = 0; (i < total || (i == total && !ms__finite(run.best_value))) && run.status == MS_OK; ++i) {
-        double before = run.best_value, value;
-        int finite = 1;
-        ms_pme__copy(candidate, middle, n);
-        if (i < renderer->prediction_count) {
-            ms_status answer_of_predict = renderer->predict(renderer->user, i, target, candidate);
-            if (answer_of_predict != MS_OK) ms_pme__fail(&run, answer_of_predict);
-        } else if (i < renderer->prediction_count + options->candidate_count) {
-            ms_pme__copy(candidate, options->candidates + (size_t)(i - renderer->prediction_count) * (size_t)n, n);
-        } else if (i < total) {
-            ms_pme__random_point(&run, middle, candidate);
-        }
-        for (j = 0; j < n; ++j) {
-            finite &= ms__finite(candidate[j]);
-            candidate[j] = ms_pme__clip(candidate[j], low[j], high[j]);
-        }
-        if (finite) {
-            value = ms_pme__value(&run, candidate);
-            if (run.best_value < before) answer.best_candidate = i;
-            for (j = kept < pool_size ? kept++ : pool_size; j > 0 && value < pool_value[j - 1]; --j)
-                if (j < pool_size) {
-                    pool_value[j] = pool_value[j - 1];
-                    ms_pme__copy(pool + j * n, pool + (j - 1) * n, n);
-                }
-            if (j < pool_size) {
-                pool_value[j] = value;
-                ms_pme__copy(pool + j * n, candidate, n);
-            }
-            if (run.stopped && run.status == MS_OK && run.result.stop == MS_PME_STOP_TARGET) break;
-        } else {
-            answer.candidates_refused++;
-        }
-    }
-    answer.cost = run.result.cost;
-    if (run.status == MS_OK && !ms__finite(run.best_value))
-        ms_pme__fail(&run, MS_INVALID_ARGUMENT);
-    if (run.status == MS_OK) answer.rmse_initial = sqrt(ms_pme__max(run.best_value + offset, 0));
-
-    /* refinement with a budget of its own, from the best; restarts take the next ones, then random points */
-    if (run.status == MS_OK && !options->initial_only && !run.stopped) {
+    kept = ms_pme__first_guesses(&run, &o, pool, pool_value, pool_size, &answer);
+    if (run.status == MS_OK && ms__finite(run.best_value)) {
+        answer.rmse_initial = sqrt(ms_pme__max(ms_pme__shifted(run.best_value, -2 * run.shift) + o.offset, 0));
         memset(&run.result, 0, sizeof run.result);
-        run.result.projected_gradient = -1;
         run.max_cost = refine.max_cost;
-        ms_pme__copy(candidate, run.best, n);
-        ms_pme__method(&run, candidate, pool + n, kept - 1, memory);
+        run.result.projected_gradient = -1;
+        run.result.value = ms_pme__shifted(run.best_value, -2 * run.shift);
+        if (run.stopped) run.result.stop = MS_PME_STOP_TARGET;
+        else if (!options->initial_only) ms_pme__method(&run, pool, kept, memory);
         answer.cost += run.result.cost;
+        answer.refine = run.result;
+        answer.refine.value += o.offset;
     }
+    if (run.status == MS_OK && ms__finite(run.best_value)) ms_pme__last_render(&run, &o, &answer);
+    if (run.status == MS_OK && ms__finite(run.best_value) && options->deviation != NULL) ms_pme__deviations(&run, &o, answer.rmse, memory);
+    if (run.status == MS_OK && ms__finite(run.best_value)) {
+        ms_pme__copy(x, ms_pme__material(&o, run.best), o.n);
+        if (image != NULL) memcpy(image, o.image, p * sizeof *image);
+        if (result != NULL) *result = answer;
+    } else if (run.status == MS_OK) {
+        status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "no candidate has a finite picture (%g renders)", answer.cost);
+    } else {
+        status = ms_pme__why(&run, error);
+    }
+    ms__release(&refine.allocator, block, size);
+    ms__release(&refine.allocator, pictures, bytes);
+    return status;
+}
 
-    /* what the picture really looks like at the answer */
-    if (run.status == MS_OK) {
-        ms_status rendered = renderer->render(renderer->user, run.best, picture.image);
-        answer.cost += 1;
-        if (rendered != MS_OK) {
-            ms_pme__fail(&run, rendered);
-        } else {
-            double sum = 0;
-            size_t k;
-            for (k = 0; k < p; ++k) {
-                double w = weight ? (double)weight[k] : 1, e = (double)picture.image[k] - (double)target[k];
-                if (w > 0) sum += w * e * e;
+MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image, const float *target, const float *weight,
+                                float *reweighted, double *used_scale, ms_error *error)
+{
+    size_t plane, i, below, compared = 0;
+    uint32_t low = 0, high = 0x7f800000u, bits;
+    float e;
+    int c;
+    if (image == NULL || target == NULL || reweighted == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", image == NULL ? "image" : target == NULL ? "target" : "reweighted");
+    if (channels < 1 || count < 1 || count % (size_t)channels != 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "channels is %d, expected a divisor of count %z", channels, count);
+    if (loss != MS_PME_HUBER && loss != MS_PME_TUKEY) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "loss is %d, expected one of ms_pme_loss", loss);
+    if (!ms__finite(scale) || scale < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "scale is %g, expected 0 or more", scale);
+    plane = count / (size_t)channels;
+    for (i = 0; i < plane; ++i) { /* the pixel's error, root mean square over what counts of its channels; infinite: nothing does */
+        double sum = 0, total = 0;
+        for (c = 0; c < channels; ++c) {
+            size_t at = i + (size_t)c * plane;
+            double w = weight ? (double)weight[at] : 1, d = (double)image[at] - (double)target[at];
+            if (!ms__finite(w) || w < 0) return ms__fail(error, MS_INVALID_ARGUMENT, at, "weight %z is %g, expected a finite number >= 0", at, w);
+            if (w > 0 && !ms__finite(d)) return ms__fail(error, MS_INVALID_ARGUMENT, at, "image or target %z is not finite", at);
+            if (w > 0) sum += w * d * d;
+            total += w;
+        }
+        reweighted[i] = total > 0 ? (float)sqrt(sum / total) : (float)HUGE_VAL;
+        compared += total > 0;
+    }
+    if (scale <= 0 && compared > 0) { /* 1.4826 times the median, found by the bits of positive floats, which sort as they do */
+        while (high - low > 1) {
+            uint32_t middle = low + (high - low) / 2;
+            for (i = below = 0; i < plane; ++i) {
+                memcpy(&bits, &reweighted[i], sizeof bits);
+                below += bits < middle;
             }
-            answer.rmse = sqrt(sum / weight_sum);
-            run.result.value = run.best_value + offset;
-            answer.refine = run.result;
-            ms_pme__copy(x, run.best, n);
-            if (image != NULL) memcpy(image, picture.image, p * sizeof *image);
-            if (result != NULL) *result = answer;
+            if (2 * below > compared) high = middle;
+            else low = middle;
+        }
+        memcpy(&e, &low, sizeof e);
+        scale = 1.4826 * (double)e;
+    }
+    if (used_scale != NULL) *used_scale = scale;
+    for (i = plane; i-- > 0;) {
+        double t = (double)reweighted[i] / (scale > 0 ? scale * (loss == MS_PME_HUBER ? 1.345 : 4.685) : 1), factor = 1;
+        if (scale > 0 && ms__finite(t)) factor = loss == MS_PME_HUBER ? (t > 1 ? 1 / t : 1) : t < 1 ? (1 - t * t) * (1 - t * t) : 0;
+        for (c = channels - 1; c >= 0; --c) {
+            size_t at = i + (size_t)c * plane;
+            reweighted[at] = (float)(factor * (weight ? (double)weight[at] : 1));
         }
     }
-    if (run.status != MS_OK)
-        status = ms__fail(error, run.status, 0,
-                          run.status == MS_CANCELLED          ? "cancelled after %g renders"
-                          : run.status == MS_INVALID_ARGUMENT ? "no candidate has a finite picture (%g renders)"
-                                                              : "a callback failed after %g renders",
-                          answer.cost);
-    ms__release(&refine.allocator, block, size);
-    ms__release(&refine.allocator, pictures, pictures_size);
-    return status;
+    return MS_OK;
 }
 
 /* ---- public: sensitivity ---------------------------------------------------------------------------------------------------- */
@@ -1976,25 +2313,29 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
     double *u, *v, *g;
     int n, i, j, k, sweep, changed = 1;
     ms_status status;
+    ms_pme__walk walk;
     if (options == NULL) options = &defaults;
     unlimited = *options;
     unlimited.max_cost = 1e300;
+    unlimited.max_seconds = unlimited.target_value = 0;
     status = ms_pme__check(function, &unlimited, x, error);
     if (status != MS_OK) return status;
     if (function->residuals == NULL || singular_value == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residuals or singular_value is NULL");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", singular_value == NULL ? "singular_value" : "residuals");
     status = ms_pme__begin(&run, function, &unlimited, &block, &size, error);
     if (status != MS_OK) return status;
     n = run.n;
-    g = run.scratch + n;
-    u = g + n; /* columns of R, stored as rows, and the accumulated rotations */
+    run.bad_parameter = -1;
+    ms_pme__walk_place(&walk, run.scratch + n, n);
+    g = walk.g;
+    u = walk.triangle + (n + 1) * (n + 1); /* columns of R, stored as rows, and the accumulated rotations */
     v = u + n * n;
-    ms_pme__linearize(&run, x);
-    if (run.status == MS_OK && !ms_pme__factor(&run, g)) run.status = MS_BAD_DATA;
+    if (!ms__finite(ms_pme__linearize(&run, x, MS_PME__INF)) && run.status == MS_OK && !(run.stopped && run.best_value <= 0)) run.status = MS_BAD_DATA;
+    if (run.status == MS_OK) ms_pme__factor(&run, &walk);
     if (run.status == MS_OK) {
         for (i = 0; i < n; ++i)
             for (j = 0; j < n; ++j) {
-                u[i * n + j] = j <= i ? run.triangle[j * (n + 1) + i] : 0;
+                u[i * n + j] = j <= i ? walk.triangle[j * (n + 1) + i] : 0;
                 v[i * n + j] = i == j;
             }
         /* one-sided Jacobi (Hestenes 1958): small singular values keep their relative accuracy */
@@ -2043,13 +2384,12 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
                 if (g[k] > 1e-12 * g[0]) variance += c * c / (g[k] * g[k]);
                 else if (c * c > 1e-12) variance = MS_PME__INF;
             }
-            if (deviation != NULL) deviation[j] = sqrt(variance);
-            singular_value[j] = g[j];
+            if (deviation != NULL) deviation[j] = variance < MS_PME__INF ? ms_pme__shifted(sqrt(variance), run.shift) : variance;
+            singular_value[j] = ms_pme__shifted(g[j], -run.shift);
         }
         if (direction != NULL) ms_pme__copy(direction, v, n * n);
     } else {
-        status = ms__fail(error, run.status, 0, run.status == MS_BAD_DATA ? "a residual or a derivative is not finite"
-                                                                         : "the function failed");
+        status = run.status == MS_BAD_DATA && run.bad_parameter < 0 ? ms__fail(error, MS_BAD_DATA, 0, "a residual is not finite") : ms_pme__why(&run, error);
     }
     ms__release(&options->allocator, block, size);
     return status;
@@ -2057,6 +2397,8 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
 
 #undef MS_PME__INF
 #undef MS_PME__MEMORY
+#undef MS_PME__VARIABLES
+#undef MS_PME__FIELD
 #undef MS_PME__ROWS
 #endif /* MS_PME_IMPLEMENTATION */
 

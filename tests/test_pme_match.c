@@ -330,7 +330,7 @@ static void test_shipped(void)
         neural_planes(&edited, target);
         CHECK_INT(matcher_aim(&m, target, NULL, &error), MS_OK);
         CHECK_INT(ms_pme_match(&m.renderer, target, NULL, &options, x, NULL, &ours, &error), MS_OK);
-        options.refine.method = MS_PME_NELDER_MEAD_BARRIER;
+        options.refine.method = MS_PME_NELDER_MEAD;
         options.refine.max_cost = 1500;
         CHECK_INT(ms_pme_match(&m.renderer, target, NULL, &options, x, NULL, &theirs, &error), MS_OK);
         CHECK(ours.refine.cost <= 50);
