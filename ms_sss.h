@@ -721,7 +721,7 @@ typedef enum ms_sss_step {
    profile travels in the last 4 bits of blue (1e-6 of it), which binary16 lacks: half_target reads ms_sss_profile again
    in each step. Slopes need depth in 32 bits. */
 typedef struct ms_sss_shader {
-    int tap_count;          /* of the kernels */
+    int tap_count;          /* the most of any of the kernels */
     int profile_count;      /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1 */
     int half_kernel;        /* 0: all taps are constants; 1: the centre and one of each pair */
     ms_sss_step step;
@@ -6287,8 +6287,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
     count = ms_sss__shader_profiles(shader);
     stride = ms_sss__shader_stride(shader);
     for (i = 0; i < count; ++i) { /* all are checked before anything is written */
-        if (kernels[i].tap_count != shader->tap_count)
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i, "kernel %d has %d taps, the shader tap_count %d", i, kernels[i].tap_count, shader->tap_count);
+        if (kernels[i].tap_count > shader->tap_count)
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i, "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count, shader->tap_count);
         status = ms_sss_kernel_upload(&kernels[i], term < kernels[i].term_count ? term : 0, shader->half_kernel, 0, NULL, error);
         if (status != MS_OK) return status;
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;

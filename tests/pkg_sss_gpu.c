@@ -107,7 +107,7 @@ static void make_case(one_case *t, int i, ms_sss_language language, int compute,
     t->shader.profile = (ms_sss_source)(i / 3 % 3);
     t->shader.with_strength = i / 2 % 2;
     t->shader.profile_count = t->shader.profile ? i % 5 == 4 ? 1 : PROFILES : 0;
-    for (k = 0; k < PROFILES; ++k) t->kernel[k] = make_kernel(taps, k == 1 ? 1 : t->terms, 1 - 0.3 * k);
+    for (k = 0; k < PROFILES; ++k) t->kernel[k] = make_kernel(k == 2 ? 5 : taps, k == 1 ? 1 : t->terms, 1 - 0.3 * k);
     if (t->shader.depth && i % 4 < 2) t->options.fov_degrees = 30;
     else if (i % 2) t->options.ortho_height = 40;
     else t->options.pixels_per_mm[0] = 1.7f;
@@ -474,6 +474,73 @@ static void case_bleeding(void)
     CHECK_NEAR(worst, 0, 1e-6); /* as the filter promises for what is constant */
 }
 
+/* Texels that one pixel reads at most: the texts, told to count and to return that. */
+static int count_reads(ms_sss_shader *s, const ms_sss_filter_options *o)
+{
+    static char counted[40000];
+    char *to = counted;
+    const char *from;
+    int most = 0, i;
+    gl_silent(gl_corner[0], "#version 330\nout vec4 c; void main() { c = vec4(0.5, 0.5, 0.5, 50.0); }\n");
+    gl_draw(gl_texture(MIDDLE, GL_RGBA32F, WIDTH, HEIGHT, NULL), 0);
+    gl_texture(COLOUR, GL_RGBA32F, WIDTH, HEIGHT, input);
+    gl_texture(INPUT, GL_RGBA32F, WIDTH, HEIGHT, input);
+    gl_texture(DEPTH, GL_R32F, WIDTH, HEIGHT, depth);
+    gl_texture(NORMAL, GL_RGBA32F, WIDTH, HEIGHT, normal);
+    if (!ms_sss_shader_text(s, o, text, sizeof text, NULL)) TEST_FAIL("no text");
+    for (from = text; *from; ++from) {
+        if (strncmp(from, "uniform vec4 ms_sss[", 20) == 0) to += sprintf(to, "float reads = 0.0;\n");
+        if (strncmp(from, "return texelFetch", 17) == 0) to += sprintf(to, "reads += 1.0; ");
+        if (strncmp(from, "ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));", 50) == 0) {
+            to += sprintf(to, "filter_pixel(ivec2(gl_FragCoord.xy)); ms_sss_out = vec4(reads);");
+            from += 49;
+            continue;
+        }
+        *to++ = *from;
+    }
+    *to = 0;
+    memcpy(text, counted, (size_t)(to - counted) + 1);
+    {
+        const GLuint program = gl_silent(gl_corner[0], text);
+        for (i = 0; i < 7; ++i) {
+            GLint at = gl_GetUniformLocation(program, texture_name[i]);
+            if (at >= 0) gl_Uniform1i(at, i || s->step == MS_SSS_STEP_X ? i : MIDDLE);
+        }
+        gl_Uniform4fv(gl_GetUniformLocation(program, "ms_sss"), ms_sss_shader_constant_count(s), &constants[0][0]);
+    }
+    gl_draw(gl_texture(RESULT, GL_RGBA32F, WIDTH, HEIGHT, NULL), 0);
+    gl_ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, drawn);
+    for (i = 0; i < PIXELS; ++i)
+        if ((int)drawn[4 * i] > most) most = (int)drawn[4 * i];
+    return most;
+}
+
+static void case_reads(void)
+{
+    static const struct { float flat; int source, normal, most; } kinds[5] = {
+        {1, MS_SSS_ALPHA, 0, 27}, {1, MS_SSS_TEXTURE, 0, 40}, {0, MS_SSS_ALPHA, 0, 35}, {0, MS_SSS_ALPHA, 1, 29}, {1, MS_SSS_NONE, 0, 27}};
+    int i, both;
+    if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
+    make_picture();
+    for (i = 0; i < 5; ++i) {
+        one_case t;
+        memset(&t, 0, sizeof t);
+        t.kernel[0] = make_kernel(7, 1, 1);
+        t.options = ms_sss_filter_defaults();
+        t.options.ortho_height = 40;
+        t.options.flat = kinds[i].flat;
+        t.shader.tap_count = 7;
+        t.shader.depth = (ms_sss_source)kinds[i].source;
+        t.shader.with_normal = kinds[i].normal;
+        make_reference(&t);
+        if (ms_sss_shader_constants(t.kernel, 0, &t.options, WIDTH, HEIGHT, &t.shader, constants, NULL) != MS_OK) TEST_FAIL("constants");
+        both = count_reads(&t.shader, &t.options);
+        t.shader.step = MS_SSS_STEP_Y;
+        both += count_reads(&t.shader, &t.options);
+        if (both != kinds[i].most) TEST_FAIL("kind %d: %d texels read, the header says %d", i, both, kinds[i].most);
+    }
+}
+
 /* The constants lie where the structs say, and change at a resize as the table says. */
 static void case_constants(void)
 {
@@ -653,6 +720,7 @@ static const test_case cases[] = {
     {"WebGL 2 in a browser against the CPU", case_webgl},
     {"WGSL in a browser against the CPU", case_wgsl},
     {"nothing crosses between materials", case_bleeding},
+    {"texels read by 7 taps", case_reads},
     {"layout of the constants", case_constants},
     {"transmission in a light loop", case_transmission},
     {"examples/gl/engine.c", case_engine},
