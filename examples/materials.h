@@ -73,7 +73,8 @@ static inline int materials__line(const char *text, csv_dialect d, int parameter
             return 0;
         }
         if (!(v >= 0 && v <= 1)) {
-            snprintf(problem, size, "line %d: column %d is %g, outside [0, 1]", line, k + 1, v);
+            char number[48];
+            snprintf(problem, size, "line %d: column %d is %s, outside [0, 1]", line, k + 1, number_text(number, "%g", v));
             return 0;
         }
         x[k] = (float)v;

@@ -9,9 +9,10 @@
    values interrupt a line. plot_range sets an axis by hand. */
 #ifndef EXAMPLES_PLOT_H
 #define EXAMPLES_PLOT_H
-#include <math.h>
-#include <stdio.h>
 #include "files.h"
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 #define PLOT_LOG_X 1
@@ -147,6 +148,25 @@ static int plot__ticks(double low, double high, int log_axis, double *out)
     return n;
 }
 
+/* fprintf with '.' before decimals in every locale; the texts that it gets hold nothing else between digits. */
+static void plot__print(FILE *f, const char *format, ...)
+{
+    const char *point = localeconv()->decimal_point;
+    char text[1024], *at = text;
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    while (strcmp(point, ".") != 0 && (at = strstr(at, point)) != NULL) {
+        if (at > text && at[-1] >= '0' && at[-1] <= '9' && at[strlen(point)] >= '0' && at[strlen(point)] <= '9') {
+            *at = '.';
+            memmove(at + 1, at + strlen(point), strlen(at + strlen(point)) + 1);
+        }
+        ++at;
+    }
+    fputs(text, f);
+}
+
 static int plot_write(const plot *p, const char *path)
 {
     double x0, x1, y0, y1, tick[32];
@@ -157,67 +177,67 @@ static int plot_write(const plot *p, const char *path)
     if (f == NULL) return 0;
     plot__limits(p, 0, &x0, &x1);
     plot__limits(p, 1, &y0, &y1);
-    fprintf(f, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" "
+    plot__print(f, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" "
                "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12\">\n", p->width, p->height, p->width, p->height);
-    fprintf(f, "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n<clipPath id=\"area\"><rect x=\"%g\" y=\"%g\" "
+    plot__print(f, "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n<clipPath id=\"area\"><rect x=\"%g\" y=\"%g\" "
                "width=\"%g\" height=\"%g\"/></clipPath>\n", left, top, right - left, bottom - top);
-    fprintf(f, "<text x=\"%g\" y=\"26\" font-size=\"16\" fill=\"#222\">", left);
+    plot__print(f, "<text x=\"%g\" y=\"26\" font-size=\"16\" fill=\"#222\">", left);
     plot__text(f, p->title);
-    fprintf(f, "</text>\n<g stroke=\"#e3e6e8\" stroke-width=\"1\" fill=\"#444\">\n");
+    plot__print(f, "</text>\n<g stroke=\"#e3e6e8\" stroke-width=\"1\" fill=\"#444\">\n");
     n = plot__ticks(x0, x1, log_x, tick);
     for (i = 0; i < n; ++i) {
         double x = left + plot__place(tick[i], x0, x1, log_x) * (right - left);
-        fprintf(f, "<path d=\"M%.1f %g V%g\"/><text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\" stroke=\"none\">%g</text>\n",
+        plot__print(f, "<path d=\"M%.1f %g V%g\"/><text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\" stroke=\"none\">%g</text>\n",
                 x, top, bottom, x, bottom + 18, tick[i]);
     }
     n = plot__ticks(y0, y1, log_y, tick);
     for (i = 0; i < n; ++i) {
         double y = bottom - plot__place(tick[i], y0, y1, log_y) * (bottom - top);
-        fprintf(f, "<path d=\"M%g %.1f H%g\"/><text x=\"%g\" y=\"%.1f\" text-anchor=\"end\" stroke=\"none\">%g</text>\n",
+        plot__print(f, "<path d=\"M%g %.1f H%g\"/><text x=\"%g\" y=\"%.1f\" text-anchor=\"end\" stroke=\"none\">%g</text>\n",
                 left, y, right, left - 8, y + 4, tick[i]);
     }
-    fprintf(f, "</g>\n<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"#9aa2a8\"/>\n", left, top,
+    plot__print(f, "</g>\n<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"#9aa2a8\"/>\n", left, top,
             right - left, bottom - top);
-    fprintf(f, "<text x=\"%g\" y=\"%g\" text-anchor=\"middle\" fill=\"#222\">", (left + right) / 2, bottom + 42);
+    plot__print(f, "<text x=\"%g\" y=\"%g\" text-anchor=\"middle\" fill=\"#222\">", (left + right) / 2, bottom + 42);
     plot__text(f, p->x_label);
-    fprintf(f, "</text>\n<text transform=\"translate(18 %g) rotate(-90)\" text-anchor=\"middle\" fill=\"#222\">",
+    plot__print(f, "</text>\n<text transform=\"translate(18 %g) rotate(-90)\" text-anchor=\"middle\" fill=\"#222\">",
             (top + bottom) / 2);
     plot__text(f, p->y_label);
-    fprintf(f, "</text>\n");
+    plot__print(f, "</text>\n");
     for (k = 0; k < p->count; ++k) {
         const plot_line *s = &p->series[k];
         double y_legend = top + 12 + 18 * k;
         const char *dash = s->style & PLOT_DASHED ? " stroke-dasharray=\"6 4\"" : "";
-        fprintf(f, "<g clip-path=\"url(#area)\" stroke=\"%s\" fill=\"%s\">\n", s->color, s->color);
+        plot__print(f, "<g clip-path=\"url(#area)\" stroke=\"%s\" fill=\"%s\">\n", s->color, s->color);
         if (s->style & PLOT_LINE) {
             int pen = 0;
-            fprintf(f, "<path fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\"%s d=\"", dash);
+            plot__print(f, "<path fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\"%s d=\"", dash);
             for (i = 0; i < s->count; ++i) {
                 if (!plot__usable(s->x[i], log_x) || !plot__usable(s->y[i], log_y)) { pen = 0; continue; }
-                fprintf(f, "%c%.1f %.1f", pen ? 'L' : 'M', left + plot__place(s->x[i], x0, x1, log_x) * (right - left),
+                plot__print(f, "%c%.1f %.1f", pen ? 'L' : 'M', left + plot__place(s->x[i], x0, x1, log_x) * (right - left),
                         bottom - plot__place(s->y[i], y0, y1, log_y) * (bottom - top));
                 pen = 1;
             }
-            fprintf(f, "\"/>\n");
+            plot__print(f, "\"/>\n");
         }
         if (s->style & PLOT_DOTS)
             for (i = 0; i < s->count; ++i)
                 if (plot__usable(s->x[i], log_x) && plot__usable(s->y[i], log_y))
-                    fprintf(f, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" stroke=\"none\"/>\n",
+                    plot__print(f, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" stroke=\"none\"/>\n",
                             left + plot__place(s->x[i], x0, x1, log_x) * (right - left),
                             bottom - plot__place(s->y[i], y0, y1, log_y) * (bottom - top));
-        fprintf(f, "</g>\n");
+        plot__print(f, "</g>\n");
         if (s->name) {
             if (s->style & PLOT_LINE)
-                fprintf(f, "<path d=\"M%g %g h22\" stroke=\"%s\" stroke-width=\"2\"%s/>", right + 14, y_legend, s->color, dash);
+                plot__print(f, "<path d=\"M%g %g h22\" stroke=\"%s\" stroke-width=\"2\"%s/>", right + 14, y_legend, s->color, dash);
             if (s->style & PLOT_DOTS)
-                fprintf(f, "<circle cx=\"%g\" cy=\"%g\" r=\"3.5\" fill=\"%s\"/>", right + 25, y_legend, s->color);
-            fprintf(f, "<text x=\"%g\" y=\"%g\" fill=\"#222\">", right + 42, y_legend + 4);
+                plot__print(f, "<circle cx=\"%g\" cy=\"%g\" r=\"3.5\" fill=\"%s\"/>", right + 25, y_legend, s->color);
+            plot__print(f, "<text x=\"%g\" y=\"%g\" fill=\"#222\">", right + 42, y_legend + 4);
             plot__text(f, s->name);
-            fprintf(f, "</text>\n");
+            plot__print(f, "</text>\n");
         }
     }
-    fprintf(f, "</svg>\n");
+    plot__print(f, "</svg>\n");
     return file_finish(&out, 1) == NULL;
 }
 

@@ -1,0 +1,164 @@
+/* A host whose locale writes 1,5 for 1.5: what the headers and the examples' headers read and write stays as it is. The locale is
+   made by localedef where none is installed. */
+#define MS_MCML_IMPLEMENTATION
+#include "ms_mcml.h"
+#define MS_SSS_IMPLEMENTATION
+#include "ms_sss.h"
+#include "test.h"
+#include "files.h"
+#include "materials.h"
+#include "materialx.h"
+#include "plot.h"
+#include "scores.h"
+
+#define FOLDER "build/test_locale/"
+
+static int comma_locale(void)
+{
+    static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "de_DE", "nl_NL.UTF-8"};
+    size_t i;
+    for (i = 0; i < sizeof names / sizeof names[0]; ++i)
+        if (setlocale(LC_ALL, names[i]) != NULL && strcmp(localeconv()->decimal_point, ",") == 0) return 1;
+    return 0;
+}
+
+static int enter(void)
+{
+    if (comma_locale()) return 1;
+    if (system("mkdir -p " FOLDER " && localedef -i de_DE -f UTF-8 " FOLDER "de_DE.UTF-8 >/dev/null 2>&1") != 0) return 0;
+    setenv("LOCPATH", FOLDER, 1);
+    return comma_locale();
+}
+
+static char *text_of(const char *path)
+{
+    char *text = test_read_file(path, NULL);
+    if (text == NULL) TEST_FAIL("%s is not there", path);
+    return text ? text : (char *)calloc(1, 1);
+}
+
+/* What is written, with and without. */
+static void write_all(const char *to)
+{
+    static const double x[5] = {0.5, 1.5, 2.25, 3, 4.125}, y[5] = {1e-3, 0.25, 12.5, 100, 7};
+    static const char mci[] = "1.0\n1\nx.mco A\n200\n0.01 0.01\n4 4 3\n1\n1\n1.4 1 90 0.5 0.1\n1.5\n";
+    double parameters[19];
+    char path[200];
+    file_out out;
+    ms_mcml_mci file;
+    ms_mcml_result result;
+    ms_mcml_options options = ms_mcml_defaults();
+    ms_error error;
+    plot p;
+    int i;
+    snprintf(path, sizeof path, FOLDER "%s.mtlx", to);
+    CHECK(file_create(path, &out) != NULL);
+    materialx_begin(out.f);
+    for (i = 0; i < 19; ++i) parameters[i] = 0.05 * i + 0.0123;
+    materialx_write(out.f, "one", parameters, "predicted");
+    CHECK(materialx_end(out.f));
+    CHECK(file_finish(&out, 1) == NULL);
+    plot_begin(&p, "a title with 1,5 and 2.5", "x", "y", PLOT_LOG_Y);
+    plot_series(&p, "series", x, y, 5, PLOT_LINE | PLOT_DOTS);
+    snprintf(path, sizeof path, FOLDER "%s.svg", to);
+    CHECK(plot_write(&p, path));
+    options.photons = 200;
+    CHECK_INT(ms_mcml_mci_read(mci, sizeof mci - 1, NULL, &file, &error), MS_OK);
+    CHECK_NEAR(file.runs[0].tissue.layers[0].n, 1.4, 0);
+    CHECK_INT(ms_mcml_simulate(&file.runs[0].tissue, &file.runs[0].grid, &options, &result, &error), MS_OK);
+    snprintf(path, sizeof path, FOLDER "%s.mco", to);
+    CHECK_INT(ms_mcml_mco_save(path, file.runs, &result, 1.5, &error), MS_OK);
+    ms_mcml_result_destroy(&result);
+    ms_mcml_mci_destroy(&file);
+    ms__fail(&error, MS_OK, 0, "%g", 0.625);
+    CHECK(strcmp(error.message, "0.625") == 0);
+}
+
+static void case_written(void)
+{
+    static const char *const kind[] = {"mtlx", "svg", "mco"};
+    int i;
+    CHECK(system("mkdir -p " FOLDER) == 0);
+    setlocale(LC_ALL, "C");
+    write_all("point");
+    if (!enter()) SKIP("no locale with a decimal comma on this machine, and no localedef");
+    write_all("comma");
+    for (i = 0; i < 3; ++i) {
+        char path[200], *a, *b;
+        snprintf(path, sizeof path, FOLDER "point.%s", kind[i]);
+        a = text_of(path);
+        snprintf(path, sizeof path, FOLDER "comma.%s", kind[i]);
+        b = text_of(path);
+        CHECK(strlen(a) > 300 && strcmp(a, b) == 0);
+        free(a);
+        free(b);
+    }
+    setlocale(LC_ALL, "C");
+}
+
+static void read_all(void)
+{
+    static const char with_points[] = "\xEF\xBB\xBFx0,x1,score\n0.25,0.5,7.5\n1,1e-1,3\n", with_commas[] = "x0;x1;score\n0,25;0,5;7,5\n# no\n1;1e-1;3";
+    static const char tabs[] = "0,25\t0.5\t7,5\n1\t1e-1\t3\n", rings[] = "r_mm,R,G,B\n0.25,4e-1,.3,0.2\n0.75,0.2,0.15,0.1\n1.25,0,0,0\n";
+    static const char *const text[] = {with_points, with_commas, tabs};
+    ms_sss_profile *profile;
+    ms_error error;
+    double total[3];
+    int i;
+    for (i = 0; i < 3; ++i) {
+        scores s;
+        materials m;
+        const char *problem = file_save(FOLDER "in.csv", text[i], strlen(text[i]));
+        CHECK(problem == NULL);
+        problem = scores_read(FOLDER "in.csv", &s);
+        if (problem) TEST_FAIL("%d: %s, line %d", i, problem, s.line);
+        else CHECK(s.n == 2 && s.m == 2 && s.x[0] == 0.25 && s.x[1] == 0.5 && s.y[0] == 7.5 && s.x[3] == 0.1 && s.y[1] == 3);
+        scores_free(&s);
+        problem = materials_read(FOLDER "in.csv", i == 2 ? 3 : 2, &m);
+        if (i == 2) CHECK(problem != NULL && strstr(problem, "7,5") == NULL && strstr(problem, "outside") != NULL); /* 7.5 is no parameter */
+        else if (problem) TEST_FAIL("%d: %s", i, problem);
+        else CHECK(m.count == 2 && m.x[0] == 0.25f && m.x[1] == 0.5f && m.x[3] == 0.1f);
+        materials_free(&m);
+    }
+    CHECK_INT(ms_sss_profile_from_csv(&profile, rings, sizeof rings - 1, NULL, &error), MS_OK);
+    ms_sss_profile_reflectance(profile, total);
+    CHECK_NEAR(total[1], 3.14159265358979 * (0.3 * 0.25 + 0.15 * 0.75), 1e-12); /* two rings; rounding */
+    ms_sss_profile_destroy(profile);
+}
+
+static void case_read(void)
+{
+    setlocale(LC_ALL, "C");
+    read_all();
+    if (!enter()) SKIP("no locale with a decimal comma on this machine, and no localedef");
+    read_all();
+    setlocale(LC_ALL, "C");
+}
+
+/* number_read against strtod of the C locale, for what both know; what is no number is none. */
+static void case_numbers(void)
+{
+    static const char *const text[] = {"0", "-1.5", "+2.5e3", "1e-300", "  7.25;", "12345678901234567890.5", ".5", "5.", "1e5,3", "nan", "inf",
+                                       "-infinity", "1.5.5", "1e", "--1", "", "abc", "e5", ".", "1,5", "1 2"};
+    int round;
+    size_t i;
+    for (round = 0; round < 2; ++round)
+        for (i = 0; i < sizeof text / sizeof text[0]; ++i) {
+            char *end, *expected_end;
+            double v, expected;
+            setlocale(LC_ALL, "C");
+            expected = strtod(text[i], &expected_end);
+            if (round && !enter()) SKIP("no locale with a decimal comma on this machine, and no localedef");
+            v = number_read(text[i], '.', &end);
+            if (end != expected_end || (end != text[i] && !(v == expected || (v != v && expected != expected))))
+                TEST_FAIL("'%s' is %g up to '%s', expected up to '%s'", text[i], v, end, expected_end);
+            v = number_read("1,5;2", ',', &end);
+            CHECK(v == 1.5 && strcmp(end, ";2") == 0);
+            v = number_read("1.5;2", ',', &end);
+            CHECK(v == 1.5 && strcmp(end, ";2") == 0);
+        }
+    setlocale(LC_ALL, "C");
+}
+
+static const test_case cases[] = {{"written", case_written}, {"read", case_read}, {"numbers", case_numbers}};
+TEST_MAIN(cases)
