@@ -1331,9 +1331,9 @@ static ms_status ms_sss__check_table(int count, int least, const double *radius,
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d rows of a profile; at least %d and no NULL expected", count, least);
     if (stride < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "stride is %d; 0 or more expected", stride);
     for (i = 0; i < radii; ++i)
-        if (!ms__finite(radius[i]) || radius[i] < 0 || radius[i] > 1e9 || (i > 0 && radius[i] <= radius[i - 1]))
+        if (!ms__finite(radius[i]) || radius[i] < 0 || radius[i] > 1e9 || (i > 0 && radius[i] - radius[i - 1] < 1e-9))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                            "radius %d is %g mm; increasing, finite, 0 to 1e9 expected", i, radius[i]);
+                            "radius %d is %g mm; finite, 0 to 1e9, and increasing by 1e-9 at least expected", i, radius[i]);
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c) {
             double v = value[c][(size_t)i * (size_t)stride];
@@ -1596,6 +1596,7 @@ MS_API void ms_sss_profile_value(const ms_sss_profile *p, double r, double out[3
             i = ms_sss__ring_of(p, r);
             if (i < 0 || i >= p->count) continue;
             out[c] = p->mean[c][i] + p->slope[c][i] * (r * r - 0.5 * (p->edge[i] * p->edge[i] + p->edge[i + 1] * p->edge[i + 1]));
+            if (out[c] < 0) out[c] = 0; /* rounding */
         } else if (p->kind == MS_SSS__BURLEY) {
             double d = p->sigma[0][c];
             if (p->weight[0][c] > 0) out[c] = p->weight[0][c] * (exp(-r / d) + exp(-r / (3 * d))) / (8 * MS_SSS__PI * d * r);

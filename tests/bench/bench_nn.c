@@ -14,6 +14,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 #include "test.h"
+#include "pool.h"
 #if defined(HAVE_DNNL)
 #include <dnnl.h>
 #endif
@@ -384,7 +385,7 @@ static void bench_renderer(void)
     torch_peer torch = torch_start(0);
     double f32[2] = {0, 0};
     int k, huge;
-    fprintf(md, "\n| renderer %d x %d, one picture | ms | x F32 | PSNR against F32, dB | file, MB | GB/s | two threads, ms |\n|---|---:|---:|---:|---:|---:|---:|\n", side, side);
+    fprintf(md, "\n| renderer %d x %d, one picture | ms | x F32 | PSNR against F32, dB | file, MB | GB/s | one and two threads by the wall, ms |\n|---|---:|---:|---:|---:|---:|---:|\n", side, side);
     for (k = 0; k < 4; ++k) {
         nets_file *f = (nets_file *)malloc(sizeof *f);
         if (nets_renderer(f, side, 64, 1000, types[k])) exit(1);
@@ -392,17 +393,20 @@ static void bench_renderer(void)
             runner r, two;
             bench_time t;
             char label[64];
-            double both;
-            test_pool pool;
+            double alone, both;
+            pool threads;
             if (huge && nets_huge_pages(f)) break;
             snprintf(label, sizeof label, "%s%s", ms_nn_dtype_string(types[k]), huge ? ", huge pages" : "");
             r = runner_make(f, MS_SIMD_AUTO, no_threads(), 0);
             record("renderer load", label, r.load, 0);
             if (k == 0 && !huge) renderer_peers(&r, &torch);
             t = bench_run(run_forward, &r, 9);
-            two = runner_make(f, MS_SIMD_AUTO, test_parallel(&pool, 2), 0);
+            alone = wall(run_forward, &r, 5);
+            pool_start(&threads, 2);
+            two = runner_make(f, MS_SIMD_AUTO, pool_parallel(&threads), 0);
             both = wall(run_forward, &two, 5);
             runner_free(&two);
+            pool_stop(&threads);
             if (k == 0) f32[huge] = t.median;
             if (k == 0 && !huge) memcpy(reference, r.y, outputs * sizeof(float));
             record("renderer", label, t.median, t.spread);
@@ -412,7 +416,8 @@ static void bench_renderer(void)
                 fprintf(csv, "renderer psnr,%s,%.4g,0\n", label, psnr(r.y, reference, outputs));
                 fprintf(md, "%.0f", psnr(r.y, reference, outputs));
             }
-            fprintf(md, " | %.0f | %.1f | %.1f |\n", (double)f->size * 1e-6, (double)f->size / t.median * 1e-9, 1e3 * both);
+            fprintf(md, " | %.0f | %.1f | %.1f, %.1f |\n", (double)f->size * 1e-6, (double)f->size / t.median * 1e-9, 1e3 * alone, 1e3 * both);
+            record("renderer, one thread (wall)", label, alone, 0);
             runner_free(&r);
         }
         free(f->bytes);
@@ -433,7 +438,7 @@ static void bench_convolution(void)
     nets_file *f = (nets_file *)malloc(sizeof *f);
     double macs = 205.0 * 205 * 32 * 32 * 9;
     int level;
-    test_pool pool;
+    pool threads;
     runner r;
     nets_begin(f, "[32,205,205]");
     nets_layer(f, "{\"type\":\"conv2d\",\"name\":\"c\",\"filters\":32,\"kernel\":3,\"padding\":\"same\"}", "c", MS_NN_F32, 4, 32, 32, 3, 3);
@@ -467,13 +472,16 @@ static void bench_convolution(void)
 #endif
     {
         double one = wall(run_forward, &r, 9), two;
-        runner t = runner_make(f, MS_SIMD_AUTO, test_parallel(&pool, 2), 0);
+        runner t;
+        pool_start(&threads, 2);
+        t = runner_make(f, MS_SIMD_AUTO, pool_parallel(&threads), 0);
         two = wall(run_forward, &t, 9);
         printf("convolution on two threads: %.2f x one\n", one / two);
         record("convolution, two threads (wall)", "auto", two, 0);
         record("convolution, one thread (wall)", "auto", one, 0);
         fprintf(more, "| ms_nn, two threads (wall; one: %.2f) | %.2f | %.1f |\n", 1e3 * one, 1e3 * two, macs / two * 1e-9);
         runner_free(&t);
+        pool_stop(&threads);
     }
     if (torch.version[0]) {
         bench_pair p = torch_compare(&torch, "convolution", run_forward, &r, 15);
@@ -599,10 +607,11 @@ static void bench_collapse(const char *label, nets_file *f)
     ms_nn_collapse *c = NULL;
     bench_time picture, value, slopes;
     runner r, two;
-    test_pool pool;
+    pool threads;
     double start, made, target[5];
     size_t features, i;
-    two = runner_make(f, MS_SIMD_AUTO, test_parallel(&pool, 2), 0);
+    pool_start(&threads, 2);
+    two = runner_make(f, MS_SIMD_AUTO, pool_parallel(&threads), 0);
     start = bench_wall();
     if (ms_nn_collapse_create(two.nn, NULL, &c, NULL) != MS_OK) exit(1);
     made = bench_wall() - start;
@@ -637,6 +646,7 @@ static void bench_collapse(const char *label, nets_file *f)
     ms_nn_collapse_destroy(c);
     free(job.workspace);
     free(job.residual);
+    pool_stop(&threads);
     free(job.jacobian);
     runner_free(&two);
     runner_free(&r);

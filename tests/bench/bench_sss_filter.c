@@ -5,6 +5,7 @@
 #include "bench.h"
 #include "plot.h"
 #include "test.h"
+#include "pool.h"
 
 enum { W = 1920, H = 1080, N = W * H, RUNS = 9 };
 static float *in[3], *out[3], *between[3], *expected[3], *depth, *mask, *packed, *packed_out;
@@ -140,16 +141,18 @@ static bench_time time_of(int kind, ms_simd level, int runs)
 static double wall_of(int kind, int threads)
 {
     setup s = prepare(kind, MS_SIMD_AUTO);
-    test_pool pool;
+    pool p;
     double t[RUNS];
     int i;
-    if (threads > 1) s.options.parallel = test_parallel(&pool, threads);
+    pool_start(&p, threads);
+    if (threads > 1) s.options.parallel = pool_parallel(&p);
     filter(&s);
     for (i = 0; i < RUNS; ++i) {
         t[i] = bench_wall();
         filter(&s);
         t[i] = bench_wall() - t[i];
     }
+    pool_stop(&p);
     free(s.workspace);
     return bench_median(t, RUNS);
 }

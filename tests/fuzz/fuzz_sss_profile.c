@@ -1,22 +1,25 @@
-/* ms_sss_profile_from_csv, and a kernel from whatever it lets through. */
+/* ms_sss_profile_from_csv; what it lets through has values that are finite and not negative at every distance. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
+#include <stdlib.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static ms_sss_kernel kernel;
+    static const double r[5] = {0, 0.01, 1, 30, 1e9};
     ms_sss_profile *profile;
     ms_error error;
     if (ms_sss_profile_from_csv(&profile, (const char *)data, size, NULL, &error) == MS_OK) {
-        ms_sss_kernel_options options = ms_sss_kernel_defaults();
-        ms_sss_errors errors;
-        double line[3];
-        options.model = MS_SSS_PREINTEGRATED;
-        options.placement = MS_SSS_QUANTILE;
-        ms_sss_profile_line(profile, 1, line);
-        if (size < 4096) (void)ms_sss_kernel_make(&kernel, &errors, profile, 4, &options, NULL, &error);
+        double value[3], disc[3], total[3];
+        int i, c;
+        ms_sss_profile_reflectance(profile, total);
+        for (i = 0; i < 5; ++i) {
+            ms_sss_profile_value(profile, r[i], value);
+            ms_sss_profile_disc(profile, r[i], disc);
+            for (c = 0; c < 3; ++c)
+                if (!(value[c] >= 0) || !(disc[c] >= 0) || !(total[c] >= 0)) abort();
+        }
     }
     ms_sss_profile_destroy(profile);
     return 0;
