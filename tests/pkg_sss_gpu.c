@@ -348,6 +348,42 @@ static void put_map(FILE *f, const char *name, const float *map)
     fputs("', ", f);
 }
 
+/* The i-th combination of everything that changes a text, into text; few of them, but with --full. */
+enum { VARIANTS = 81 * 1024 };
+
+static int variant(int i, ms_sss_language language, int compute)
+{
+    ms_sss_filter_options o = ms_sss_filter_defaults();
+    ms_sss_shader s;
+    ms_error error;
+    const int bits = i / 81;
+    if (i % (test_full ? 97 : 2381)) return 0; /* primes: every choice meets every other */
+    memset(&s, 0, sizeof s);
+    s.tap_count = 7;
+    s.language = language;
+    s.compute = compute;
+    s.depth = (ms_sss_source)(i % 3);
+    s.profile = (ms_sss_source)(i / 3 % 3);
+    o.depth_mode = (ms_sss_depth_mode)(i / 9 % 3);
+    s.step = (ms_sss_step)(i / 27 % 3);
+    s.half_kernel = bits & 1;
+    s.with_strength = bits >> 1 & 1;
+    if (bits >> 2 & 1) o.fov_degrees = 40;
+    else o.ortho_height = 100;
+    o.rotation = (float)(bits >> 3 & 1);
+    s.half_target = bits >> 4 & 1;
+    s.profile_count = s.profile ? 1 + (bits >> 5 & 1) * 15 : 0;
+    o.flat = (float)(bits >> 6 & 1);
+    s.with_normal = bits >> 7 & 1;
+    s.prepared = bits >> 8 & 1;
+    o.exact = bits >> 7 & s.half_kernel;
+    s.later = compute && s.step == MS_SSS_STEP_Y && bits >> 9;
+    if (ms_sss_shader_text(&s, &o, text, sizeof text, &error)) return 1;
+    if (!((o.fov_degrees > 0 && !s.depth) || (s.half_target && s.depth && (s.profile == MS_SSS_ALPHA || o.flat < 1))))
+        TEST_FAIL("variant %d: %s", i, error.message);
+    return 0;
+}
+
 static void put_text(FILE *f, const char *c)
 {
     for (; *c; ++c) {
@@ -424,9 +460,14 @@ static void browser(ms_sss_language language, const char *path)
         make_case(&t, i * step, language, language == MS_SSS_WGSL && (test_full ? i % 12 == 7 : i == 11), 1);
         put_case(f, &t);
     }
-    fputs("], compile: '", f);
+    fputs("], compile: ['", f);
     put_text(f, transmission_shader(language));
-    fprintf(f, "'};\n%s</script>", script);
+    for (i = 0; i < 2 * VARIANTS; ++i) {
+        if ((i % 2 && language != MS_SSS_WGSL) || !variant(i / 2, language, i % 2)) continue;
+        fputs("',\n'", f);
+        put_text(f, text);
+    }
+    fprintf(f, "']};\n%s</script>", script);
     fclose(f);
     free(script);
     /* until the page has logged its result: --dump-dom does not wait for the GPU */
@@ -662,6 +703,8 @@ static void validate_one(const char *shader, const char *flags, const char *path
         char *log = test_read_file("build/glslang.txt", NULL);
         TEST_FAIL("text %d: %.600s", number, log ? log : "no log");
         free(log);
+    } else if (strstr(flags, "-V -S frag -o") && system("spirv-cross --version >build/glslang.txt 2>&1") != 127 << 8) {
+        if (system("spirv-cross --msl --output build/sss.metal build/sss.spv >build/glslang.txt 2>&1") != 0) TEST_FAIL("text %d is not translated to Metal", number);
     }
 }
 
@@ -669,35 +712,8 @@ static void validate(ms_sss_language language, int compute, const char *flags, c
 {
     int i, count = 0;
     if (system("glslangValidator --version >build/glslang.txt 2>&1") != 0) SKIP("no glslangValidator on this machine");
-    for (i = 0; i < 81 * 1024; ++i) {
-        ms_sss_filter_options o = ms_sss_filter_defaults();
-        ms_sss_shader s;
-        const int bits = i / 81;
-        memset(&s, 0, sizeof s);
-        s.tap_count = 7;
-        s.language = language;
-        s.compute = compute;
-        s.depth = (ms_sss_source)(i % 3);
-        s.profile = (ms_sss_source)(i / 3 % 3);
-        o.depth_mode = (ms_sss_depth_mode)(i / 9 % 3);
-        s.step = (ms_sss_step)(i / 27 % 3);
-        s.half_kernel = bits & 1;
-        s.with_strength = bits >> 1 & 1;
-        if (bits >> 2 & 1) o.fov_degrees = 40;
-        else o.ortho_height = 100;
-        o.rotation = (float)(bits >> 3 & 1);
-        s.half_target = bits >> 4 & 1;
-        s.profile_count = s.profile ? 1 + (bits >> 5 & 1) * 15 : 0;
-        o.flat = (float)(bits >> 6 & 1);
-        s.with_normal = bits >> 7 & 1;
-        s.prepared = bits >> 8 & 1;
-        o.exact = bits >> 7 & s.half_kernel;
-        s.later = compute && s.step == MS_SSS_STEP_Y && bits >> 9;
-        if (i % (test_full ? 97 : 2381)) continue; /* primes: every choice meets every other */
-        if (!ms_sss_shader_text(&s, &o, text, sizeof text, NULL)) {
-            CHECK((o.fov_degrees > 0 && !s.depth) || (s.half_target && s.depth && (s.profile == MS_SSS_ALPHA || o.flat < 1)));
-            continue;
-        }
+    for (i = 0; i < VARIANTS; ++i) {
+        if (!variant(i, language, compute)) continue;
         validate_one(text, flags, path, i);
         ++count;
     }

@@ -1,6 +1,6 @@
 // Runs what tests/pkg_sss_gpu.c wrote: the steps of each case in WebGL 2 or WebGPU, and compares with the CPU's result.
 // data = {api, width, height, images: {name: base64 of RGBA floats}, cases: [{input, expected, tolerance, steps: [{text,
-// constants, read: {name: image}, write: [image], groups}]}], compile: text of a shader that only has to compile}. Logs what is off or an error, then "sss worst E over N cases".
+// constants, read: {name: image}, write: [image], groups}]}], compile: texts that only have to compile}. Logs what is off or an error, then "sss worst E over N cases".
 const count = data.width * data.height * 4;
 const lines = [];
 const say = line => lines.push(line);
@@ -128,7 +128,7 @@ async function webgpu() {
     try {
         const gpu = data.api === 'webgpu' ? await webgpu() : webgl();
         name = gpu.name();
-        await gpu.compile(data.compile);
+        for (const text of data.compile) await gpu.compile(text);
         const shared = {};
         for (const [key, text] of Object.entries(data.images)) shared[key] = gpu.image(floats(text));
         for (const key of ['prepared', 'shape', 'middle', 'result', 'sum']) shared[key] = gpu.image(null);
