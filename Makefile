@@ -33,21 +33,21 @@ MADE = -DMS_MCML_IMPLEMENTED -DMS_SSS_IMPLEMENTED -DMS_GPR_IMPLEMENTED -DMS_NN_I
 IMAGE = examples/image.h examples/files.h
 PLOT = examples/plot.h
 COMPILE = $(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -I.
-OBJECT = @mkdir -p build && echo "compiling $@" && $(COMPILE) -c -o $@ -x c
+OBJECT = @mkdir -p build && echo "compiling $@" && $(COMPILE) -c -o $@ -x c /dev/null
 BUILD = @echo "linking $@" && $(COMPILE) $(MADE) $(LDFLAGS) -o $@
 
 all: $(TOOLS) $(DEMOS)
 
 build/ms_mcml.o: ms_mcml.h
-	$(OBJECT) -DMS_MCML_IMPLEMENTATION ms_mcml.h
+	$(OBJECT) -DMS_MCML_IMPLEMENTATION -include ms_mcml.h
 build/ms_sss.o: ms_sss.h
-	$(OBJECT) -DMS_SSS_IMPLEMENTATION ms_sss.h
+	$(OBJECT) -DMS_SSS_IMPLEMENTATION -include ms_sss.h
 build/ms_gpr.o: ms_gpr.h
-	$(OBJECT) -DMS_GPR_IMPLEMENTATION ms_gpr.h
+	$(OBJECT) -DMS_GPR_IMPLEMENTATION -include ms_gpr.h
 build/ms_nn.o: ms_nn.h
-	$(OBJECT) -DMS_NN_IMPLEMENTATION ms_nn.h
+	$(OBJECT) -DMS_NN_IMPLEMENTATION -include ms_nn.h
 build/ms_pme.o: ms_pme.h
-	$(OBJECT) -DMS_PME_IMPLEMENTATION ms_pme.h
+	$(OBJECT) -DMS_PME_IMPLEMENTATION -include ms_pme.h
 
 build/mcml: examples/mcml.c build/ms_mcml.o
 	$(BUILD) examples/mcml.c build/ms_mcml.o $(LDLIBS)

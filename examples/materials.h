@@ -1,4 +1,5 @@
-/* Lists of materials for the examples: a CSV with one material a line, every parameter in [0, 1].
+/* Lists of materials for the examples: a CSV with one material a line, every parameter in [0, 1] (examples/data/README.md names
+   the 19 of the shader).
 
      materials list;
      const char *problem = materials_read("materials.csv", 19, &list);   NULL: fine; otherwise a sentence in list.problem

@@ -121,6 +121,7 @@ test_group() {
     done
     job dropin_together "sh tests/dropin/dropin.sh $out/dropin_together $(echo $headers)"
     job page "sh tests/page.sh $out/page"
+    job dropin_meson "sh tests/dropin/meson.sh $out/dropin_meson"
     job dropin_msvc "sh tests/dropin/msvc.sh $out/dropin_msvc $(echo $headers)"
     check_jobs
     test_jobs "full_" "$CC" "-std=c99 -O3" "" "--full"
