@@ -80,7 +80,7 @@ static ms_sss_kernel make_kernel(int taps, int terms, double size)
 /* --- one case: kernels, options, what the shader reads --- */
 
 typedef struct one_case {
-    ms_sss_kernel kernel[PROFILES];
+    ms_sss_kernel kernel[MS_SSS_SHADER_PROFILES_MAX];
     ms_sss_filter_options options;
     ms_sss_shader shader;
     int terms;
@@ -319,6 +319,30 @@ static const char *transmission_shader(ms_sss_language language)
              "@fragment fn main(@builtin(position) p: vec4<f32>) -> @location(0) vec4<f32> { let x = p.x - 0.5; let y = p.y - 0.5; return ",
              language == MS_SSS_WGSL ? "vec4<f32>" : language == MS_SSS_HLSL ? "float4" : "vec4", vec3, vec3, vec3, vec3, vec3, vec3);
     return all;
+}
+
+/* As many kernels as a pass takes, in patches that a tap crosses several of, one of them without a kernel. */
+static void case_sixteen(void)
+{
+    static one_case t;
+    int i, k;
+    if (!gl_open(GL_API_ES_30)) SKIP("no OpenGL ES 3.0 context without a window");
+    for (i = 0; i < 4; ++i) {
+        double e;
+        make_picture();
+        make_case(&t, i, MS_SSS_GLSL_ES_300, 0, 1);
+        t.shader.profile = i % 2 ? MS_SSS_ALPHA : MS_SSS_TEXTURE;
+        t.shader.profile_count = MS_SSS_SHADER_PROFILES_MAX;
+        for (k = 0; k < MS_SSS_SHADER_PROFILES_MAX; ++k) t.kernel[k] = make_kernel(t.shader.tap_count - (k % 3 ? 2 : 0), 1, 1.5 - 0.08 * k);
+        for (k = 0; k < PIXELS; ++k) {
+            profile[k] = (uint8_t)((k % WIDTH / 7 + 3 * (k / WIDTH / 6)) % 17);
+            index_of[k] = (float)profile[k] / 255;
+        }
+        t.shader.half_kernel = 1;
+        CHECK(ms_sss_shader_constant_count(&t.shader) <= 224);
+        e = gl_compare(&t);
+        if (!(e <= tolerance_of(&t))) TEST_FAIL("case %d: %g", i, e);
+    }
 }
 
 /* --- OpenGL ES and WGSL in a browser: a page of cases, run by tests/sss_gpu.js --- */
@@ -732,6 +756,7 @@ static void case_vulkan_compute(void) { validate(MS_SSS_GLSL_VULKAN, 1, "-V -S c
 static const test_case cases[] = {
     {"OpenGL 3.3 against the CPU", case_desktop},
     {"OpenGL ES 3.0 against the CPU", case_es},
+    {"sixteen materials in one pass", case_sixteen},
     {"OpenGL 4.3 compute against the CPU", case_compute},
     {"WebGL 2 in a browser against the CPU", case_webgl},
     {"WGSL in a browser against the CPU", case_wgsl},
