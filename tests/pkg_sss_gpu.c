@@ -198,13 +198,33 @@ static const char *const texture_name[7] = {"ms_sss_colour", "ms_sss_depth", "ms
                                             "ms_sss_profile", "ms_sss_sum", "ms_sss_normal"};
 enum { COLOUR, DEPTH, STRENGTH, INPUT, PROFILE, SUM, NORMAL, PREPARED, MIDDLE, RESULT, TEXTURES };
 
-/* A program without a word from the driver. */
-static GLuint gl_silent(const char *corner, const char *shader)
+/* A program; without a word from the driver, but about what a translation left undefined. */
+static GLuint gl_translated(const char *corner, const char *shader, int warnings)
 {
     char log[2000];
     GLuint program = gl_program(corner, shader, log, sizeof log);
-    if (log[0] || !program) TEST_FAIL("%.600s", log);
+    if ((log[0] && !warnings) || !program) TEST_FAIL("%.600s", log);
     return program;
+}
+
+static GLuint gl_silent(const char *corner, const char *shader) { return gl_translated(corner, shader, 0); }
+
+/* HLSL and Vulkan's GLSL cannot run here: through SPIR-V they become GLSL 330 again. */
+static int translate(ms_sss_language language)
+{
+    FILE *f = fopen("build/sss_step.frag", "w");
+    char *back;
+    if (!f) return 0;
+    fputs(text, f);
+    fclose(f);
+    if (system(language == MS_SSS_HLSL ? "glslangValidator -D -V -S frag -e main -o build/sss_step.spv build/sss_step.frag >build/glslang.txt 2>&1"
+                                       : "glslangValidator -V -S frag -o build/sss_step.spv build/sss_step.frag >build/glslang.txt 2>&1") != 0 ||
+        system("spirv-cross --version 330 --no-es --no-420pack-extension --flatten-ubo --output build/sss_step.glsl build/sss_step.spv >build/glslang.txt 2>&1") != 0)
+        return 0;
+    back = test_read_file("build/sss_step.glsl", NULL);
+    if (back && strlen(back) < sizeof text) strcpy(text, back);
+    free(back);
+    return 1;
 }
 
 static GLuint gl_step(const ms_sss_shader *shader, const ms_sss_filter_options *o)
@@ -213,12 +233,16 @@ static GLuint gl_step(const ms_sss_shader *shader, const ms_sss_filter_options *
     int i;
     ms_error error;
     if (!ms_sss_shader_text(shader, o, text, sizeof text, &error)) TEST_FAIL("%s", error.message);
-    program = gl_silent(shader->compute ? NULL : gl_corner[shader->language], text);
+    if (shader->language >= MS_SSS_GLSL_VULKAN && !translate(shader->language)) TEST_FAIL("no translation: build/glslang.txt");
+    program = gl_translated(shader->compute ? NULL : gl_corner[shader->language == MS_SSS_GLSL_ES_300], text, shader->language >= MS_SSS_GLSL_VULKAN);
     for (i = 0; i < 7; ++i) {
-        GLint at = gl_GetUniformLocation(program, texture_name[i]);
+        char name[100];
+        GLint at;
+        snprintf(name, sizeof name, shader->language == MS_SSS_HLSL ? "SPIRV_Cross_Combined%sSPIRV_Cross_DummySampler" : "%s", texture_name[i]);
+        at = gl_GetUniformLocation(program, name);
         if (at >= 0) gl_Uniform1i(at, i ? i : shader->step == MS_SSS_STEP_Y ? MIDDLE : shader->step == MS_SSS_STEP_X && shader->prepared ? PREPARED : COLOUR);
     }
-    gl_Uniform4fv(gl_GetUniformLocation(program, "ms_sss"), ms_sss_shader_constant_count(shader), &constants[0][0]);
+    gl_Uniform4fv(gl_GetUniformLocation(program, shader->language < MS_SSS_GLSL_VULKAN ? "ms_sss" : "ms_sss_block"), ms_sss_shader_constant_count(shader), &constants[0][0]);
     return program;
 }
 
@@ -279,16 +303,18 @@ static double gl_compare(one_case *t)
     return difference();
 }
 
-static void compare_all(gl_api which, int count)
+static void compare_all(gl_api which, ms_sss_language language, int count)
 {
     double worst = 0, worst_wider = 0;
     int i;
     if (!gl_open(which)) SKIP("no %s context without a window", which == GL_API_ES_30 ? "OpenGL ES 3.0" : which == GL_API_33 ? "OpenGL 3.3" : "OpenGL 4.3");
+    if (language >= MS_SSS_GLSL_VULKAN && system("glslangValidator --version >build/glslang.txt 2>&1 && spirv-cross --revision >>build/glslang.txt 2>&1") != 0)
+        SKIP("no glslangValidator or spirv-cross on this machine");
     make_picture();
     for (i = 0; i < count; ++i) {
         one_case t;
         double e, *w;
-        make_case(&t, i, which == GL_API_ES_30 ? MS_SSS_GLSL_ES_300 : MS_SSS_GLSL_330, which == GL_API_43, which == GL_API_ES_30 ? 1 : 3);
+        make_case(&t, i, language, which == GL_API_43, which == GL_API_ES_30 ? 1 : 3);
         e = gl_compare(&t);
         w = tolerance_of(&t) > GPU_TOLERANCE ? &worst_wider : &worst;
         if (!(e <= tolerance_of(&t))) TEST_FAIL("case %d (depth %d, profile %d, depth mode %d, flat %g, normal %d, turned %d): %g", i, (int)t.shader.depth,
@@ -298,9 +324,11 @@ static void compare_all(gl_api which, int count)
     TEST_NOTE("%s: largest difference %.1e, with slopes, turned axes or two numbers in one %.1e", (const char *)gl_GetString(GL_RENDERER), worst, worst_wider);
 }
 
-static void case_desktop(void) { compare_all(GL_API_33, test_full ? 360 : 36); }
-static void case_es(void) { compare_all(GL_API_ES_30, test_full ? 360 : 12); }
-static void case_compute(void) { compare_all(GL_API_43, test_full ? 360 : 24); }
+static void case_desktop(void) { compare_all(GL_API_33, MS_SSS_GLSL_330, test_full ? 360 : 36); }
+static void case_es(void) { compare_all(GL_API_ES_30, MS_SSS_GLSL_ES_300, test_full ? 360 : 12); }
+static void case_vulkan_runs(void) { compare_all(GL_API_33, MS_SSS_GLSL_VULKAN, test_full ? 72 : 8); }
+static void case_hlsl_runs(void) { compare_all(GL_API_33, MS_SSS_HLSL, test_full ? 72 : 8); }
+static void case_compute(void) { compare_all(GL_API_43, MS_SSS_GLSL_330, test_full ? 360 : 24); }
 
 /* What the light loop's function returns for column x and row y of a picture, as a fragment shader. */
 static const char *transmission_shader(ms_sss_language language)
@@ -757,6 +785,8 @@ static const test_case cases[] = {
     {"OpenGL 3.3 against the CPU", case_desktop},
     {"OpenGL ES 3.0 against the CPU", case_es},
     {"sixteen materials in one pass", case_sixteen},
+    {"Vulkan GLSL against the CPU", case_vulkan_runs},
+    {"HLSL against the CPU", case_hlsl_runs},
     {"OpenGL 4.3 compute against the CPU", case_compute},
     {"WebGL 2 in a browser against the CPU", case_webgl},
     {"WGSL in a browser against the CPU", case_wgsl},
