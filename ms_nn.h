@@ -92,6 +92,7 @@
 
    CONFIGURATION, all before the #include of the implementation
       MS_NN_NO_STDIO    no <stdio.h>, no files by name
+      MS_NN_NO_COLLAPSE no collapse and no low rank: what matching needs, a fifth of the code
       MS_NO_SIMD        plain C only
       MS_DEF            linkage of the functions, e.g. static
       MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
@@ -421,6 +422,7 @@ MS_NN_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const 
    Workspace MS_NN_JACOBIAN, count 1. The weights are read once. */
 MS_NN_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace);
 
+#ifndef MS_NN_NO_COLLAPSE
 /* --- collapse: a network with a linear last layer as an objective --- */
 
 /* With y = W h(x) + b, target t and a weight for each output in the diagonal of M,
@@ -430,7 +432,8 @@ MS_NN_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, fl
    share one R. */
 typedef struct ms_nn_collapse ms_nn_collapse;
 
-/* Makes R by a QR of sqrt(M) W in double precision (blocked Householder; parts joined in a fixed order).
+/* Makes R by a QR of sqrt(M) W in double precision (blocked Householder; parts joined in a fixed order); with weights by the Cholesky
+   factor of W' M W, some times as fast, unless a column of sqrt(M) W lies within 1e-4 of the others' span.
    nn      its last layer must be dense and linear (MS_UNSUPPORTED); must outlive *c
    weight  [output size] >= 0, diagonal of M; NULL: all 1. Then R is read from the file's tensor
            "ms_nn.collapse" (F64, [h (h + 1) / 2], h = inputs of the last layer) if it is there
@@ -500,6 +503,7 @@ MS_NN_API int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db)
    rank   1 to the number of features
    dtype  of their weights: F32, F16 or BF16 */
 MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error);
+#endif /* MS_NN_NO_COLLAPSE */
 
 #ifdef __cplusplus
 }
@@ -1520,7 +1524,7 @@ MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_
     ms_status status;
     size_t total;
     if (file == NULL || (bytes == NULL && size > 0))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "bytes and file must not be NULL");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", file == NULL ? "file" : "bytes");
     if (size < 8) return ms__fail(error, MS_BAD_DATA, size, "the file has %z bytes, a header needs at least 8", size);
     if (size > SIZE_MAX / 2) return ms__fail(error, MS_UNSUPPORTED, 0, "a file of %z bytes needs a 64-bit machine", size);
     length = ms_nn__u64(b);
@@ -1592,22 +1596,22 @@ MS_NN_API void ms_nn_file_close(ms_nn_file *file)
     ms__release(&allocator, file, file->bytes);
 }
 
-MS_NN_API size_t ms_nn_file_tensor_count(const ms_nn_file *file) { return file->tensors; }
-MS_NN_API size_t ms_nn_file_entry_count(const ms_nn_file *file) { return file->entries; }
+MS_NN_API size_t ms_nn_file_tensor_count(const ms_nn_file *file) { return file ? file->tensors : 0; }
+MS_NN_API size_t ms_nn_file_entry_count(const ms_nn_file *file) { return file ? file->entries : 0; }
 
 MS_NN_API const ms_nn_tensor *ms_nn_file_tensor(const ms_nn_file *file, size_t i)
 {
-    return i < file->tensors ? &file->record[file->by_data[i]].tensor : NULL;
+    return file && i < file->tensors ? &file->record[file->by_data[i]].tensor : NULL;
 }
 
 MS_NN_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i)
 {
-    return i < file->entries ? &file->entry[i] : NULL;
+    return file && i < file->entries ? &file->entry[i] : NULL;
 }
 
 MS_NN_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name)
 {
-    size_t low = 0, high = file->tensors;
+    size_t low = 0, high = file && name ? file->tensors : 0;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
         const ms_nn_tensor *t = &file->record[file->by_name[middle]].tensor;
@@ -1621,7 +1625,7 @@ MS_NN_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char
 
 MS_NN_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key)
 {
-    size_t low = 0, high = file->entries;
+    size_t low = 0, high = file && key ? file->entries : 0;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
         const ms_nn_entry *e = &file->entry[file->by_key[middle]];
@@ -2897,7 +2901,7 @@ MS_NN_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_optio
     ms_nn_options o = options ? *options : ms_nn_defaults();
     ms_nn_file *file = NULL;
     ms_status status;
-    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn must not be NULL");
+    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn is NULL");
     status = ms_nn_file_open(bytes, size, &o, &file, error);
     return status == MS_OK ? ms_nn__make(file, &o, nn, error) : status;
 }
@@ -2958,10 +2962,12 @@ typedef struct ms_nn__kernels {
     void (*activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
     void (*derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha);
     void (*pool2)(const float *x, size_t row, float *y, size_t n);
+#ifndef MS_NN_NO_COLLAPSE
     void (*gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out);
     void (*add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n, const double *s);
     void (*rotate)(double *a, double *b, size_t n, double c, double s);
     void (*row)(const ms_nn__matrix *m, size_t row, double factor, double *out);
+#endif
 } ms_nn__kernels;
 
 /* Does a matrix come from memory rather than from a cache? */
@@ -3511,6 +3517,7 @@ static ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product product, si
 
 MS_NN_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int count)
 {
+    if (nn == NULL) return 0;
     if (count < 1) return SIZE_MAX;
     return ms_nn__layout_of(nn, product, (size_t)count).total;
 }
@@ -3707,23 +3714,41 @@ MS_NN_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, fl
 
 /* === queries === */
 
-MS_NN_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn) { return nn->input; }
-MS_NN_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn) { return nn->output; }
+static ms_nn_shape ms_nn__no_shape(void)
+{
+    ms_nn_shape none;
+    memset(&none, 0, sizeof none);
+    return none;
+}
+
+MS_NN_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn) { return nn ? nn->input : ms_nn__no_shape(); }
+MS_NN_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn) { return nn ? nn->output : ms_nn__no_shape(); }
 
 MS_NN_API size_t ms_nn_input_size(const ms_nn *nn)
 {
+    if (nn == NULL) return 0;
     return nn->input.size[0] * (nn->input.rank > 1 ? nn->input.size[1] : 1) * (nn->input.rank > 2 ? nn->input.size[2] : 1);
 }
 
-MS_NN_API size_t ms_nn_output_size(const ms_nn *nn) { return nn->channels * ms_nn__value_size(nn, nn->ops); }
-MS_NN_API int ms_nn_layer_count(const ms_nn *nn) { return nn->layers; }
-MS_NN_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i) { return nn->layer[i]; }
-MS_NN_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn) { return nn->file; }
-MS_NN_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn->level; }
+MS_NN_API size_t ms_nn_output_size(const ms_nn *nn) { return nn ? nn->channels * ms_nn__value_size(nn, nn->ops) : 0; }
+MS_NN_API int ms_nn_layer_count(const ms_nn *nn) { return nn ? nn->layers : 0; }
+MS_NN_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
+{
+    ms_nn_layer none;
+    if (nn != NULL && i >= 0 && i < nn->layers) return nn->layer[i];
+    memset(&none, 0, sizeof none);
+    none.type = none.name = none.activation = "";
+    none.dtype = MS_NN_DTYPE_COUNT;
+    return none;
+}
+
+MS_NN_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn) { return nn ? nn->file : NULL; }
+MS_NN_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn ? nn->level : MS_SIMD_AUTO; }
 
 MS_NN_API ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error)
 {
     size_t t, i;
+    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn is NULL");
     for (t = 0; t < ms_nn_file_tensor_count(nn->file); ++t) {
         const ms_nn_tensor *tensor = ms_nn_file_tensor(nn->file, t);
         size_t width = (size_t)(ms_nn__bits(tensor->dtype) / 8);
@@ -3814,7 +3839,7 @@ MS_NN_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *optio
     void *block = NULL;
     size_t size = 0, used;
     ms_status status;
-    if (path == NULL || file == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path and file must not be NULL");
+    if (path == NULL || file == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", path == NULL ? "path" : "file");
     if (!o.copy) ms_nn__map(path, &mapped, &size);
     used = size;
     if (mapped == NULL && (status = ms_nn__slurp(path, &o, &block, &size, &used, error)) != MS_OK) return status;
@@ -3834,7 +3859,7 @@ MS_NN_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *optio
     ms_nn_options o = options ? *options : ms_nn_defaults();
     ms_nn_file *file = NULL;
     ms_status status;
-    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn must not be NULL");
+    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn is NULL");
     status = ms_nn_file_read(path, &o, &file, error);
     return status == MS_OK ? ms_nn__make(file, &o, nn, error) : status;
 }
@@ -3853,6 +3878,7 @@ MS_NN_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensor
 }
 #endif /* MS_NN_NO_STDIO */
 
+#ifndef MS_NN_NO_COLLAPSE
 /* === collapse === */
 
 struct ms_nn_collapse {
@@ -3957,12 +3983,73 @@ static void ms_nn__qr_task(void *context, int index)
     }
 }
 
+#define MS_NN__GRAM_ROWS 248   /* of W together */
+#define MS_NN__GRAM_STRIDE 264 /* doubles from column to column: no power of two, which one set of the cache would hold */
+
+/* A part's W' M W: upper triangle, rows i of columns k >= i. */
+static void ms_nn__gram_task(void *context, int index)
+{
+    const ms_nn__qr_job *job = (const ms_nn__qr_job *)context;
+    size_t part = (size_t)index, h = job->m->cols, i = job->m->rows * part / job->parts, end = job->m->rows * (part + 1) / job->parts, n = 0, j, k, l, q;
+    double *r = job->r + part * h * h, *b = job->b + part * h * MS_NN__GRAM_STRIDE, *row = job->row + part * 3 * h, *dots = row + h; /* dots: [h][2] */
+    memset(r, 0, h * h * sizeof(double));
+    for (; i <= end; ++i) {
+        if (n == MS_NN__GRAM_ROWS || (i == end && n > 0)) {
+            for (k = 0; k < h; k += q) {
+                q = ms_nn__min(2, h - k);
+                job->kernels->gram(b, k + q, b + k * MS_NN__GRAM_STRIDE, q, MS_NN__GRAM_STRIDE, n, dots);
+                for (j = 0; j < k + q; ++j)
+                    for (l = 0; l < q; ++l) r[j * h + k + l] += dots[j * q + l];
+            }
+            n = 0;
+        }
+        if (i < end && job->weight[i] > 0) ms_nn__qr_row(job->m, job->kernels, i, (double)job->weight[i], row, b + n++, MS_NN__GRAM_STRIDE);
+    }
+}
+
+/* R of sqrt(M) W by the Cholesky factor of W' M W: some times as fast as a QR, but good to 1e-16 over the square of how much of a
+   column the others leave. 0 where that is under 1e-8: the columns then want a QR. */
+static int ms_nn__collapse_gram(const ms_nn_collapse *c, const float *weight, double *r)
+{
+    const ms_nn_options *o = &c->nn->options;
+    size_t h = c->h, parts = ms_nn__min(MS_NN__QR_PARTS, c->m->rows / 1024 + 1), bytes, p, i, k;
+    int good = 1;
+    ms_nn__qr_job job;
+    bytes = ms__size_mul(parts * sizeof(double), ms__size_mul(h, ms__size_add(h, MS_NN__GRAM_STRIDE + 3)));
+    job.m = c->m;
+    job.kernels = c->nn->kernels;
+    job.weight = weight;
+    job.parts = parts;
+    job.r = (double *)ms_nn__alloc(o, bytes);
+    if (job.r == NULL) return 0;
+    job.b = job.r + parts * h * h;
+    job.row = job.b + parts * h * MS_NN__GRAM_STRIDE;
+    ms__run(&o->parallel, (int)parts, ms_nn__gram_task, &job);
+    for (p = 1; p < parts; ++p)
+        for (i = 0; i < h * h; ++i) job.r[i] += job.r[p * h * h + i];
+    for (i = 0; i < h; ++i) job.row[i] = job.r[i * h + i];
+    for (k = 0; k < h && good; ++k) {
+        double *column = job.r + k * h, pivot = column[k], minus;
+        good = pivot > 1e-8 * job.row[k];
+        for (i = k; i < h && good; ++i) column[i] /= sqrt(pivot);
+        for (i = k + 1; i < h && good; ++i) {
+            minus = -column[i];
+            c->nn->kernels->add(job.r + i * h + i, 1, column + i, 1, h, h - i, &minus);
+        }
+    }
+    for (i = 0; i < h && good; ++i)
+        for (k = 0; k < h; ++k) r[i * h + k] = k < i ? 0.0 : job.r[i * h + k];
+    ms__release(&o->allocator, job.r, bytes);
+    return good;
+}
+
 /* R of sqrt(M) W into r for the weights of a channel. */
 static ms_status ms_nn__collapse_factor(const ms_nn_collapse *c, const float *weight, double *r, ms_error *error)
 {
     const ms_nn_options *o = &c->nn->options;
     size_t h = c->h, parts = ms_nn__min(MS_NN__QR_PARTS, c->m->rows / (4 * h) + 1), r_bytes, b_bytes, p, i, k, n;
     ms_nn__qr_job job;
+    if (c->weighted && ms_nn__collapse_gram(c, weight, r)) return MS_OK;
     r_bytes = ms__size_mul(parts * sizeof(double), ms__size_mul(h, h));
     b_bytes = ms__size_mul(parts, ms__size_mul(h, (MS_NN__QR_ROWS + 1) * sizeof(double)));
     job.m = c->m;
@@ -4024,7 +4111,7 @@ MS_NN_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, 
     ms_nn_collapse *made;
     size_t i, k, h, rows, channels, bytes, square, triangle;
     ms_status status = MS_OK;
-    if (nn == NULL || c == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn and c must not be NULL");
+    if (nn == NULL || c == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", nn == NULL ? "nn" : "c");
     last = &nn->op[nn->ops - 1];
     if (last->step != MS_NN__DO_DENSE || last->activation != MS_NN__LINEAR)
         return ms__fail(error, MS_UNSUPPORTED, 0, "only a network whose last layer is dense and linear collapses");
@@ -4079,8 +4166,8 @@ MS_NN_API void ms_nn_collapse_destroy(ms_nn_collapse *c)
     if (c != NULL) ms__release(&c->nn->options.allocator, c, c->bytes);
 }
 
-MS_NN_API size_t ms_nn_collapse_features(const ms_nn_collapse *c) { return c->channels * c->h; }
-MS_NN_API const double *ms_nn_collapse_r(const ms_nn_collapse *c) { return c->packed; }
+MS_NN_API size_t ms_nn_collapse_features(const ms_nn_collapse *c) { return c ? c->channels * c->h : 0; }
+MS_NN_API const double *ms_nn_collapse_r(const ms_nn_collapse *c) { return c ? c->packed : NULL; }
 
 /* R'R - v v' by mixed hyperbolic rotations (Chambers 1971): 0 where the difference is not positive definite. */
 static int ms_nn__downdate(double *r, size_t h, double *v)
@@ -4134,7 +4221,7 @@ MS_NN_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const s
     float *now;
     size_t bytes, h, rows, outputs, square, i;
     ms_status status = MS_OK;
-    if (c == NULL || (count && (index == NULL || weight == NULL))) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index and weight must not be NULL");
+    if (c == NULL || (count && (index == NULL || weight == NULL))) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", c == NULL ? "c" : index == NULL ? "index" : "weight");
     h = c->h;
     rows = c->m->rows;
     outputs = c->channels * rows;
@@ -4297,7 +4384,7 @@ MS_NN_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target
     float *g;
     size_t h, n, i, ch, outputs, bytes;
     double norm = 0;
-    if (c == NULL || target == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "c and target must not be NULL");
+    if (c == NULL || target == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", c == NULL ? "c" : "target");
     h = c->h;
     n = c->channels * h;
     outputs = c->channels * c->m->rows;
@@ -4332,7 +4419,9 @@ static size_t ms_nn__collapse_doubles(const ms_nn_collapse *c) { return c->chann
 
 MS_NN_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian)
 {
-    size_t trunk = c->trunk.ops == 0 ? 0 : ms_nn__layout_of(&c->trunk, with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1).total;
+    size_t trunk;
+    if (c == NULL) return 0;
+    trunk = c->trunk.ops == 0 ? 0 : ms_nn__layout_of(&c->trunk, with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1).total;
     return ms__size_add(ms__size_add(trunk, c->channels * c->h * sizeof(float)), ms_nn__collapse_doubles(c) * sizeof(double) + 64);
 }
 
@@ -4572,6 +4661,7 @@ MS_NN_API double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank)
     const ms_nn_low_rank *l = low_rank;
     double lost = 0;
     size_t k;
+    if (l == NULL) return 0;
     for (k = l->c->h; k-- > (size_t)(rank > 0 ? rank : 0);) lost += l->variance[l->order[k]];
     if (!(lost > 1e-15 * l->total)) return (double)ms_nn__float_of(0x7f800000u);
     return 10 * log10(l->peak * l->peak * (double)l->c->m->rows / lost);
@@ -4580,8 +4670,8 @@ MS_NN_API double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank)
 MS_NN_API int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db)
 {
     int rank = 1;
-    while ((size_t)rank < low_rank->c->h && ms_nn_low_rank_psnr(low_rank, rank) < psnr_db) ++rank;
-    return rank;
+    while (low_rank != NULL && (size_t)rank < low_rank->c->h && ms_nn_low_rank_psnr(low_rank, rank) < psnr_db) ++rank;
+    return low_rank != NULL ? rank : 0;
 }
 
 /* x rounded to nearest even in one of the three types, little-endian. */
@@ -4718,6 +4808,7 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
     ms__release(&nn->options.allocator, memory, bytes);
     return status;
 }
+#endif /* MS_NN_NO_COLLAPSE */
 
 /* === levels === */
 
@@ -4843,6 +4934,8 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #undef MS_NN__STRIP_FLOATS
 #undef MS_NN__STRIPE
 #undef MS_NN__QR_ROWS
+#undef MS_NN__GRAM_ROWS
+#undef MS_NN__GRAM_STRIDE
 #undef MS_NN__QR_PANEL
 #undef MS_NN__QR_PARTS
 #undef MS_NN__PASS_ROWS
@@ -5737,6 +5830,7 @@ static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
     for (; j < n; ++j, x += 2) y[j] = ms_nn__max_nan(ms_nn__max_nan(x[0], x[row]), ms_nn__max_nan(x[1], x[row + 1]));
 }
 
+#ifndef MS_NN_NO_COLLAPSE
 /* --- double precision, for the collapse: vectors of MS_NN__D_LANES --- */
 
 #if MS_NN__ISA == 1
@@ -5921,19 +6015,25 @@ static void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double factor, do
     else if (m->dtype == MS_NN_BF16) MS_NN__FN(row_typed)(m->w + 2 * at, m->cols, factor, out, MS_NN_BF16);
     else MS_NN__FN(row_typed)(m->w + at, m->cols, factor * (double)ms_nn__float_at(m->scale, row), out, MS_NN_I8);
 }
-
+#endif /* MS_NN_NO_COLLAPSE */
 #endif
 
-#if MS_NN__ISA == 5
-static const ms_nn__kernels ms_nn__table_avx512vnni = {MS_NN__V_BLOCK, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
-                                                       ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512, ms_nn__gram_avx512,
-                                                       ms_nn__add_avx512, ms_nn__rotate_avx512, ms_nn__row_avx512};
+#ifndef MS_NN_NO_COLLAPSE
+#define MS_NN__D_KERNELS(level) , MS_NN__JOIN(ms_nn__gram_, level), MS_NN__JOIN(ms_nn__add_, level), MS_NN__JOIN(ms_nn__rotate_, level), MS_NN__JOIN(ms_nn__row_, level)
 #else
-static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_int8), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
-                                                MS_NN__FN(derive), MS_NN__FN(pool2), MS_NN__FN(gram), MS_NN__FN(add), MS_NN__FN(rotate),
-                                                MS_NN__FN(row)};
+#define MS_NN__D_KERNELS(level)
+#endif
+#if MS_NN__ISA == 5
+static const ms_nn__kernels ms_nn__table_avx512vnni = {
+    MS_NN__V_BLOCK, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
+    ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512 MS_NN__D_KERNELS(avx512)};
+#else
+static const ms_nn__kernels MS_NN__FN(table) = {
+    MS_NN__V_BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_int8), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
+    MS_NN__FN(derive), MS_NN__FN(pool2) MS_NN__D_KERNELS(MS_NN__LEVEL)};
 #endif
 
+#undef MS_NN__D_KERNELS
 #undef MS_NN__LEVEL
 #undef MS_NN__ISA
 #undef MS_NN__V_LANES

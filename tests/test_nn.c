@@ -777,6 +777,91 @@ static void test_stack_use(void)
     free(job.values);
 }
 
+/* NULL: a status, or nothing and 0. */
+static void test_null(void)
+{
+    ms_error error;
+    float x = 0;
+    double value;
+    CHECK(ms_nn_file_tensor_count(NULL) == 0 && ms_nn_file_tensor(NULL, 0) == NULL && ms_nn_file_entry_count(NULL) == 0 && ms_nn_file_entry(NULL, 0) == NULL);
+    CHECK(ms_nn_file_find(NULL, "x") == NULL && ms_nn_file_metadata(NULL, "x") == NULL);
+    CHECK(ms_nn_input_size(NULL) == 0 && ms_nn_output_size(NULL) == 0 && ms_nn_input_shape(NULL).rank == 0 && ms_nn_output_shape(NULL).rank == 0);
+    CHECK(ms_nn_layer_count(NULL) == 0 && ms_nn_layer_at(NULL, 0).type[0] == 0 && ms_nn_tensors(NULL) == NULL && ms_nn_workspace_size(NULL, MS_NN_VJP, 1) == 0);
+    CHECK(ms_nn_simd(NULL) == MS_SIMD_AUTO && ms_nn_collapse_features(NULL) == 0 && ms_nn_collapse_r(NULL) == NULL && ms_nn_collapse_workspace_size(NULL, 1) == 0);
+    CHECK(ms_nn_low_rank_for(NULL, 40) == 0 && ms_nn_low_rank_psnr(NULL, 1) <= 0);
+    CHECK_INT(ms_nn_check_weights(NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK(strcmp(error.message, "nn is NULL") == 0);
+    CHECK_INT(ms_nn_load(NULL, 9, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK(strcmp(error.message, "nn is NULL") == 0);
+    CHECK_INT(ms_nn_forward(NULL, 1, &x, &x, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_vjp(NULL, 1, &x, &x, NULL, &x, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_jvp(NULL, 1, &x, &x, NULL, &x, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_jacobian(NULL, &x, NULL, &x, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_collapse_create(NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_collapse_target(NULL, &x, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_collapse_value(NULL, &x, &value, NULL), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_collapse_mask(NULL, 0, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    ms_nn_destroy(NULL);
+    ms_nn_file_close(NULL);
+    ms_nn_collapse_destroy(NULL);
+    ms_nn_low_rank_destroy(NULL);
+}
+
+/* Weights of a mask: the Cholesky factor, and where the columns are nearly dependent the QR: R'R = W'MW either way, to what is
+   promised of each. */
+static void test_collapse_weighted(void)
+{
+    uint64_t state = test_seed + 40;
+    int dependent, k, i, j, a, rows = 3000, h = 37;
+    for (dependent = 0; dependent < 2; ++dependent) {
+        ref_net net;
+        ms_nn *nn;
+        ms_nn_collapse *c = NULL;
+        float weight[3000], y[3000], x[37], other[37];
+        double r2 = 0, value;
+        net_begin(&net, MS_NN_F32, 1, h, 1, 1);
+        net_dense(&net, rows, 0);
+        net_end(&net, &state);
+        if (dependent) { /* the last column becomes the sum of two others but for 1e-6 */
+            for (i = 0; i < rows; ++i) {
+                float v[3];
+                memcpy(v, net.file + net.size - 4 * (size_t)rows - 4 * (size_t)(rows - i) * (size_t)h, 8);
+                v[2] = v[0] + v[1] * (1 + 1e-6f * (float)(i % 7));
+                memcpy(net.file + net.size - 4 * (size_t)rows - 4 * (size_t)(rows - i) * (size_t)h + 4 * (size_t)(h - 1), &v[2], 4);
+            }
+        }
+        nn = net_load(&net, MS_SIMD_AUTO, 0);
+        for (i = 0; i < rows; ++i) weight[i] = i % 4 == 1 ? 0 : 0.25f + (float)(i % 5);
+        CHECK_INT(ms_nn_collapse_create(nn, weight, &c, NULL), MS_OK);
+        for (k = 0; k < 5; ++k) {
+            for (j = 0; j < h; ++j) x[j] = (float)test_normal(&state);
+            for (j = 0; j < h; ++j) other[j] = x[j] + (k == 4 ? 1e-3f : 1) * (float)test_normal(&state);
+            ms_nn_forward(nn, 1, x, y, NULL); /* a target that x hits */
+            CHECK_INT(ms_nn_collapse_target(c, y, NULL), MS_OK);
+            CHECK_INT(ms_nn_collapse_value(c, other, &value, NULL), MS_OK);
+            r2 = 0;
+            for (i = 0; i < rows; ++i) {
+                double sum = -(double)y[i], w;
+                const unsigned char *at = net.file + net.size - 4 * (size_t)rows - 4 * (size_t)(rows - i) * (size_t)h;
+                float f;
+                for (a = 0; a < h; ++a) {
+                    memcpy(&f, at + 4 * a, 4);
+                    sum += (double)f * (double)other[a];
+                }
+                memcpy(&f, net.file + net.size - 4 * (size_t)(rows - i), 4);
+                w = sum + (double)f;
+                r2 += (double)weight[i] * w * w;
+            }
+            /* the target's own rounding to floats stands in both; 1e-8 is what the pivots' bound leaves */
+            if (k < 4) CHECK_NEAR(value, r2, 1e-8 * r2);
+            else CHECK_NEAR(value, r2, dependent ? 1e-6 * r2 : 1e-8 * r2); /* a residual of 1e-3 of the target's: what the nearly dependent column cancels */
+        }
+        ms_nn_collapse_destroy(c);
+        ms_nn_destroy(nn);
+        net_free(&net);
+    }
+}
+
 /* A network that was copied into memory goes on when its file is cut to nothing under it. */
 static void test_copy(void)
 {
@@ -1793,6 +1878,8 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"flush to zero", test_flush_to_zero},
                                   {"stack", test_stack_use},
                                   {"copied, not mapped", test_copy},
+                                  {"NULL", test_null},
+                                  {"collapse with weights", test_collapse_weighted},
                                   {"int8 levels", test_int8_levels},
                                   {"products", test_products},
                                   {"activations", test_activations},
