@@ -1,6 +1,8 @@
 /* From optical parameters to pictures: build/demo_sss FOLDER [--width 1920] writes
      profiles_red.svg, _green, _blue       diffusion profiles of all 11 materials
      skin1_before.png, _after, and skin1.png with half of each; the same for marble; demo.png with both
+     bust.png, knot.png                    before, after, truth (random walks, examples/data/truth_*.bin) and their difference,
+                                           with the numbers in sss.txt
      model_*.png                           a dot, a disk and a step through every kernel model, and exactly
      kernels.html                          a page that shows them all
    Alone: cc -O2 -I. examples/demo_sss.c -o build/demo_sss -lm */
@@ -201,6 +203,154 @@ static void save_pair(const image *a, const image *b, const char *name)
     image_free(&out);
 }
 
+/* --- against the truth --- */
+
+enum { PANELS = 4 };
+
+typedef struct truth {
+    int width, height;
+    float fov, mm_per_unit;
+    image depth, light, walk; /* in; what the walk shows */
+    ms_sss_profile *profile;
+    double reflectance[3];
+} truth;
+
+/* A file of tests/render/truth_data.c, which says how it is laid out, and a profile. 0: there is none. */
+static int truth_read(truth *t, const char *path, const char *profile)
+{
+    image__bytes data, csv;
+    size_t at = 0, pixel, count;
+    int n = 0, c;
+    memset(t, 0, sizeof *t);
+    memset(&data, 0, sizeof data);
+    memset(&csv, 0, sizeof csv);
+    if (image__load(path, &data) != NULL || image__load(profile, &csv) != NULL) return 0;
+    while (at < data.size && at < 200 && data.data[at] != '\n') ++at;
+    if (at == data.size || sscanf((const char *)data.data, "ms_truth %d %d %f %f%n", &t->width, &t->height, &t->fov, &t->mm_per_unit, &n) != 4 ||
+        (size_t)n != at || t->width < 1 || t->height < 1 || t->width > 4096 || t->height > 4096)
+        need("not a file of truth_data.sh", path);
+    count = (size_t)t->width * (size_t)t->height;
+    if (data.size != ++at + 16 * count) need("cut off", path);
+    t->depth = image_new(t->width, t->height, 1);
+    t->light = image_new(t->width, t->height, 3);
+    t->walk = image_new(t->width, t->height, 3);
+    if (!t->depth.pixels || !t->light.pixels || !t->walk.pixels) need("out of memory", path);
+    memcpy(t->depth.pixels, data.data + at, 4 * count);
+    for (pixel = 0; pixel < count; ++pixel)
+        for (c = 0; c < 6; ++c) { /* binary16, never negative, infinite or NaN */
+            const unsigned char *half = data.data + at + 4 * count + 12 * pixel + 2 * (size_t)c;
+            int bits = half[0] | half[1] << 8, exponent = bits >> 10 & 31, fraction = bits & 1023;
+            float value = ldexpf((float)(exponent ? fraction | 1024 : fraction), exponent ? exponent - 25 : -24);
+            (c < 3 ? &t->light : &t->walk)->pixels[3 * pixel + (size_t)(c % 3)] = value;
+        }
+    need_ok(ms_sss_profile_from_csv(&t->profile, (const char *)csv.data, csv.size, NULL, NULL), profile);
+    ms_sss_profile_reflectance(t->profile, t->reflectance);
+    free(data.data);
+    free(csv.data);
+    return 1;
+}
+
+/* Root mean square of the difference from the walk over that of the walk; out holds filtered light, before reflectance. */
+static double truth_error(const truth *t, const image *out)
+{
+    double error = 0, power = 0;
+    size_t i;
+    for (i = 0; i < image_count(out); ++i)
+        if (t->depth.pixels[i / 3] > 0) {
+            double walk = (double)t->walk.pixels[i], d = t->reflectance[i % 3] * (double)out->pixels[i] - walk;
+            error += d * d;
+            power += walk * walk;
+        }
+    return sqrt(error / power);
+}
+
+/* Before, after, truth, difference; a line for the page's caption. */
+static void show_truth(const char *object, const char *substance, FILE *lines)
+{
+    char path[100], csv[100], name[32];
+    ms_sss_filter_options options = ms_sss_filter_defaults();
+    static ms_sss_kernel kernel;
+    ms_sss_frame frame;
+    truth t;
+    image taps, after, out;
+    double radius, before, error[2], distance = 1e9; /* of the nearest pixel */
+    float peak = 0;
+    size_t size, other, i;
+    void *workspace;
+    int x, y, c, k, left, right = 0, width; /* columns that show the object, and some beside it */
+    snprintf(path, sizeof path, "examples/data/truth_%s.bin", object);
+    snprintf(csv, sizeof csv, "examples/data/truth_%s.csv", substance);
+    if (!truth_read(&t, path, csv)) {
+        fprintf(stderr, "demo_sss: %s: not found (run in the repository's folder); no picture against the truth\n", path);
+        return;
+    }
+    for (left = t.width, i = 0; i < image_count(&t.depth); ++i)
+        if (t.depth.pixels[i] > 0) {
+            x = (int)(i % (size_t)t.width);
+            left = x < left ? x : left;
+            right = x > right ? x : right;
+        }
+    left = left > 8 ? left - 8 : 0;
+    width = (right + 9 < t.width ? right + 9 : t.width) - left;
+    if (width < 1) need("shows nothing", path);
+    options.fov_degrees = t.fov;
+    options.mm_per_unit = t.mm_per_unit;
+    taps = image_new(t.width, t.height, 3);
+    after = image_new(t.width, t.height, 3);
+    out = image_new(PANELS * width, t.height, 3);
+    for (i = 0; i < image_count(&t.depth); ++i)
+        if (t.depth.pixels[i] > 0 && (double)t.depth.pixels[i] < distance) distance = (double)t.depth.pixels[i];
+    radius = radius_of(t.profile) / (double)t.mm_per_unit * t.height / (2 * tan((double)t.fov * 3.14159265358979 / 360) * distance);
+    need_ok(ms_sss_kernel_make(&kernel, NULL, t.profile, radius, NULL, NULL, NULL), "kernel");
+    size = ms_sss_filter_workspace(t.width, t.height, &kernel, 1, &options);
+    other = ms_sss_gather_workspace(t.width, t.height, 0);
+    if (other > size) size = other;
+    workspace = malloc(size);
+    if (!taps.pixels || !after.pixels || !out.pixels || !workspace) need("out of memory", object);
+    memset(&frame, 0, sizeof frame);
+    frame.width = t.width;
+    frame.height = t.height;
+    frame.input = ms_sss_interleaved(t.light.pixels, 3, 0);
+    frame.depth = ms_sss_map(t.depth.pixels, 1, 0);
+    frame.output = ms_sss_interleaved(taps.pixels, 3, 0);
+    need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), "filter");
+    frame.output = ms_sss_interleaved(after.pixels, 3, 0);
+    need_ok(ms_sss_gather(&frame, NULL, t.profile, &options, workspace, size, NULL), "gather");
+    before = truth_error(&t, &t.light);
+    error[0] = truth_error(&t, &taps);
+    error[1] = truth_error(&t, &after);
+    for (i = 0; i < image_count(&t.light); ++i) {
+        float v = t.light.pixels[i] * (float)t.reflectance[i % 3];
+        if (v > peak) peak = v;
+    }
+    for (y = 0; y < t.height; ++y)
+        for (x = 0; x < width; ++x)
+            for (c = 0; c < 3; ++c) {
+                size_t at = 3 * ((size_t)y * (size_t)t.width + (size_t)(x + left)) + (size_t)c;
+                float shown[3], R = (float)t.reflectance[c];
+                shown[0] = R * t.light.pixels[at];
+                shown[1] = R * after.pixels[at];
+                shown[2] = t.walk.pixels[at];
+                for (k = 0; k < PANELS; ++k) {
+                    float *to = out.pixels + 3 * ((size_t)y * (size_t)out.width + (size_t)(k * width + x)) + c;
+                    if (k < 3) to[0] = shown[k] = image_srgb_encode(scene_tone(shown[k] * 1.2f / peak));
+                    else to[0] = t.depth.pixels[at / 3] > 0 ? scene__clamp(0.5f + 4 * (shown[1] - shown[2]), 0, 1) : 0.5f;
+                }
+            }
+    snprintf(name, sizeof name, "%s.png", object);
+    save(&out, name);
+    fprintf(lines, "%s: before %.1f%% | after %.1f%%: gathered in space (7 taps a pass: %.1f%%) | truth | difference x 4\n", name,
+            100 * before, 100 * error[1], 100 * error[0]);
+    free(workspace);
+    image_free(&taps);
+    image_free(&after);
+    image_free(&out);
+    image_free(&t.depth);
+    image_free(&t.light);
+    image_free(&t.walk);
+    ms_sss_profile_destroy(t.profile);
+}
+
 /* --- kernel models: a dot, a disk and a step (thesis, figures 5.7 and 5.13) --- */
 
 #define SIGNALS 3
@@ -374,6 +524,8 @@ int main(int argc, char **argv)
     file_out out;
     FILE *page;
     image bust, knot;
+    file_out truths;
+    FILE *lines;
     int width = argc == 4 && strcmp(argv[2], "--width") == 0 ? atoi(argv[3]) : 1920;
     if (file_help(argc, argv, usage)) return file_end_stdout("demo_sss");
     if ((argc != 2 && argc != 4) || width < 64 || width > 7680)
@@ -394,6 +546,11 @@ int main(int argc, char **argv)
           " at a radius of 48 pixels.\n<table>\n<tr><th>model<th>dot, disk, step<th>1D passes<th>step<th>disk<th>1/f "
           "texture\n",
           page);
+    lines = file_create(file("sss.txt"), &truths);
+    if (lines == NULL) need(truths.problem, file("sss.txt"));
+    show_truth("bust", "skin1", lines);
+    show_truth("knot", "marble", lines);
+    need(file_finish(&truths, 1), file("sss.txt"));
     plot_profiles();
     show_models(page);
     bust = show_object(SCENE_BUST, "skin1", width);
