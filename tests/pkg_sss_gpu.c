@@ -567,6 +567,62 @@ static void case_bleeding(void)
     CHECK_NEAR(worst, 0, 1e-6); /* as the filter promises for what is constant */
 }
 
+/* What a text or constants cannot be made for is refused by the name of the field, and nothing is written. */
+static void refuses(const ms_sss_shader *s, const ms_sss_filter_options *o, const ms_sss_kernel *k, int term, ms_status status, const char *name)
+{
+    char small[8] = "before";
+    float out[1][4] = {{7, 7, 7, 7}};
+    ms_error error;
+    memset(&error, 0, sizeof error);
+    if (!k) CHECK_INT(ms_sss_shader_text(s, o, small, sizeof small, &error), 0);
+    else CHECK_INT(ms_sss_shader_constants(k, term, o, 64, 48, s, out, &error), status);
+    CHECK_INT(error.status, status);
+    if (!strstr(error.message, name)) TEST_FAIL("'%s' does not name %s", error.message, name);
+    CHECK(strcmp(small, "before") == 0 && (double)out[0][0] == 7);
+}
+
+static void case_refused(void)
+{
+    ms_sss_kernel k = make_kernel(7, 1, 1);
+    ms_sss_filter_options o = ms_sss_filter_defaults(), p;
+    ms_sss_shader good, s;
+    char small[100] = "before";
+    memset(&good, 0, sizeof good);
+    good.tap_count = 7;
+    o.pixels_per_mm[0] = 4;
+    CHECK(ms_sss_shader_text(&good, &o, small, sizeof small, NULL) > 1000); /* it does not fit: the length alone */
+    CHECK(strcmp(small, "before") == 0);
+    refuses(NULL, &o, NULL, 0, MS_INVALID_ARGUMENT, "NULL");
+    s = good, s.tap_count = 8;
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "tap_count 8");
+    s = good, s.profile_count = 17;
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "profile_count 17");
+    s = good, s.profile_count = 2;
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "profile");
+    s = good, s.language = (ms_sss_language)5;
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "language 5");
+    s = good, s.step = (ms_sss_step)3;
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "step 3");
+    s = good, s.depth = (ms_sss_source)4;
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "depth 4");
+    s = good, s.later = 1;
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "later");
+    s = good, s.language = MS_SSS_GLSL_ES_300, s.compute = 1;
+    refuses(&s, &o, NULL, 0, MS_UNSUPPORTED, "compute");
+    s = good, s.depth = MS_SSS_TEXTURE, s.half_target = 1;
+    refuses(&s, &o, NULL, 0, MS_UNSUPPORTED, "half_target");
+    s = good, p = o, p.pixels_per_mm[0] = 0, p.fov_degrees = 30;
+    refuses(&s, &p, NULL, 0, MS_INVALID_ARGUMENT, "fov_degrees 30");
+    p = o, p.fade = 2;
+    refuses(&good, &p, NULL, 0, MS_INVALID_ARGUMENT, "fade 2");
+    s = good, s.tap_count = 5;
+    refuses(&s, &o, &k, 0, MS_INVALID_ARGUMENT, "7 taps");
+    refuses(&good, &o, &k, 1, MS_INVALID_ARGUMENT, "term 1");
+    k.weight[0][3][1] *= 1.5f;
+    s = good, s.half_kernel = 1;
+    refuses(&s, &o, &k, 0, MS_UNSUPPORTED, "taps 3 and 4");
+}
+
 /* Texels that one pixel reads at most: the texts, told to count and to return that. */
 static int count_reads(ms_sss_shader *s, const ms_sss_filter_options *o)
 {
@@ -791,6 +847,7 @@ static const test_case cases[] = {
     {"WebGL 2 in a browser against the CPU", case_webgl},
     {"WGSL in a browser against the CPU", case_wgsl},
     {"nothing crosses between materials", case_bleeding},
+    {"what is refused, by name", case_refused},
     {"texels read by 7 taps", case_reads},
     {"layout of the constants", case_constants},
     {"transmission in a light loop", case_transmission},
