@@ -39,6 +39,7 @@
    ----------
      a diffusion profile for rendering (half-space, g = 0)   ms_mcml_profile_make: no noise, milliseconds
      a half-space at many albedos, with errors               ms_mcml_white_run
+     layers, g: totals, rings, depth without noise           ms_mcml_layered_solve
      layers, g, glass, absorption, angles, time              ms_mcml_simulate, or for jobs that are split:
                                                              ms_mcml_create, _run, _save, _load, _merge, _results
      an .mci file of MCML 1.2                                ms_mcml_mci_load, ms_mcml_simulate, ms_mcml_mco_save
@@ -528,6 +529,67 @@ MS_API const double *ms_mcml_white_edges(const ms_mcml_white *white, int *rings)
 
 /* NULL is fine. */
 MS_API void ms_mcml_white_destroy(ms_mcml_white *white);
+
+/* --- layered solver ---------------------------------------------------------------------------------------- */
+
+#define MS_MCML_LAYERED_RATES 96
+#define MS_MCML_LAYERED_SINGLES 40
+#define MS_MCML_LAYERED_RADII 200
+
+/* All zero: the defaults. */
+typedef struct ms_mcml_layered_options {
+    int order;             /* Legendre moments of scattering that are solved for, 1 to 31; what is sharper counts as not
+                              scattered (delta-M). 0: the least odd order with |g|^(order + 1) below 0.19 in every layer, 0.04 in thin tissue */
+    double tolerance;      /* of the iteration, 1e-9 to 1e-2; 0: 1e-4, up to order 3 1e-6 */
+    double frequency_step; /* log spacing of the spatial frequencies, 0.1 to 1; 0: 0.25 */
+    int totals_only;       /* not 0: no rings, only what does not depend on r: one frequency instead of some 30 */
+    const double *moment;  /* NULL: Henyey-Greenstein of each layer's g. Else [layer_count][34] Legendre moments of the phase
+                              functions: 1, mean cosine, ... */
+    double dz_cm;          /* > 0 with a_z */
+    int nz;
+    double *a_z;           /* [nz] out: absorbed between i dz and (i + 1) dz, 1/cm; or NULL */
+    double *a_l;           /* [layer_count] out: part absorbed in each layer; or NULL */
+    ms_progress progress;  /* asked before every frequency */
+    ms_allocator allocator;
+} ms_mcml_layered_options;
+
+/* Reflectance and transmittance of layers under a pencil beam at normal incidence, without noise. A plain value: copy it
+   freely. Totals count as MCML counts: specular is what the surface (and clear layers on top) reflects at entry, rd and
+   tt contain what was never scattered.
+
+     energy beyond r    sum single max(0, exp(-single_rate r) - single_end) + sum energy (rate r) K1(rate r)
+
+   and, where positive terms do not do (table), the rest as beyond[] at radius_cm exp(0.1 i). Index [order][side]: order 0 is
+   the result, 1 half the order, for errors.
+
+   rd_error, tt_error: from the last two orders of the totals. */
+typedef struct ms_mcml_layered {
+    double specular, rd, rd_error, tt, tt_error, a, rd_unscattered, tt_unscattered;
+    double residual, peak; /* of the iteration; largest part of scattering taken as forward */
+    int order, frequencies, rates, singles, table[2];
+    double frequency_per_cm[MS_MCML_LAYERED_RATES], rd_spectrum[MS_MCML_LAYERED_RATES], tt_spectrum[MS_MCML_LAYERED_RATES]; /* at k */
+    double rate_per_cm[MS_MCML_LAYERED_RATES], energy[2][2][MS_MCML_LAYERED_RATES];
+    double radius_cm, multiple[2][2], rest[2][2], beyond[2][2][MS_MCML_LAYERED_RADII];
+    double single_rate_per_cm[MS_MCML_LAYERED_SINGLES], single_energy[MS_MCML_LAYERED_SINGLES], single_end[MS_MCML_LAYERED_SINGLES];
+} ms_mcml_layered;
+
+/* Solves the transport equation for each spatial frequency: source moments on panels in depth, exact flights between them
+   along rays through all layers and back, GMRES with low-order spherical harmonics as preconditioner. 1 to 16 layers,
+   index 0.01 to 100, any absorption and scattering, |g| <= 0.995; thickness_cm x effective attenuation above 23 counts as
+   infinite. options may be NULL. Memory while it runs: 5 to 100 MB, with order and panels.
+   MS_NOT_CONVERGED: *out is filled, and its errors are the best that was reached: g so close to 1 that the order does not hold
+   (peak above 0.3), an iteration above ten times its tolerance, totals not known to 5e-5, or rings beside a clear layer;
+   error says which. MS_INVALID_ARGUMENT, MS_UNSUPPORTED (more than 16 layers), MS_OUT_OF_MEMORY,
+   MS_CANCELLED: *out untouched. */
+MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options, ms_mcml_layered *out,
+                                       ms_error *error);
+
+/* Energy that leaves at the top (side 0) or the bottom (side 1) farther than r_cm >= 0 from the beam; what was not scattered
+   leaves at 0. ring: mean over r0_cm <= r < r1_cm in 1/cm^2, not negative; its error estimate goes to *ring_error unless
+   NULL. line_beyond: at x > x_cm on one side of the beam. NaN outside these ranges. */
+MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *solution, int side, double r_cm);
+MS_API double ms_mcml_layered_ring(const ms_mcml_layered *solution, int side, double r0_cm, double r1_cm, double *ring_error);
+MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *solution, int side, double x_cm);
 
 /* --- diffusion profiles ------------------------------------------------------------------------------------ */
 
@@ -3251,6 +3313,1658 @@ MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *s, double x
     return 0.5 * sum;
 }
 
+/* --- layered solver ---------------------------------------------------------------------------------------- */
+
+#define MS_MCML__ORDER_MAX 31
+#define MS_MCML__STRATA 16
+#define MS_MCML__RAYS 8        /* side by side: a part of a panel of nu = n sin(theta) */
+#define MS_MCML__AZIMUTHS 14   /* at most, in a quarter of the circle */
+#define MS_MCML__SHAPES 64     /* different panel lengths of a layer */
+#define MS_MCML__PANELS_MAX 160 /* of a layer */
+#define MS_MCML__SPAN 48       /* steps of GMRES */
+#define MS_MCML__EVEN_MAX 9    /* even moments of the preconditioner */
+#define MS_MCML__ODD_MAX 12
+
+/* A layer as the flights see it; mu_s, mu_t and sigma without the forward peak. */
+typedef struct ms_mcml__stratum {
+    double n, d, mu_a, mu_s, mu_t, kappa; /* d: as far as nodes go; kappa: effective attenuation */
+    double mu_s_full, g, sigma[MS_MCML__ORDER_MAX + 1];
+    const double *moment;                 /* NULL: Henyey-Greenstein */
+    double down, up;                      /* the beam at the top going down, at the bottom going up */
+    int clear, semi, node, panel, panels, used; /* used: panels within reach at this frequency */
+    double shape[MS_MCML__SHAPES];
+    int shapes, table;                    /* table: of its first shape */
+} ms_mcml__stratum;
+
+/* Low-order preconditioner: u even, v odd moments. */
+typedef struct ms_mcml__smoother {
+    int even, odd, nodes, pairs;
+    int even_l[MS_MCML__EVEN_MAX], even_m[MS_MCML__EVEN_MAX], even_term[MS_MCML__EVEN_MAX];
+    int odd_l[MS_MCML__ODD_MAX], odd_m[MS_MCML__ODD_MAX], odd_term[MS_MCML__ODD_MAX];
+    int pair_even[48], pair_odd[48];
+    double pair_a[48], pair_x[48]; /* streaming along z and x between them */
+    double *block;                 /* [nodes][2][even][even]: inverse of the pivot, coupling to the next */
+    double *right;                 /* [nodes][even] */
+} ms_mcml__smoother;
+
+typedef struct ms_mcml__flights {
+    int layers, order, nodes, panels, shapes, parts;
+    double n_above, n_below, specular, unscattered; /* reflected and transmitted without scattering */
+    ms_mcml__stratum layer[MS_MCML__STRATA];
+    double breaks[MS_MCML__STRATA + 2];
+    int break_count, clear; /* clear: a layer is */
+    double z[MS_MCML__STRATA * (4 * MS_MCML__PANELS_MAX + 1)]; /* [nodes] from the top of the layer */
+    int panel_shape[MS_MCML__STRATA * MS_MCML__PANELS_MAX];
+    /* at one frequency */
+    double k, mu_least;
+    int most, blocks, azimuths, terms; /* m up to most; terms: of l and m */
+    double *nu, *nu_weight; /* [blocks][RAYS] */
+    double *cosine, *turn;  /* [blocks][azimuths][RAYS] cos(phi), weight */
+    double *around;         /* [blocks][azimuths][most + 1][RAYS] (-1)^(m/2) cos(m phi) / norm */
+    double *mu;             /* [blocks][layers][RAYS], or 0 */
+    double *theta;          /* [blocks][layers][terms][RAYS] */
+    double *table;          /* [blocks][azimuths][shapes][4][6][2][RAYS] */
+    double *work, *moments, *vectors; /* moments: [terms][nodes] three times */
+    double *memory;
+    size_t size;
+    ms_mcml__smoother smoother;
+} ms_mcml__flights;
+
+static int ms_mcml__first_term(int order, int m) { return m * (order + 1) - m * (m - 1) / 2; } /* terms m, l = m .. order */
+
+static void ms_mcml__legendre_nodes(int n, double *x, double *w) /* Gauss on [0, 1] */
+{
+    int i, k, turn;
+    for (i = 0; i < n; ++i) {
+        double t = cos(3.14159265358979324 * (i + 0.75) / (n + 0.5)), p = 1, slope = 1;
+        for (turn = 0; turn < 20; ++turn) {
+            double p1 = 1, p2 = 0;
+            for (k = 1; k <= n; ++k) {
+                double p3 = p2;
+                p2 = p1;
+                p1 = ((2 * k - 1) * t * p2 - (k - 1) * p3) / k;
+            }
+            p = p1;
+            slope = n * (t * p1 - p2) / (t * t - 1);
+            t -= p / slope;
+            if (fabs(p / slope) < 1e-16) break;
+        }
+        x[i] = 0.5 * (1 - t);
+        w[i] = 1 / ((1 - t * t) * slope * slope);
+    }
+}
+
+/* Reflectance from n1 to n2 for nu = n sin(theta), and the far cosine. 1 where nothing propagates beyond. */
+static double ms_mcml__fresnel_nu(double n1, double n2, double nu)
+{
+    double a, b, s, p;
+    if (!(nu < n1) || !(nu < n2)) return 1;
+    a = sqrt((n1 - nu) * (n1 + nu)) / n1;
+    b = sqrt((n2 - nu) * (n2 + nu)) / n2;
+    s = (n1 * a - n2 * b) / (n1 * a + n2 * b);
+    p = (n1 * b - n2 * a) / (n1 * b + n2 * a);
+    return 0.5 * (s * s + p * p);
+}
+
+/* Theta_lm(mu) with integral of squares over (-1, 1) equal 1, no sign; out[terms][stride] */
+static void ms_mcml__theta(int order, int most, double mu, double *out, int stride)
+{
+    double diagonal = sqrt(0.5), sine = sqrt((1 - mu) * (1 + mu));
+    int l, m;
+    for (m = 0; m <= most; ++m) {
+        double *p = out + (size_t)ms_mcml__first_term(order, m) * (size_t)stride, a = 0, b = diagonal, ka = 0;
+        if (m > 0) diagonal *= sine * sqrt((2 * m + 1.0) / (2 * m)), b = diagonal;
+        p[0] = b;
+        for (l = m + 1; l <= order; ++l) {
+            double k = sqrt((4.0 * l * l - 1) / ((double)l * l - (double)m * m)), next = k * (mu * b - (ka > 0 ? a / ka : 0));
+            a = b;
+            b = next;
+            ka = k;
+            p[(size_t)(l - m) * (size_t)stride] = b;
+        }
+    }
+}
+
+/* The beam in every layer, to and fro, all orders: 2 x 2 per boundary from below. */
+static void ms_mcml__beams(ms_mcml__flights *s)
+{
+    double ratio[MS_MCML__STRATA], pass[MS_MCML__STRATA], rho = 0;
+    int i;
+    for (i = s->layers - 1; i >= 0; --i) { /* rho: up over down at the bottom of layer i */
+        const ms_mcml__stratum *l = &s->layer[i];
+        double below = i + 1 < s->layers ? s->layer[i + 1].n : s->n_below, r = (l->n - below) / (l->n + below);
+        double t = l->mu_t * l->d < 700 && !l->semi ? exp(-l->mu_t * l->d) : 0;
+        r *= r;
+        if (l->semi) ratio[i] = 0, pass[i] = 0;
+        else if (i + 1 == s->layers) ratio[i] = r, pass[i] = 1 - r;
+        else {
+            ratio[i] = r + (1 - r) * (1 - r) * rho / (1 - r * rho);
+            pass[i] = (1 - r) / (1 - r * rho);
+        }
+        rho = ratio[i] * t * t; /* up at the top over down at the top */
+    }
+    {
+        double r = (s->n_above - s->layer[0].n) / (s->n_above + s->layer[0].n), down;
+        r *= r;
+        down = (1 - r) / (1 - r * rho);
+        s->specular = r + (1 - r) * (1 - r) * rho / (1 - r * rho);
+        for (i = 0; i < s->layers; ++i) {
+            ms_mcml__stratum *l = &s->layer[i];
+            double t = l->mu_t * l->d < 700 && !l->semi ? exp(-l->mu_t * l->d) : 0;
+            l->down = down;
+            l->up = down * t * ratio[i];
+            down *= t * pass[i];
+        }
+        s->unscattered = down;
+    }
+}
+
+/* Panels of a layer of optical thickness tau below a depth of others, in mean free paths; their number. Fine at both ends,
+   where the source bends, a mean free path long where the beam scatters first, longer below, up to `longest`. */
+static int ms_mcml__mesh(double tau, int semi, double depth, double longest, double *h)
+{
+    enum { MOST = MS_MCML__PANELS_MAX / 2 - 4 };
+    double back[MOST], done = 0, size = 0.04, step, left;
+    int n = 0, i, pieces;
+    for (;; size *= 2.5) {
+        const double most = depth + done < 12 ? 1 : 1 + 0.4 * (depth + done - 12);
+        step = size < most ? size : most;
+        if (step > longest) step = longest;
+        left = tau - (semi ? 1 : 2) * done;
+        if (left <= (semi ? 1 : 2.6) * step || n == MOST) break;
+        back[n] = h[n] = step;
+        ++n;
+        done += step;
+    }
+    pieces = semi ? 1 : (int)ceil(left / (1.3 * step));
+    if (pieces > 4) pieces = 4;
+    for (i = 0; i < pieces; ++i) h[n + i] = left / pieces;
+    i = n;
+    n += pieces;
+    while (!semi && i > 0) h[n++] = back[--i];
+    return n;
+}
+
+/* Integrals of u^n exp(-y u), u from 0 to 1, n = 0 .. 4, and exp(-y); y complex, re >= 0. */
+static void ms_mcml__exponential_moments(double yr, double yi, double out[6][2])
+{
+    const double e = yr < 700 ? exp(-yr) : 0, er = e * cos(yi), ei = -e * sin(yi), size = yr * yr + yi * yi;
+    int n;
+    out[5][0] = er;
+    out[5][1] = ei;
+    if (size > 0.5) {
+        const double vr = yr / size, vi = -yi / size;
+        double pr = 1 - er, pi = -ei;
+        for (n = 0; n < 5; ++n) {
+            out[n][0] = pr * vr - pi * vi;
+            out[n][1] = pr * vi + pi * vr;
+            pr = (n + 1) * out[n][0] - er;
+            pi = (n + 1) * out[n][1] - ei;
+        }
+    } else { /* the last by its series, the others down from it */
+        double tr = 1, ti = 0, sr = 0, si = 0;
+        for (n = 0; n < 17; ++n) {
+            double x;
+            sr += tr / (n + 5);
+            si += ti / (n + 5);
+            x = -(tr * yr - ti * yi) / (n + 1);
+            ti = -(tr * yi + ti * yr) / (n + 1);
+            tr = x;
+        }
+        out[4][0] = sr;
+        out[4][1] = si;
+        for (n = 4; n > 0; --n) {
+            const double re = yr * out[n][0] - yi * out[n][1] + er, im = yr * out[n][1] + yi * out[n][0] + ei;
+            out[n - 1][0] = re / n;
+            out[n - 1][1] = im / n;
+        }
+    }
+}
+
+static const double ms_mcml__lobatto[5] = {0, 0.17267316464601143, 0.5, 0.82732683535398857, 1};
+
+/* polynomial[step][j][n]: Lagrange polynomial of point j at t = end - length u, as powers of u, times the length */
+static void ms_mcml__panel_polynomials(double polynomial[4][5][5])
+{
+    const double *t = ms_mcml__lobatto;
+    int step, j, i, n;
+    for (step = 0; step < 4; ++step)
+        for (j = 0; j < 5; ++j) {
+            const double end = t[step + 1], length = t[step + 1] - t[step];
+            double p[5] = {1, 0, 0, 0, 0};
+            for (i = 0; i < 5; ++i) { /* times (end - t_i - length u) / (t_j - t_i) */
+                if (i == j) continue;
+                for (n = 4; n >= 0; --n) p[n] = (p[n] * (end - t[i]) - (n ? p[n - 1] * length : 0)) / (t[j] - t[i]);
+            }
+            for (n = 0; n < 5; ++n) polynomial[step][j][n] = p[n] * length;
+        }
+}
+
+/* Rays, angular functions and weights of all flights at frequency k. */
+static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
+{
+    enum { R = MS_MCML__RAYS };
+    const double *breaks = s->breaks, mu_least = s->mu_least;
+    const int parts = s->parts;
+    double x[64], w[64], polynomial[4][5][5];
+    int b, a, i, j, layer, m, n;
+    s->k = k;
+    s->most = most;
+    s->terms = ms_mcml__first_term(s->order, most + 1);
+    ms_mcml__panel_polynomials(polynomial);
+    ms_mcml__legendre_nodes(R * parts, x, w);
+    { /* the first panel in two: sinh from the normal, then towards grazing; each of the others clusters at its upper end */
+        const double eps = mu_least / (k > 1e-9 * mu_least ? k : 1e-9 * mu_least) * breaks[0], cut = 0.6 * breaks[0];
+        const double top = log(cut / eps + sqrt(1 + cut / eps * (cut / eps)));
+        const int count = R * parts;
+        for (j = 0; j < count; ++j) {
+            const double e = exp(top * x[j]);
+            s->nu[j] = top > 1e-5 ? eps * 0.5 * (e - 1 / e) : cut * x[j];
+            s->nu_weight[j] = top > 1e-5 ? w[j] * top * eps * 0.5 * (e + 1 / e) : cut * w[j];
+        }
+        for (b = 1; b <= s->break_count; ++b) {
+            const double low = b == 1 ? cut : breaks[b - 2], high = breaks[b - 1];
+            for (j = 0; j < count; ++j) {
+                s->nu[b * count + j] = high - (high - low) * x[j] * x[j];
+                s->nu_weight[b * count + j] = (high - low) * 2 * x[j] * w[j];
+            }
+        }
+        s->blocks = (s->break_count + 1) * parts;
+    }
+    { /* azimuth */
+        const double ratio = k / mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
+        int count = t > 1e-9 ? (int)ceil(log(1e-7) / (4 * log(t))) : 1, even;
+        if (count * 4 < 2 * most + 2) count = (2 * most + 5) / 4;
+        even = count <= MS_MCML__AZIMUTHS;
+        if (!even) count = MS_MCML__AZIMUTHS;
+        s->azimuths = count;
+        ms_mcml__legendre_nodes(count, x, w);
+        for (b = 0; b < s->blocks; ++b)
+            for (a = 0; a < count; ++a)
+                for (j = 0; j < R; ++j) {
+                    const size_t at = (size_t)(b * count + a) * R + (size_t)j;
+                    double psi, weight;
+                    if (even) {
+                        psi = 1.5707963267948966 * (a + 0.5) / count;
+                        weight = 1.5707963267948966 / count;
+                    } else {
+                        const double eps = mu_least * breaks[0] / (k * s->nu[b * R + j]), q = 1.5707963267948966 / eps;
+                        const double top = log(q + sqrt(1 + q * q)), e = exp(top * x[a]);
+                        psi = eps * 0.5 * (e - 1 / e);
+                        weight = w[a] * top * eps * 0.5 * (e + 1 / e);
+                    }
+                    s->cosine[at] = sin(psi);
+                    s->turn[at] = weight;
+                    for (m = 0; m <= most; ++m)
+                        s->around[((size_t)(b * count + a) * (size_t)(most + 1) + (size_t)m) * R + (size_t)j] =
+                            (m & 2 ? -1 : 1) * cos(m * (1.5707963267948966 - psi)) * (m ? 0.56418958354775629 : 0.3989422804014327);
+                }
+    }
+    for (b = 0; b < s->blocks; ++b)
+        for (layer = 0; layer < s->layers; ++layer) {
+            const ms_mcml__stratum *l = &s->layer[layer];
+            for (j = 0; j < R; ++j) {
+                const double nu = s->nu[b * R + j], sine = nu / l->n, mu = nu < l->n ? sqrt((1 - sine) * (1 + sine)) : 0;
+                s->mu[(b * s->layers + layer) * R + j] = mu;
+                if (mu > 0 && !l->clear)
+                    ms_mcml__theta(s->order, most, mu, s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R + j, R);
+            }
+            if (l->clear) continue;
+            for (a = 0; a < s->azimuths; ++a)
+                for (i = 0; i < l->shapes; ++i) {
+                    double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) + (size_t)(l->table + i)) * 48 * R;
+                    for (j = 0; j < R; ++j) {
+                        const double mu = s->mu[(b * s->layers + layer) * R + j], sine = s->nu[b * R + j] / l->n;
+                        const double h = l->shape[i] / mu; /* of a flight */
+                        double moment[2][6][2];
+                        int step;
+                        if (!(mu > 0)) continue;
+                        for (step = 0; step < 2; ++step) {
+                            const double length = h * (ms_mcml__lobatto[step + 1] - ms_mcml__lobatto[step]);
+                            ms_mcml__exponential_moments(l->mu_t * length, k * sine * s->cosine[(b * s->azimuths + a) * R + j] * length,
+                                                         moment[step]);
+                        }
+                        for (step = 0; step < 4; ++step) {
+                            double (*q)[2] = moment[step < 2 ? step : 3 - step], *o = t + step * 12 * R + j;
+                            int point;
+                            o[0] = q[5][0];
+                            o[R] = q[5][1];
+                            for (point = 0; point < 5; ++point) {
+                                double re = 0, im = 0;
+                                for (n = 0; n < 5; ++n) {
+                                    re += polynomial[step][point][n] * q[n][0];
+                                    im += polynomial[step][point][n] * q[n][1];
+                                }
+                                o[(2 + 2 * point) * R] = re * h;
+                                o[(3 + 2 * point) * R] = im * h;
+                            }
+                        }
+                    }
+                }
+        }
+}
+
+/* One flight of everything that scatters: out = where light of the moments d (NULL: none) and, if beam, of the beam's first
+   scattering arrives; leave: what leaves at the top and at the bottom on that flight. */
+static void ms_mcml__fly(const ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2])
+{
+    enum { R = MS_MCML__RAYS };
+    const size_t nz = (size_t)s->nodes, plane = nz * R, sheets = (size_t)s->most + 1;
+    double *source_down = s->work, *source_up = source_down + sheets * plane; /* [m][node][R] */
+    double *sum_even = source_up + sheets * plane, *sum_odd = sum_even + sheets * plane;
+    double *down = sum_odd + sheets * plane, *up = down + 2 * plane, *line = up + 2 * plane; /* [node][2][R] */
+    const double k = s->k;
+    int b, a, j, layer, m, l, i, node, p, point;
+    memset(out, 0, (size_t)s->terms * nz * sizeof(double));
+    leave[0] = leave[1] = 0;
+    for (b = 0; b < s->blocks; ++b) {
+        const double *nu = s->nu + b * R;
+        for (layer = 0; layer < s->layers; ++layer) {
+            const ms_mcml__stratum *y = &s->layer[layer];
+            const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
+            const size_t from = (size_t)y->node, until = from + (size_t)(y->used ? 4 * y->used + 1 : 0);
+            size_t z;
+            if (y->clear || !(nu[0] < y->n)) continue;
+            for (m = 0; m <= s->most; ++m) {
+                double *sd = source_down + (size_t)m * plane, *su = source_up + (size_t)m * plane;
+                memset(sum_even + (size_t)m * plane + from * R, 0, (until - from) * R * sizeof(double));
+                memset(sum_odd + (size_t)m * plane + from * R, 0, (until - from) * R * sizeof(double));
+                for (z = from; z < until; ++z) {
+                    double even[R], odd[R];
+                    for (j = 0; j < R; ++j) even[j] = odd[j] = 0;
+                    for (l = m; l <= s->order; ++l) {
+                        const size_t term = (size_t)(ms_mcml__first_term(s->order, m) + l - m);
+                        const double *t = theta + term * R;
+                        double q = d ? d[term * nz + z] * y->sigma[l] : 0;
+                        if (beam && m == 0) {
+                            const double pole = sqrt((2 * l + 1) * 0.5) * 0.3989422804014327 * y->sigma[l];
+                            const double there = y->mu_t * s->z[z], back = y->mu_t * (y->d - s->z[z]);
+                            q += pole * y->down * (there < 700 ? exp(-there) : 0);
+                            if (!y->semi) q += pole * y->up * (back < 700 ? exp(-back) : 0) * (l & 1 ? -1 : 1);
+                        }
+                        if ((l - m) & 1) for (j = 0; j < R; ++j) odd[j] += q * t[j];
+                        else for (j = 0; j < R; ++j) even[j] += q * t[j];
+                    }
+                    for (j = 0; j < R; ++j) {
+                        sd[z * R + (size_t)j] = even[j] + odd[j];
+                        su[z * R + (size_t)j] = even[j] - odd[j];
+                    }
+                }
+            }
+        }
+        for (a = 0; a < s->azimuths; ++a) {
+            const double *around = s->around + (size_t)(b * s->azimuths + a) * sheets * R;
+            const double *turn = s->turn + (b * s->azimuths + a) * R, *cosine = s->cosine + (b * s->azimuths + a) * R;
+            double carry[MS_MCML__STRATA][2][R], d_out[MS_MCML__STRATA][2][R], u_out[MS_MCML__STRATA][2][R], rho[MS_MCML__STRATA][2][R], v[MS_MCML__STRATA][2][R], rb[MS_MCML__STRATA][2][R], vb[MS_MCML__STRATA][2][R];
+            double in[2][R];
+            for (layer = 0; layer < s->layers; ++layer) { /* flights within each layer */
+                const ms_mcml__stratum *y = &s->layer[layer];
+                const double *mu = s->mu + (b * s->layers + layer) * R;
+                double (*state)[R] = d_out[layer];
+                if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
+                for (j = 0; j < R; ++j) {
+                    const double x = y->mu_t * y->d / mu[j], angle = k * nu[j] / y->n * cosine[j] * y->d / mu[j];
+                    const double e = x < 700 && !y->semi ? exp(-x) : 0;
+                    carry[layer][0][j] = e * cos(e > 0 ? angle : 0);
+                    carry[layer][1][j] = -e * sin(e > 0 ? angle : 0);
+                    state[0][j] = state[1][j] = 0;
+                    u_out[layer][0][j] = u_out[layer][1][j] = 0;
+                }
+                if (y->clear) continue;
+                for (node = y->node; node <= y->node + 4 * y->used; ++node) { /* the sources at this azimuth: into line */
+                    double *q = line + (size_t)node * 4 * R;
+                    for (j = 0; j < 4 * R; ++j) q[j] = 0;
+                    for (m = 0; m <= s->most; ++m) {
+                        const double *c = around + m * R, *sd = source_down + (size_t)m * plane + (size_t)node * R;
+                        const double *su = source_up + (size_t)m * plane + (size_t)node * R;
+                        double *x = q + (m & 1) * R;
+                        for (j = 0; j < R; ++j) {
+                            x[j] += c[j] * sd[j];
+                            x[2 * R + j] += c[j] * su[j];
+                        }
+                    }
+                }
+                for (j = 0; j < 2 * R; ++j) down[(size_t)y->node * 2 * R + (size_t)j] = 0;
+                for (p = 0; p < y->used; ++p) {
+                    const double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
+                                                  (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
+                    const double *q = line + (size_t)(y->node + 4 * p) * 4 * R;
+                    for (i = 0; i < 4; ++i, t += 12 * R) {
+                        double *x = down + (size_t)(y->node + 4 * p + i) * 2 * R, re[R], im[R];
+                        for (j = 0; j < R; ++j) {
+                            re[j] = t[j] * x[j] - t[R + j] * x[R + j];
+                            im[j] = t[j] * x[R + j] + t[R + j] * x[j];
+                        }
+                        for (point = 0; point < 5; ++point) {
+                            const double *tr = t + (2 + 2 * point) * R, *qr = q + point * 4 * R;
+                            for (j = 0; j < R; ++j) {
+                                re[j] += tr[j] * qr[j] - tr[R + j] * qr[R + j];
+                                im[j] += tr[j] * qr[R + j] + tr[R + j] * qr[j];
+                            }
+                        }
+                        for (j = 0; j < R; ++j) {
+                            x[2 * R + j] = re[j];
+                            x[3 * R + j] = im[j];
+                        }
+                    }
+                }
+                for (j = 0; j < R; ++j) {
+                    state[0][j] = down[(size_t)(y->node + 4 * y->used) * 2 * R + (size_t)j];
+                    state[1][j] = down[(size_t)(y->node + 4 * y->used) * 2 * R + R + (size_t)j];
+                }
+                for (j = 0; j < 2 * R; ++j) up[(size_t)(y->node + 4 * y->used) * 2 * R + (size_t)j] = 0;
+                for (p = y->used - 1; p >= 0; --p) { /* the same weights, mirrored */
+                    const double *table = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
+                                                      (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
+                    const double *q = line + (size_t)(y->node + 4 * p) * 4 * R + 2 * R;
+                    for (i = 3; i >= 0; --i) {
+                        const double *t = table + (3 - i) * 12 * R;
+                        double *x = up + (size_t)(y->node + 4 * p + i) * 2 * R, re[R], im[R];
+                        for (j = 0; j < R; ++j) {
+                            re[j] = t[j] * x[2 * R + j] - t[R + j] * x[3 * R + j];
+                            im[j] = t[j] * x[3 * R + j] + t[R + j] * x[2 * R + j];
+                        }
+                        for (point = 0; point < 5; ++point) {
+                            const double *tr = t + (2 + 2 * point) * R, *qr = q + (4 - point) * 4 * R;
+                            for (j = 0; j < R; ++j) {
+                                re[j] += tr[j] * qr[j] - tr[R + j] * qr[R + j];
+                                im[j] += tr[j] * qr[R + j] + tr[R + j] * qr[j];
+                            }
+                        }
+                        for (j = 0; j < R; ++j) {
+                            x[j] = re[j];
+                            x[R + j] = im[j];
+                        }
+                    }
+                }
+                for (j = 0; j < R; ++j) {
+                    u_out[layer][0][j] = up[(size_t)y->node * 2 * R + (size_t)j];
+                    u_out[layer][1][j] = up[(size_t)y->node * 2 * R + R + (size_t)j];
+                }
+            }
+            for (layer = s->layers - 1; layer >= 0; --layer) { /* what comes back from below, boundary by boundary */
+                const ms_mcml__stratum *y = &s->layer[layer];
+                const double below = layer + 1 < s->layers ? s->layer[layer + 1].n : s->n_below;
+                const int open = layer + 1 < s->layers && nu[0] < below && (s->layer[layer + 1].clear || s->layer[layer + 1].used);
+                const int cut = !y->clear && y->used < y->panels;
+                if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
+                for (j = 0; j < R; ++j) {
+                    const double er = carry[layer][0][j], ei = carry[layer][1][j];
+                    double r = cut || y->semi ? 0 : ms_mcml__fresnel_nu(y->n, below, nu[j]), br = r, bi = 0, wr = 0, wi = 0, tr, ti;
+                    if (open && !cut) {
+                        const double across = (1 - r) * (1 - r), factor = (1 - r) * (y->n / below) * (y->n / below);
+                        const double *pr = rho[layer + 1][0], *pi = rho[layer + 1][1];
+                        const double nr = 1 - r * pr[j], ni = -r * pi[j], size = nr * nr + ni * ni;
+                        const double qr = nr / size, qi = -ni / size; /* 1 / (1 - rho r) */
+                        br += across * (pr[j] * qr - pi[j] * qi);
+                        bi += across * (pr[j] * qi + pi[j] * qr);
+                        wr = factor * (v[layer + 1][0][j] * qr - v[layer + 1][1][j] * qi);
+                        wi = factor * (v[layer + 1][0][j] * qi + v[layer + 1][1][j] * qr);
+                    }
+                    rb[layer][0][j] = br;
+                    rb[layer][1][j] = bi;
+                    vb[layer][0][j] = wr;
+                    vb[layer][1][j] = wi;
+                    tr = br * er - bi * ei;
+                    ti = br * ei + bi * er;
+                    rho[layer][0][j] = tr * er - ti * ei;
+                    rho[layer][1][j] = tr * ei + ti * er;
+                    tr = br * d_out[layer][0][j] - bi * d_out[layer][1][j] + wr;
+                    ti = br * d_out[layer][1][j] + bi * d_out[layer][0][j] + wi;
+                    v[layer][0][j] = u_out[layer][0][j] + er * tr - ei * ti;
+                    v[layer][1][j] = u_out[layer][1][j] + er * ti + ei * tr;
+                }
+            }
+            for (layer = 0; layer < s->layers; ++layer) { /* and down again */
+                const ms_mcml__stratum *y = &s->layer[layer];
+                const double above = layer ? s->layer[layer - 1].n : s->n_above;
+                const int open = layer > 0 && nu[0] < above;
+                double in_up[2][R];
+                if (!(nu[0] < y->n)) continue;
+                if (!y->clear && y->used == 0) break;
+                for (j = 0; j < R; ++j) {
+                    const double r = ms_mcml__fresnel_nu(y->n, above, nu[j]), er = carry[layer][0][j], ei = carry[layer][1][j];
+                    const double nr = 1 - r * rho[layer][0][j], ni = -r * rho[layer][1][j], size = nr * nr + ni * ni;
+                    double sr = r * v[layer][0][j], si = r * v[layer][1][j], wr, wi, outr, outi;
+                    if (open) { /* in still holds what came out of the layer above */
+                        const double factor = (1 - r) * (y->n / above) * (y->n / above);
+                        sr += factor * in[0][j];
+                        si += factor * in[1][j];
+                    }
+                    wr = size > 0 ? (sr * nr + si * ni) / size : 0;
+                    wi = size > 0 ? (si * nr - sr * ni) / size : 0;
+                    if (layer == 0) {
+                        const double ur = v[0][0][j] + rho[0][0][j] * wr - rho[0][1][j] * wi;
+                        leave[0] += 4 * s->nu_weight[b * R + j] * turn[j] * nu[j] / (y->n * y->n) * (1 - r) * ur;
+                    }
+                    outr = d_out[layer][0][j] + er * wr - ei * wi;
+                    outi = d_out[layer][1][j] + er * wi + ei * wr;
+                    in_up[0][j] = rb[layer][0][j] * outr - rb[layer][1][j] * outi + vb[layer][0][j];
+                    in_up[1][j] = rb[layer][0][j] * outi + rb[layer][1][j] * outr + vb[layer][1][j];
+                    in[0][j] = wr;
+                    in[1][j] = wi;
+                    if (layer == s->layers - 1 && !y->semi && (y->clear || y->used == y->panels))
+                        leave[1] += 4 * s->nu_weight[b * R + j] * turn[j] * nu[j] / (y->n * y->n) *
+                                    (1 - ms_mcml__fresnel_nu(y->n, s->n_below, nu[j])) * outr;
+                    rho[layer][0][j] = outr; /* no longer needed: kept for the next layer */
+                    rho[layer][1][j] = outi;
+                }
+                if (!y->clear) {
+                    for (p = 0; p < y->used; ++p) { /* what came in from outside the layer */
+                        const double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
+                                                      (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
+                        for (i = 0; i < 4; ++i, t += 12 * R) {
+                            double *x = down + (size_t)(y->node + 4 * p + i) * 2 * R;
+                            for (j = 0; j < R; ++j) {
+                                const double re = in[0][j], im = in[1][j];
+                                x[j] += re;
+                                x[R + j] += im;
+                                in[0][j] = t[j] * re - t[R + j] * im;
+                                in[1][j] = t[j] * im + t[R + j] * re;
+                            }
+                        }
+                    }
+                    for (j = 0; j < R; ++j) {
+                        double *x = down + (size_t)(y->node + 4 * y->used) * 2 * R;
+                        x[j] += in[0][j];
+                        x[R + j] += in[1][j];
+                    }
+                    for (p = y->used - 1; p >= 0; --p) {
+                        const double *table = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
+                                                          (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
+                        for (i = 3; i >= 0; --i) {
+                            const double *t = table + (3 - i) * 12 * R;
+                            double *x = up + (size_t)(y->node + 4 * p + i + 1) * 2 * R;
+                            for (j = 0; j < R; ++j) {
+                                const double re = in_up[0][j], im = in_up[1][j];
+                                x[j] += re;
+                                x[R + j] += im;
+                                in_up[0][j] = t[j] * re - t[R + j] * im;
+                                in_up[1][j] = t[j] * im + t[R + j] * re;
+                            }
+                        }
+                    }
+                    for (j = 0; j < R; ++j) {
+                        double *x = up + (size_t)y->node * 2 * R;
+                        x[j] += in_up[0][j];
+                        x[R + j] += in_up[1][j];
+                    }
+                    for (node = y->node; node <= y->node + 4 * y->used; ++node) {
+                        const double *x = down + (size_t)node * 2 * R, *u = up + (size_t)node * 2 * R;
+                        double plus[2 * R], minus[2 * R];
+                        for (j = 0; j < 2 * R; ++j) {
+                            plus[j] = turn[j & (R - 1)] * (x[j] + u[j]);
+                            minus[j] = turn[j & (R - 1)] * (x[j] - u[j]);
+                        }
+                        for (m = 0; m <= s->most; ++m) {
+                            const double *c = around + m * R, *x1 = plus + (m & 1) * R, *x2 = minus + (m & 1) * R;
+                            double *e = sum_even + (size_t)m * plane + (size_t)node * R, *o = sum_odd + (size_t)m * plane + (size_t)node * R;
+                            for (j = 0; j < R; ++j) {
+                                e[j] += c[j] * x1[j];
+                                o[j] += c[j] * x2[j];
+                            }
+                        }
+                    }
+                }
+                for (j = 0; j < R; ++j) {
+                    in[0][j] = rho[layer][0][j];
+                    in[1][j] = rho[layer][1][j];
+                }
+            }
+        }
+        for (layer = 0; layer < s->layers; ++layer) { /* from sums over the azimuth to moments */
+            const ms_mcml__stratum *y = &s->layer[layer];
+            const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
+            const double *mu = s->mu + (b * s->layers + layer) * R;
+            double weight[R];
+            if (y->clear || !(nu[0] < y->n) || y->used == 0) continue;
+            for (j = 0; j < R; ++j) weight[j] = 4 * s->nu_weight[b * R + j] * nu[j] / (y->n * y->n * mu[j]);
+            for (m = 0; m <= s->most; ++m)
+                for (node = y->node; node <= y->node + 4 * y->used; ++node) {
+                    const double *e = sum_even + (size_t)m * plane + (size_t)node * R, *o = sum_odd + (size_t)m * plane + (size_t)node * R;
+                    double x[2][R];
+                    for (j = 0; j < R; ++j) {
+                        x[0][j] = weight[j] * e[j];
+                        x[1][j] = weight[j] * o[j];
+                    }
+                    for (l = m; l <= s->order; ++l) {
+                        const size_t term = (size_t)(ms_mcml__first_term(s->order, m) + l - m);
+                        const double *t = theta + term * R, *q = x[(l - m) & 1];
+                        double sum = 0;
+                        for (j = 0; j < R; ++j) sum += t[j] * q[j];
+                        out[term * nz + (size_t)node] += sum;
+                    }
+                }
+        }
+    }
+}
+
+
+/* Inverse of a symmetric positive matrix in place, by Gauss-Jordan. */
+static void ms_mcml__invert(double *a, int n)
+{
+    int i, j, k;
+    for (k = 0; k < n; ++k) {
+        const double p = 1 / a[k * n + k];
+        a[k * n + k] = 1;
+        for (j = 0; j < n; ++j) a[k * n + j] *= p;
+        for (i = 0; i < n; ++i) {
+            const double q = a[i * n + k];
+            if (i == k) continue;
+            a[i * n + k] = 0;
+            for (j = 0; j < n; ++j) a[i * n + j] -= q * a[k * n + j];
+        }
+    }
+}
+
+/* What all later flights add to a residual, by the equations of spherical harmonics up to most_l: even l as linear elements
+   in depth, continuous over n^2, odd l eliminated. With A and X the streaming along z and x (moments times i^m),
+     A v' + k X v + S_e u = q_e,   A^T u' - k X^T u + S_o v = q_o,   S_l = mu_t - sigma_l. */
+static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
+{
+    ms_mcml__smoother *f = &s->smoother;
+    const double k = s->k;
+    double a[MS_MCML__EVEN_MAX][MS_MCML__ODD_MAX], x[MS_MCML__EVEN_MAX][MS_MCML__ODD_MAX];
+    double theta[21]; /* terms up to l = 5 */
+    int layer, i, j, o, t, node = 0, l, m, ne, last = -1, first = -1;
+    f->even = f->odd = f->nodes = f->pairs = 0;
+    for (m = 0; m <= s->most && m <= most_l; ++m)
+        for (l = m; l <= most_l; ++l) {
+            const int term = ms_mcml__first_term(s->order, m) + l - m;
+            if (l & 1) f->odd_l[f->odd] = l, f->odd_m[f->odd] = m, f->odd_term[f->odd++] = term;
+            else f->even_l[f->even] = l, f->even_m[f->even] = m, f->even_term[f->even++] = term;
+        }
+    ne = f->even;
+    for (i = 0; i < ne; ++i)
+        for (o = 0; o < f->odd; ++o) {
+            const int le = f->even_l[i], lo = f->odd_l[o], me = f->even_m[i], mo = f->odd_m[o], low = le < lo ? le : lo;
+            a[i][o] = x[i][o] = 0;
+            if (le - lo != 1 && lo - le != 1) continue;
+            if (me == mo) a[i][o] = sqrt(((low + 1.0) * (low + 1.0) - (double)me * me) / ((2.0 * low + 1) * (2.0 * low + 3)));
+            if (me - mo == 1 || mo - me == 1) { /* from (lm, m) to (lm +- 1, m + 1) */
+                const double lm = me < mo ? le : lo, lh = me < mo ? lo : le, c = me + mo > 1 ? 0.5 : 0.70710678118654752;
+                double y;
+                m = me < mo ? me : mo;
+                if (lh > lm) y = c * sqrt((lm + m + 1) * (lm + m + 2) / ((2 * lm + 1) * (2 * lm + 3)));
+                else y = -c * sqrt((lm - m) * (lm - m - 1) / ((2 * lm - 1) * (2 * lm + 1)));
+                x[i][o] = mo > me ? -y : y;
+            }
+            if (fabs(a[i][o]) + fabs(x[i][o]) > 1e-9) {
+                f->pair_even[f->pairs] = i;
+                f->pair_odd[f->pairs] = o;
+                f->pair_a[f->pairs] = a[i][o];
+                f->pair_x[f->pairs++] = x[i][o];
+            }
+        }
+    for (layer = 0; layer < s->layers; ++layer) {
+        const ms_mcml__stratum *y = &s->layer[layer];
+        if (y->clear || !y->used) continue;
+        f->nodes += 4 * y->used + (f->nodes ? 0 : 1);
+        last = layer;
+        if (first < 0) first = layer;
+    }
+    if (f->nodes == 0) return;
+    memset(f->block, 0, (size_t)f->nodes * 2 * (size_t)(ne * ne) * sizeof(double));
+    for (layer = 0; layer < s->layers; ++layer) {
+        const ms_mcml__stratum *y = &s->layer[layer];
+        const double n4 = y->n * y->n * y->n * y->n;
+        int at;
+        if (y->clear || !y->used) continue;
+        for (at = y->node; at < y->node + 4 * y->used; ++at, ++node) {
+            const double h = s->z[at + 1] - s->z[at];
+            double *p0 = f->block + (size_t)node * 2 * (size_t)(ne * ne), *c0 = p0 + ne * ne, *p1 = c0 + ne * ne;
+            for (i = 0; i < ne; ++i)
+                for (j = 0; j < ne; ++j) {
+                    double p = 0, q = 0, qt = 0, r = 0;
+                    for (o = 0; o < f->odd; ++o) {
+                        const double v = 1 / (y->mu_t - y->sigma[f->odd_l[o]]);
+                        p += a[i][o] * a[j][o] * v;
+                        q += a[i][o] * x[j][o] * v;
+                        qt += x[i][o] * a[j][o] * v;
+                        r += x[i][o] * x[j][o] * v;
+                    }
+                    r = k * k * r + (i == j ? y->mu_t - y->sigma[f->even_l[i]] : 0);
+                    /* w' P u' - k w' Q u - k w Q^T u' + w R u on [0, h] */
+                    p0[i * ne + j] += n4 * (p / h + k * 0.5 * q + k * 0.5 * qt + r * h / 3);
+                    p1[i * ne + j] += n4 * (p / h - k * 0.5 * q - k * 0.5 * qt + r * h / 3);
+                    c0[i * ne + j] += n4 * (-p / h + k * 0.5 * q - k * 0.5 * qt + r * h / 6); /* row: this node, column: next */
+                }
+        }
+    }
+    for (i = 0; i < 2; ++i) { /* what leaves: integral of |mu| (1 - r) / (1 + r) Y Y' */
+        const ms_mcml__stratum *y = &s->layer[i ? last : first];
+        const int cut = i && (y->semi || y->used < y->panels);
+        const double outside = cut ? y->n : i ? s->n_below : s->n_above, n4 = y->n * y->n * y->n * y->n;
+        double *p = f->block + (size_t)(i ? f->nodes - 1 : 0) * 2 * (size_t)(ne * ne);
+        for (t = 0; t < 48; ++t) {
+            const double mu = (t + 0.5) / 48, r = ms_mcml__fresnel_nu(y->n, outside, y->n * sqrt(1 - mu * mu));
+            ms_mcml__theta(most_l, s->most < most_l ? s->most : most_l, mu, theta, 1);
+            for (o = 0; o < ne; ++o)
+                for (j = 0; j < ne; ++j)
+                    if (f->even_m[o] == f->even_m[j])
+                        p[o * ne + j] += n4 * 2 * mu / 48 * (1 - r) / (1 + r) *
+                                         theta[ms_mcml__first_term(most_l, f->even_m[o]) + f->even_l[o] - f->even_m[o]] *
+                                         theta[ms_mcml__first_term(most_l, f->even_m[j]) + f->even_l[j] - f->even_m[j]];
+        }
+    }
+    for (node = 0; node < f->nodes; ++node) { /* pivots: D_i - C^T D^-1 C */
+        double *pivot = f->block + (size_t)node * 2 * (size_t)(ne * ne);
+        ms_mcml__invert(pivot, ne);
+        if (node + 1 < f->nodes) {
+            const double *c = pivot + ne * ne;
+            double *next = pivot + 2 * ne * ne, dc[MS_MCML__EVEN_MAX * MS_MCML__EVEN_MAX];
+            for (i = 0; i < ne; ++i)
+                for (j = 0; j < ne; ++j) {
+                    double sum = 0;
+                    for (o = 0; o < ne; ++o) sum += pivot[i * ne + o] * c[o * ne + j];
+                    dc[i * ne + j] = sum;
+                }
+            for (i = 0; i < ne; ++i)
+                for (j = 0; j < ne; ++j) {
+                    double sum = 0;
+                    for (o = 0; o < ne; ++o) sum += c[o * ne + i] * dc[o * ne + j];
+                    next[i * ne + j] -= sum;
+                }
+        }
+    }
+}
+
+/* r += the estimate. */
+static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
+{
+    const ms_mcml__smoother *f = &s->smoother;
+    const size_t nz = (size_t)s->nodes;
+    const double k = s->k;
+    const int ne = f->even;
+    int layer, node = 0, at, i, j, o;
+    if (f->nodes == 0) return;
+    memset(f->right, 0, (size_t)(f->nodes * ne) * sizeof(double));
+    for (layer = 0; layer < s->layers; ++layer) {
+        const ms_mcml__stratum *y = &s->layer[layer];
+        const double n2 = y->n * y->n;
+        if (y->clear || !y->used) continue;
+        for (at = y->node; at < y->node + 4 * y->used; ++at, ++node) {
+            const double h = s->z[at + 1] - s->z[at];
+            double *b0 = f->right + node * ne, *b1 = b0 + ne, v0[MS_MCML__ODD_MAX], v1[MS_MCML__ODD_MAX];
+            for (o = 0; o < f->odd; ++o) {
+                const double q = y->sigma[f->odd_l[o]] / (y->mu_t - y->sigma[f->odd_l[o]]), *x = r + (size_t)f->odd_term[o] * nz + at;
+                v0[o] = q * x[0];
+                v1[o] = q * x[1];
+            }
+            for (i = 0; i < ne; ++i) {
+                const double q = y->sigma[f->even_l[i]], *x = r + (size_t)f->even_term[i] * nz + at;
+                b0[i] += n2 * h * q * (x[0] / 3 + x[1] / 6);
+                b1[i] += n2 * h * q * (x[0] / 6 + x[1] / 3);
+            }
+            for (j = 0; j < f->pairs; ++j) { /* (A^T w' - k X^T w) v */
+                const double *w0 = &v0[f->pair_odd[j]], *w1 = &v1[f->pair_odd[j]];
+                const double mean = 0.5 * (*w0 + *w1) * f->pair_a[j], c = k * h * f->pair_x[j];
+                b0[f->pair_even[j]] += n2 * (-mean - c * (*w0 / 3 + *w1 / 6));
+                b1[f->pair_even[j]] += n2 * (mean - c * (*w0 / 6 + *w1 / 3));
+            }
+        }
+    }
+    for (node = 0; node < f->nodes; ++node) {
+        const double *p = f->block + (size_t)node * 2 * (size_t)(ne * ne), *c = p + ne * ne;
+        double *b = f->right + node * ne, y[MS_MCML__EVEN_MAX];
+        for (i = 0; i < ne; ++i) {
+            double x = 0;
+            for (j = 0; j < ne; ++j) x += p[i * ne + j] * b[j];
+            y[i] = x;
+        }
+        for (i = 0; i < ne; ++i) b[i] = y[i];
+        if (node + 1 < f->nodes)
+            for (i = 0; i < ne; ++i)
+                for (j = 0; j < ne; ++j) b[ne + j] -= c[i * ne + j] * y[i];
+    }
+    for (node = f->nodes - 2; node >= 0; --node) {
+        const double *p = f->block + (size_t)node * 2 * (size_t)(ne * ne), *c = p + ne * ne;
+        double *b = f->right + node * ne, y[MS_MCML__EVEN_MAX];
+        for (i = 0; i < ne; ++i) {
+            double x = 0;
+            for (j = 0; j < ne; ++j) x += c[i * ne + j] * b[ne + j];
+            y[i] = x;
+        }
+        for (i = 0; i < ne; ++i)
+            for (j = 0; j < ne; ++j) b[i] -= p[i * ne + j] * y[j];
+    }
+    for (layer = 0, node = 0; layer < s->layers; ++layer) {
+        const ms_mcml__stratum *y = &s->layer[layer];
+        const double n2 = y->n * y->n;
+        if (y->clear || !y->used) continue;
+        for (at = y->node; at <= y->node + 4 * y->used; ++at, ++node) {
+            const double *u = f->right + node * ne;
+            const int low = at > y->node ? 1 : 0, high = at < y->node + 4 * y->used ? 1 : 0;
+            const double scale = n2 / (s->z[at + high] - s->z[at - low]);
+            double v[MS_MCML__ODD_MAX];
+            for (o = 0; o < f->odd; ++o) v[o] = 0;
+            for (j = 0; j < f->pairs; ++j) {
+                i = f->pair_even[j];
+                v[f->pair_odd[j]] += k * f->pair_x[j] * n2 * u[i] - f->pair_a[j] * scale * (u[high * ne + i] - u[i - low * ne]);
+            }
+            for (o = 0; o < f->odd; ++o) {
+                double q = v[o], *x = r + (size_t)f->odd_term[o] * nz + at;
+                *x += (y->sigma[f->odd_l[o]] * *x + q) / (y->mu_t - y->sigma[f->odd_l[o]]);
+            }
+            for (i = 0; i < ne; ++i) r[(size_t)f->even_term[i] * nz + (size_t)at] += n2 * u[i];
+        }
+        --node;
+    }
+}
+
+static double ms_mcml__inner(const double *a, const double *b, size_t n)
+{
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+    size_t i;
+    for (i = 0; i + 4 <= n; i += 4) {
+        s0 += a[i] * b[i];
+        s1 += a[i + 1] * b[i + 1];
+        s2 += a[i + 2] * b[i + 2];
+        s3 += a[i + 3] * b[i + 3];
+    }
+    for (; i < n; ++i) s0 += a[i] * b[i];
+    return (s0 + s1) + (s2 + s3);
+}
+
+/* d - K d = b by GMRES, preconditioned from the left, from d on. leave: what leaves the top and the bottom. The residual,
+   relative to b. */
+static double ms_mcml__settle(ms_mcml__flights *s, double *d, double tolerance, double leave[2])
+{
+    enum { SPAN = MS_MCML__SPAN };
+    const size_t n = (size_t)s->terms * (size_t)s->nodes;
+    double *basis = s->vectors, *h = basis + (SPAN + 1) * n, *out = h + (SPAN + 1) * SPAN; /* h[j][i] */
+    double cs[SPAN], sn[SPAN], g[SPAN + 1], size, x, residual = 0;
+    int turn, step, i, j;
+    size_t e;
+    for (turn = 0; turn < 4; ++turn) {
+        ms_mcml__fly(s, d, 1, basis, leave);
+        size = sqrt(ms_mcml__inner(basis, basis, n));
+        for (e = 0; e < n; ++e) basis[e] -= d[e];
+        ms_mcml__smooth(s, basis);
+        g[0] = sqrt(ms_mcml__inner(basis, basis, n));
+        residual = size > 0 ? g[0] / size : 0;
+        if (!(residual > tolerance)) return residual;
+        for (e = 0; e < n; ++e) basis[e] /= g[0];
+        for (step = 0; step < SPAN && residual > tolerance; ++step) {
+            double *v = basis + (size_t)step * n, *w = v + n, *column = h + step * (SPAN + 1);
+            ms_mcml__fly(s, v, 0, w, out + 2 * step);
+            for (e = 0; e < n; ++e) w[e] = v[e] - w[e];
+            ms_mcml__smooth(s, w);
+            for (i = 0; i <= step; ++i) {
+                const double *b = basis + (size_t)i * n;
+                column[i] = x = ms_mcml__inner(w, b, n);
+                for (e = 0; e < n; ++e) w[e] -= x * b[e];
+            }
+            column[step + 1] = x = sqrt(ms_mcml__inner(w, w, n));
+            if (x > 0)
+                for (e = 0; e < n; ++e) w[e] /= x;
+            for (i = 0; i < step; ++i) {
+                const double a = column[i], b = column[i + 1];
+                column[i] = cs[i] * a + sn[i] * b;
+                column[i + 1] = cs[i] * b - sn[i] * a;
+            }
+            x = sqrt(column[step] * column[step] + column[step + 1] * column[step + 1]);
+            if (!(x > 0)) break;
+            cs[step] = column[step] / x;
+            sn[step] = column[step + 1] / x;
+            column[step] = x;
+            g[step + 1] = -sn[step] * g[step];
+            g[step] *= cs[step];
+            residual = fabs(g[step + 1]) / size;
+        }
+        for (i = step - 1; i >= 0; --i) {
+            for (j = i + 1; j < step; ++j) g[i] -= h[j * (SPAN + 1) + i] * g[j];
+            g[i] /= h[i * (SPAN + 1) + i];
+        }
+        for (i = 0; i < step; ++i) {
+            const double *b = basis + (size_t)i * n;
+            for (e = 0; e < n; ++e) d[e] += g[i] * b[e];
+            leave[0] += g[i] * out[2 * i];
+            leave[1] += g[i] * out[2 * i + 1];
+        }
+        if (!(residual > tolerance)) break;
+    }
+    return residual;
+}
+
+static double ms_mcml__moment(const ms_mcml__stratum *y, int l)
+{
+    return y->moment ? y->moment[l] : l == 0 ? 1 : y->g < 0 || y->g > 0 ? pow(y->g, l) : 0;
+}
+
+/* Attenuation far from everything: the least root of h_0 - k^2 / (3 h_1 - (2 k)^2 / (5 h_2 - ...)), h_l = mu_t - sigma_l,
+   of the equations of spherical harmonics (Case & Zweifel 1967); it cannot exceed mu_t. */
+static double ms_mcml__attenuation(const ms_mcml__stratum *y, int order)
+{
+    double low = 0, high = sqrt(3 * y->mu_a * (y->mu_t - y->sigma[1]));
+    int i, l;
+    if (high > y->mu_t) high = y->mu_t;
+    for (i = 0; i < 60; ++i) {
+        const double k = 0.5 * (low + high);
+        double d = (2 * 40 + 1) * y->mu_t;
+        for (l = 39; l >= 0 && d > 0; --l) d = (2 * l + 1) * (l == 0 ? y->mu_a : y->mu_t - (l <= order ? y->sigma[l] : 0)) - (l + 1.0) * (l + 1.0) * k * k / d;
+        if (d > 0) low = k;
+        else high = k;
+    }
+    return low;
+}
+
+/* Layers without their forward peak, panels, and room for frequencies with m up to most. order 1: isotropic scattering only. */
+static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o, int order,
+                                       int parts, int most, ms_error *error)
+{
+    enum { R = MS_MCML__RAYS, LM = MS_MCML__ORDER_MAX };
+    const size_t az = most > 0 ? MS_MCML__AZIMUTHS : 1, sheets = (size_t)most + 1;
+    size_t blocks, terms, nz, at[14], count = 0;
+    ms_mcml__flights *s = (ms_mcml__flights *)ms__alloc(&o->allocator, sizeof *s);
+    double h[MS_MCML__PANELS_MAX + 8], all[MS_MCML__STRATA + 2], depth = 0, thickest = 0;
+    int i, j, p, n = 0;
+    if (s == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the layers", sizeof *s);
+    memset(s, 0, sizeof *s);
+    s->order = order;
+    s->parts = parts;
+    s->n_above = tissue->n_above;
+    s->n_below = tissue->n_below;
+    s->mu_least = 1e300;
+    for (i = 0; i < tissue->layer_count && !(i > 0 && s->layer[i - 1].semi); ++i) {
+        const ms_mcml_layer *layer = &tissue->layers[i];
+        ms_mcml__stratum *y = &s->layer[s->layers++];
+        double f, scale, z = 0;
+        int panels;
+        y->n = layer->n;
+        y->d = layer->thickness_cm;
+        y->g = layer->g;
+        y->moment = o->moment ? o->moment + (size_t)i * (LM + 3) : NULL;
+        y->mu_s_full = y->moment || layer->g < 1 ? layer->mu_s_per_cm : 0;
+        f = y->mu_s_full > 0 ? ms_mcml__moment(y, order + 1) : 0;
+        if (!(f > 0) || ms_mcml__moment(y, 1) < 0) f = 0; /* a peak that is not forward has to be resolved */
+        y->mu_s = y->mu_s_full * (1 - f);
+        y->mu_a = layer->mu_a_per_cm > 1e-12 * y->mu_s ? layer->mu_a_per_cm : 1e-12 * y->mu_s; /* so that depth ends */
+        y->mu_t = y->mu_a + y->mu_s;
+        y->clear = !(y->mu_t > 0);
+        if (y->d > thickest) thickest = y->d;
+        if (y->clear) {
+            s->clear = 1;
+            if (1 / y->d < s->mu_least) s->mu_least = 1 / y->d;
+            continue;
+        }
+        for (j = 0; j <= order; ++j) y->sigma[j] = y->mu_s_full * (ms_mcml__moment(y, j) - f);
+        y->kappa = ms_mcml__attenuation(y, order);
+        if (y->kappa * y->d > 23) {
+            y->semi = 1;
+            y->d = 23 / y->kappa;
+        }
+        scale = y->mu_t * y->d > 1 ? y->mu_t : 1 / y->d;
+        if (scale < s->mu_least) s->mu_least = scale;
+        panels = ms_mcml__mesh(y->mu_t * y->d, y->semi, depth, y->kappa < 0.7 * y->mu_t ? 0.7 * y->mu_t / y->kappa : 1, h);
+        y->panel = s->panels;
+        y->panels = y->used = panels;
+        y->node = s->nodes;
+        y->table = s->shapes;
+        for (p = 0; p < panels; ++p) {
+            const double length = h[p] / y->mu_t;
+            for (j = 0; j < y->shapes && fabs(y->shape[j] - length) > 1e-9 * length; ++j) {}
+            if (j == MS_MCML__SHAPES) --j; /* cannot be: lengths repeat or grow */
+            else if (j == y->shapes) y->shape[y->shapes++] = length;
+            s->panel_shape[s->panels++] = j;
+            for (j = 0; j < 4; ++j) s->z[s->nodes++] = z + length * ms_mcml__lobatto[j];
+            z += length;
+        }
+        s->z[s->nodes++] = y->d = z;
+        s->shapes += y->shapes;
+        depth += y->mu_t * y->d;
+    }
+    if (s->mu_least > 1e200) s->mu_least = 1 / thickest;
+    { /* where a panel of nu ends: at every index that light can come from or go to */
+        double highest = 0;
+        all[n++] = s->n_above;
+        if (!s->layer[s->layers - 1].semi) all[n++] = s->n_below;
+        for (i = 0; i < s->layers; ++i) {
+            all[n++] = s->layer[i].n;
+            if (!s->layer[i].clear && s->layer[i].n > highest) highest = s->layer[i].n;
+        }
+        for (i = 0; i < n; ++i)
+            for (j = i + 1; j < n; ++j)
+                if (all[j] < all[i]) {
+                    const double x = all[i];
+                    all[i] = all[j];
+                    all[j] = x;
+                }
+        for (i = 0; i < n; ++i) {
+            const double x = all[i] < highest ? all[i] : highest;
+            if (s->break_count == 0 || x > s->breaks[s->break_count - 1] * (1 + 1e-9)) s->breaks[s->break_count++] = x;
+        }
+    }
+    blocks = (size_t)((s->break_count + 1) * parts);
+    terms = (size_t)ms_mcml__first_term(order, most + 1);
+    nz = (size_t)s->nodes;
+    at[0] = blocks * R;
+    at[1] = blocks * R;
+    at[2] = at[3] = blocks * az * R;
+    at[4] = blocks * az * sheets * R;
+    at[5] = blocks * (size_t)s->layers * R;
+    at[6] = at[5] * terms;
+    at[7] = blocks * az * (size_t)s->shapes * 48 * R;
+    at[8] = nz * R * (4 * sheets + 8);
+    at[9] = 3 * terms * nz;
+    at[10] = (MS_MCML__SPAN + 1) * (terms * nz + MS_MCML__SPAN) + 2 * MS_MCML__SPAN;
+    at[11] = nz * 2 * MS_MCML__EVEN_MAX * MS_MCML__EVEN_MAX;
+    at[12] = nz * MS_MCML__EVEN_MAX + MS_MCML__EVEN_MAX;
+    for (i = 0; i < 13; ++i) count += at[i];
+    s->size = ms__size_mul(count, sizeof(double));
+    s->memory = (double *)ms__alloc(&o->allocator, s->size);
+    if (s->memory == NULL) {
+        const size_t size = s->size;
+        ms__release(&o->allocator, s, sizeof *s);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the layered solver", size);
+    }
+    memset(s->memory, 0, s->size);
+    s->nu = s->memory;
+    s->nu_weight = s->nu + at[0];
+    s->cosine = s->nu_weight + at[1];
+    s->turn = s->cosine + at[2];
+    s->around = s->turn + at[3];
+    s->mu = s->around + at[4];
+    s->theta = s->mu + at[5];
+    s->table = s->theta + at[6];
+    s->work = s->table + at[7];
+    s->moments = s->work + at[8];
+    s->vectors = s->moments + at[9];
+    s->smoother.block = s->vectors + at[10];
+    s->smoother.right = s->smoother.block + at[11];
+    ms_mcml__beams(s);
+    *out = s;
+    return MS_OK;
+}
+
+static void ms_mcml__flights_destroy(ms_mcml__flights *s, const ms_allocator *allocator)
+{
+    if (s == NULL) return;
+    ms__release(allocator, s->memory, s->size);
+    ms__release(allocator, s, sizeof *s);
+}
+
+/* All that depends on frequency k; how many panels light reaches there and back (to 1e-9). */
+static void ms_mcml__tune(ms_mcml__flights *s, double k)
+{
+    const double ratio = k / s->mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
+    int most = t > 0 ? (int)ceil(log(1e-7) / log(t)) : 0, layer, p, node;
+    double reach = 0;
+    size_t term;
+    if (most > s->order) most = s->order;
+    for (layer = 0; layer < s->layers; ++layer) {
+        ms_mcml__stratum *y = &s->layer[layer];
+        const double kappa = sqrt(y->kappa * y->kappa + k * k);
+        for (p = 0; p < y->panels && reach < 20; ++p) reach += kappa * y->shape[s->panel_shape[y->panel + p]];
+        y->used = y->clear ? 0 : p;
+    }
+    ms_mcml__rays(s, k, most);
+    ms_mcml__smoother_make(s, s->order < 3 ? s->order : s->order > 15 ? 5 : 3);
+    for (layer = 0; layer < s->layers; ++layer) { /* deeper moments of another frequency */
+        const ms_mcml__stratum *y = &s->layer[layer];
+        if (y->clear || y->used == y->panels) continue;
+        for (term = 0; term < (size_t)s->terms; ++term)
+            for (node = y->node + (y->used ? 4 * y->used + 1 : 0); node <= y->node + 4 * y->panels; ++node)
+                s->moments[term * (size_t)s->nodes + (size_t)node] = 0;
+    }
+}
+
+/* What the beam scatters once in the top layer and what then leaves at once, at the frequency at hand, in the moments' phase
+   function. */
+static double ms_mcml__single_spectrum(const ms_mcml__flights *s)
+{
+    enum { R = MS_MCML__RAYS };
+    const ms_mcml__stratum *y = &s->layer[0];
+    double sum = 0;
+    int b, a, j, l;
+    if (y->clear) return 0;
+    for (b = 0; b < s->blocks; ++b)
+        for (j = 0; j < R; ++j) {
+            const double nu = s->nu[b * R + j], r = ms_mcml__fresnel_nu(y->n, s->n_above, nu), mu = s->mu[b * s->layers * R + j];
+            double p0 = 1, p1 = -mu, phase = y->sigma[0];
+            if (!(r < 1)) continue;
+            for (l = 1; l <= s->order; ++l) {
+                const double next = ((2 * l + 1) * -mu * p1 - l * p0) / (l + 1);
+                phase += (2 * l + 1) * y->sigma[l] * p1;
+                p0 = p1;
+                p1 = next;
+            }
+            for (a = 0; a < s->azimuths; ++a) {
+                const double re = y->mu_t * (1 + 1 / mu), im = s->k * nu / (y->n * mu) * s->cosine[(b * s->azimuths + a) * R + j];
+                const double e = re * y->d < 700 ? exp(-re * y->d) : 0, top = 1 - e * cos(e > 0 ? im * y->d : 0);
+                const double side = e * sin(e > 0 ? im * y->d : 0);
+                sum += 4 * s->nu_weight[b * R + j] * s->turn[(b * s->azimuths + a) * R + j] * nu / (y->n * y->n) * (1 - r) * y->down *
+                       phase * 0.079577471545947668 / mu * (top * re + side * im) / (re * re + im * im);
+            }
+        }
+    return sum;
+}
+
+/* The same in space, with the whole phase function: energy of each ray beyond r. */
+static void ms_mcml__singles(const ms_mcml__flights *s, ms_mcml_layered *out)
+{
+    const ms_mcml__stratum *y = &s->layer[0];
+    const double least = y->n > s->n_above ? sqrt(1 - s->n_above * s->n_above / (y->n * y->n)) : 0;
+    double x[MS_MCML_LAYERED_SINGLES], w[MS_MCML_LAYERED_SINGLES];
+    int j, l;
+    if (y->clear || !(y->mu_s_full > 0)) return;
+    ms_mcml__legendre_nodes(MS_MCML_LAYERED_SINGLES, x, w);
+    for (j = 0; j < MS_MCML_LAYERED_SINGLES; ++j) {
+        const double mu = least + (1 - least) * x[j] * x[j], sine = sqrt((1 - mu) * (1 + mu)), rate = y->mu_t * (1 + 1 / mu);
+        double phase = 0, p0 = 1, p1 = -mu;
+        if (y->moment == NULL) {
+            phase = (1 - y->g * y->g) / pow(1 + y->g * y->g + 2 * y->g * mu, 1.5);
+        } else {
+            for (l = 0; l <= MS_MCML__ORDER_MAX; ++l) {
+                const double next = ((2 * l + 3) * -mu * p1 - (l + 1) * p0) / (l + 2);
+                phase += (2 * l + 1) * y->moment[l] * p0;
+                p0 = p1;
+                p1 = next;
+            }
+        }
+        out->single_rate_per_cm[j] = rate * mu / sine;
+        out->single_end[j] = y->semi ? 0 : exp(-rate * y->d);
+        out->single_energy[j] = (1 - least) * x[j] * w[j] * (1 - ms_mcml__fresnel_nu(y->n, s->n_above, y->n * sine)) * y->down *
+                                y->mu_s_full * phase / rate;
+    }
+    out->singles = MS_MCML_LAYERED_SINGLES;
+}
+
+/* J1(x), x >= 0, to 1e-9: the power series, beyond 12 Hankel's asymptotic one. */
+static double ms_mcml__bessel_j1(double x)
+{
+    double sum = 0, term = 0.5 * x, p, q, y;
+    int i;
+    if (x < 12) {
+        for (i = 1; i < 40; ++i) {
+            sum += term;
+            term *= -0.25 * x * x / ((double)i * (i + 1));
+        }
+        return sum;
+    }
+    y = 1 / (x * x);
+    p = 1 + y * (0.1171875 + y * (-0.144195556640625 + y * (0.6765925884246826 + y * (-6.883914268109947))));
+    q = (0.375 + y * (-0.1025390625 + y * (0.277576446533203 + y * (-1.993531733751297 + y * 27.24882731126854)))) / x;
+    return sqrt(0.63661977236758134 / x) * (p * cos(x - 2.3561944901923449) - q * sin(x - 2.3561944901923449));
+}
+
+/* A spectrum between and beyond its frequencies: cubic spline over arsinh(k / low), then a power that fades. */
+typedef struct ms_mcml__spline {
+    int count, logarithms; /* of positive values: smoother */
+    double low, power, u[MS_MCML_LAYERED_RATES], y[MS_MCML_LAYERED_RATES], bend[MS_MCML_LAYERED_RATES];
+} ms_mcml__spline;
+
+static void ms_mcml__spline_make(ms_mcml__spline *s, const double *k, const double *value, int count, double low)
+{
+    double right[MS_MCML_LAYERED_RATES], h, next;
+    int i;
+    if (count < 3) {
+        memset(s, 0, sizeof *s);
+        return;
+    }
+    memset(s, 0, sizeof *s);
+    s->low = low;
+    s->logarithms = 1;
+    for (i = 0; i < count; ++i)
+        if (!(value[i] > 1e-12 * value[0])) s->logarithms = 0;
+    s->count = count;
+    for (i = 0; i < count; ++i) {
+        s->u[i] = log(k[i] / low + sqrt(1 + k[i] / low * (k[i] / low)));
+        s->y[i] = s->logarithms ? log(value[i]) : value[i];
+    }
+    h = s->u[1]; /* even at 0, free at the end */
+    right[0] = 3 * (s->y[1] - s->y[0]) / (h * h);
+    s->bend[0] = 0.5;
+    for (i = 1; i + 1 < count; ++i) {
+        double pivot;
+        h = s->u[i] - s->u[i - 1];
+        next = s->u[i + 1] - s->u[i];
+        pivot = 2 * (h + next) - h * s->bend[i - 1];
+        right[i] = (6 * ((s->y[i + 1] - s->y[i]) / next - (s->y[i] - s->y[i - 1]) / h) - h * right[i - 1]) / pivot;
+        s->bend[i] = next / pivot;
+    }
+    right[count - 1] = 0;
+    for (i = count - 2; i >= 0; --i) right[i] -= s->bend[i] * (i + 1 < count - 1 ? right[i + 1] : 0);
+    memcpy(s->bend, right, (size_t)count * sizeof *right);
+    s->power = 2;
+    if (value[count - 1] * value[count - 2] > 0) s->power = log(value[count - 2] / value[count - 1]) / (s->u[count - 1] - s->u[count - 2]);
+    s->power = s->power < 1 ? 1 : s->power > 8 ? 8 : s->power;
+}
+
+static double ms_mcml__spline_at(const ms_mcml__spline *s, double k, int *hint)
+{
+    const double x = s->count > 0 ? k / s->low : 0, u = log(x + sqrt(1 + x * x));
+    int i = *hint;
+    double h, a, b;
+    if (s->count == 0) return 0;
+    if (u > s->u[s->count - 1]) {
+        a = u - s->u[s->count - 1];
+        return s->logarithms && a < 2.5 ? exp(s->y[s->count - 1] - s->power * a) * (1 - a * a / 6.25) : 0;
+    }
+    while (i + 2 < s->count && u > s->u[i + 1]) ++i;
+    while (i > 0 && u < s->u[i]) --i;
+    *hint = i;
+    h = s->u[i + 1] - s->u[i];
+    b = (u - s->u[i]) / h;
+    a = 1 - b;
+    a = a * s->y[i] + b * s->y[i + 1] + ((a * a * a - a) * s->bend[i] + (b * b * b - b) * s->bend[i + 1]) * h * h / 6;
+    return s->logarithms ? exp(a) : a;
+}
+
+/* beyond[i]: energy farther out than r_first exp(0.1 i), the Hankel transform of a spectrum: f(0) - r integral f(k) J1(k r) dk,
+   out to 20 / low and waves of 600 radians. */
+static void ms_mcml__hankel(const double *k, const double *value, int count, double low, double r_first, double *beyond)
+{
+    ms_mcml__spline s;
+    double last = k[count - 1] * 12;
+    int i, hint = 0, q;
+    ms_mcml__spline_make(&s, k, value, count, low);
+    for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) {
+        const double r = r_first * exp(0.1 * i), end = last * r < 600 ? last : 600 / r;
+        double sum = 0, at = 0;
+        beyond[i] = 0;
+        if (r * low > 20) continue;
+        while (at < end) { /* Gauss of two points on steps that follow both the spectrum and the wave */
+            const double step = 0.12 * (at + low) < 0.6 / r ? 0.12 * (at + low) : 0.6 / r;
+            for (q = 0; q < 2; ++q) {
+                const double x = at + step * (q ? 0.78867513459481288 : 0.21132486540518712);
+                sum += 0.5 * step * ms_mcml__spline_at(&s, x, &hint) * ms_mcml__bessel_j1(x * r);
+            }
+            at += step;
+        }
+        beyond[i] = value[0] - r * sum;
+    }
+}
+
+/* Energies >= 0 of rates that give a spectrum whose values are known to noise x scale; the largest misfit over its noise. Half-
+   spaces of isotropic scattering have such a spectrum, and many others. */
+static double ms_mcml__positive_fit(const double *k, const double *value, const double *scale, const double *noise, int count,
+                                    const double *rate, int rates, double *energy, double *a)
+{
+    enum { MOST = MS_MCML_LAYERED_RATES };
+    ms_mcml__nnls p;
+    double norm[MOST], misfit = 0, *target;
+    int i, j;
+    p.rows = count;
+    p.columns = rates;
+    p.tolerance = 1e-6;
+    p.a = a;
+    p.qr = a + MOST * MOST;
+    p.diagonal = p.qr + MOST * MOST;
+    p.rhs = p.diagonal + MOST;
+    p.residual = p.rhs + MOST;
+    p.x = p.residual + MOST;
+    p.solution = p.x + MOST;
+    p.target = target = p.solution + MOST;
+    for (i = 0; i < count; ++i) target[i] = value[i] / (noise[i] * scale[i]);
+    for (j = 0; j < rates; ++j) {
+        for (norm[j] = 0, i = 0; i < count; ++i) {
+            const double v = 1 / (noise[i] * scale[i] * (1 + k[i] / rate[j] * (k[i] / rate[j])));
+            a[j * count + i] = v;
+            norm[j] += v * v;
+        }
+        norm[j] = 1 / sqrt(norm[j]);
+        for (i = 0; i < count; ++i) a[j * count + i] *= norm[j];
+    }
+    ms_mcml__nnls_solve(&p);
+    for (i = 0; i < count; ++i)
+        if (fabs(p.residual[i]) > misfit) misfit = fabs(p.residual[i]);
+    for (j = 0; j < rates; ++j) energy[j] = p.x[j] * norm[j];
+    return misfit;
+}
+
+/* Spectra at all frequencies of the multiple scattering that leaves the top and of all that leaves the bottom, fitted. */
+static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_options *o, ms_mcml_layered *out, int coarse, int isotropic,
+                                  ms_error *error)
+{
+    enum { MOST = MS_MCML_LAYERED_RATES };
+    double k[MOST], value[2][MOST], scale[2][MOST], noise[MOST], step = o->frequency_step, mu_t = 0, low = 1e300, finest = 0, deepest = 0;
+    const size_t size = (size_t)(2 * MOST * (MOST + 4)) * sizeof(double), n3 = (size_t)s->nodes;
+    double *a = (double *)ms__alloc(&o->allocator, size), *d = s->moments;
+    int i, j, side, count = 0, layer, terms = 0;
+    if (a == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the fit of the spectrum", size);
+    for (layer = 0; layer < s->layers; ++layer) {
+        const ms_mcml__stratum *y = &s->layer[layer];
+        deepest += y->d;
+        if (y->clear) continue;
+        { /* the same rates for both orders */
+            const double f = y->mu_s_full > 0 && ms_mcml__moment(y, 1) > 0 ? ms_mcml__moment(y, out->order + 1) : 0, here = y->mu_a + y->mu_s_full * (f > 0 ? 1 - f : 1);
+            if (here > mu_t) mu_t = here;
+        }
+        if (y->kappa < low) low = y->kappa;
+        if (y->mu_t - y->sigma[1] > finest) finest = y->mu_t - y->sigma[1];
+    }
+    if (low < 1 / (deepest + 4 / finest) && !s->layer[s->layers - 1].semi) low = 1 / (deepest + 4 / finest);
+    if (low < 1e-4 * finest) low = 1e-4 * finest;
+    if (step * (MOST - 6) < log(150 * mu_t / low)) step = log(150 * mu_t / low) / (MOST - 6);
+    out->rate_per_cm[0] = low;
+    for (i = 1; i < MOST && low * exp(0.8 * step * (i - 4)) < 150 * mu_t; ++i) {
+        const double more = exp(0.8 * step * (i - 4));
+        out->rate_per_cm[i] = low * sqrt(1 + more * more);
+    }
+    out->rates = i;
+    memset(d, 0, 3 * (size_t)s->terms * n3 * sizeof(double));
+    for (i = 0; i < MOST; ++i) {
+        const double t = low * exp(step * (i - 0.5));
+        double leave[2], residual, care;
+        k[i] = i ? sqrt((t - low) * (t + low)) : 0;
+        if (k[i] > 40 * mu_t) break;
+        if (o->progress.report && o->progress.report(o->progress.user, (coarse ? 0.1 : 0.3) + (coarse ? 0.2 : 0.7) * i / out->rates)) {
+            ms__release(&o->allocator, a, size);
+            return ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
+        }
+        ms_mcml__tune(s, k[i]);
+        if (s->terms > terms) memset(d + (size_t)terms * n3, 0, (size_t)(s->terms - terms) * n3 * sizeof(double));
+        terms = s->terms;
+        /* low frequencies make the far tail and cost little: up to 30 times the accuracy */
+        care = k[i] < 0.3 * mu_t ? 0.03 + 0.97 * k[i] / (0.3 * mu_t) : 1;
+        residual = ms_mcml__settle(s, d, care * o->tolerance, leave);
+        if (residual / care > out->residual) out->residual = residual / care;
+        value[0][i] = leave[0] - ms_mcml__single_spectrum(s);
+        value[1][i] = leave[1];
+        scale[0][i] = leave[0];
+        scale[1][i] = fabs(leave[1]) + 1e-6 * fabs(value[1][0]);
+        noise[i] = o->tolerance * (0.1 * care + k[i] / mu_t * (0.5 + k[i] / mu_t));
+        count = i + 1;
+        if (!coarse) {
+            out->frequency_per_cm[i] = k[i];
+            out->rd_spectrum[i] = leave[0];
+            out->tt_spectrum[i] = leave[1] + s->unscattered;
+        }
+    }
+    if (!coarse) out->frequencies = count;
+    out->radius_cm = 0.02 / mu_t;
+    for (side = 0; side < 2; ++side) { /* as much as positive terms can give, and a table of the rest */
+        double *energy = out->energy[coarse][side], *v = value[side];
+        memset(energy, 0, MOST * sizeof(double));
+        if (!(scale[side][0] > 0) || (side && s->layer[s->layers - 1].semi)) continue;
+        if (side == 0) out->table[0] |= ms_mcml__positive_fit(k, v, scale[0], noise, count, out->rate_per_cm, out->rates, energy, a) >= 5 && !isotropic;
+        else out->table[1] = 1; /* falls faster than any sum of such terms */
+        out->multiple[coarse][side] = v[0];
+        for (i = 0; i < count; ++i)
+            for (j = 0; j < out->rates; ++j) v[i] -= energy[j] / (1 + k[i] / out->rate_per_cm[j] * (k[i] / out->rate_per_cm[j]));
+        for (i = side ? 2 : count; i < count && v[i] > 1e-7 * v[0]; ++i) {} /* as far as it is known */
+        if (out->table[side] || coarse) ms_mcml__hankel(k, v, i, low, out->radius_cm, out->beyond[coarse][side]);
+        out->rest[coarse][side] = v[0];
+    }
+    ms__release(&o->allocator, a, size);
+    return MS_OK;
+}
+
+/* Absorbed above z of a layer, of the solution at k = 0. */
+static double ms_mcml__absorbed(const ms_mcml__flights *s, const ms_mcml__stratum *y, double z)
+{
+    static const double gauss[3] = {0.11270166537925831, 0.5, 0.88729833462074169}, weight[3] = {5 / 18.0, 8 / 18.0, 5 / 18.0};
+    const double *d = s->moments, *t = ms_mcml__lobatto;
+    double sum = 0, start = 0;
+    int p, q, i, j;
+    if (y->clear) return 0;
+    for (p = 0; p < y->panels && start < z; ++p) {
+        const double h = y->shape[s->panel_shape[y->panel + p]], part = z < start + h ? (z - start) / h : 1;
+        for (q = 0; q < 3; ++q) {
+            const double u = part * gauss[q];
+            double x = 0;
+            for (i = 0; i < 5; ++i) {
+                double c = 1;
+                for (j = 0; j < 5; ++j) c *= j == i ? 1 : (u - t[j]) / (t[i] - t[j]);
+                x += c * d[y->node + 4 * p + i];
+            }
+            sum += weight[q] * part * h * x * 3.5449077018110318 * y->mu_a; /* sqrt(4 pi) */
+        }
+        start += h;
+    }
+    if (z > start) z = start;
+    sum += y->down * y->mu_a / y->mu_t * (1 - exp(-y->mu_t * z < -700 ? -700 : -y->mu_t * z));
+    if (!y->semi) sum += y->up * y->mu_a / y->mu_t * (exp(-y->mu_t * (y->d - z)) - exp(-y->mu_t * y->d));
+    return sum;
+}
+
+/* Totals by a high order, one frequency. */
+static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o, int order, int last, ms_mcml_layered *out,
+                                 ms_error *error)
+{
+    ms_mcml__flights *s;
+    double leave[2], residual, full_r, full_t;
+    int i, layer, first;
+    ms_status status = ms_mcml__flights_make(&s, tissue, o, order, order > 15 ? 3 : 2, 0, error);
+    if (status) return status;
+    for (first = 0; first < tissue->layer_count && s->layer[first < s->layers ? first : s->layers - 1].clear; ++first) {}
+    out->specular = ms_mcml__specular(tissue, first);
+    ms_mcml__tune(s, 0);
+    residual = ms_mcml__settle(s, s->moments, 1e-8, leave);
+    if (residual > out->residual && residual > 1e-6) out->residual = residual;
+    out->rd = leave[0] + s->specular - out->specular;
+    out->tt = leave[1] + s->unscattered;
+    if (last) {
+        double top = 0;
+        out->a = 0;
+        for (i = 0; o->a_z && i < o->nz; ++i) o->a_z[i] = 0;
+        for (layer = 0; layer < s->layers; ++layer) {
+            const ms_mcml__stratum *y = &s->layer[layer];
+            const double all = ms_mcml__absorbed(s, y, y->d), end = tissue->layers[layer].thickness_cm;
+            double before = 0;
+            out->a += all;
+            if (o->a_l) o->a_l[layer] = all;
+            for (i = 0; o->a_z && i < o->nz && !y->clear; ++i) {
+                const double from = i * o->dz_cm, to = from + o->dz_cm;
+                double here;
+                if (to <= top || from >= top + end) continue;
+                here = i + 1 == o->nz ? all : ms_mcml__absorbed(s, y, to - top < y->d ? to - top : y->d);
+                o->a_z[i] += (here - before) / o->dz_cm;
+                before = here;
+            }
+            top += end;
+        }
+        for (; o->a_l && layer < tissue->layer_count; ++layer) o->a_l[layer] = 0;
+        for (i = 0; i < s->layers; ++i) /* unscattered as MCML means it: the forward peak counts as scattered */
+            s->layer[i].mu_t = s->layer[i].mu_a + s->layer[i].mu_s_full;
+        ms_mcml__beams(s);
+        full_r = s->specular;
+        full_t = s->unscattered;
+        out->rd_unscattered = full_r - out->specular;
+        out->tt_unscattered = full_t;
+    }
+    ms_mcml__flights_destroy(s, &o->allocator);
+    return MS_OK;
+}
+
+MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options, ms_mcml_layered *out,
+                                       ms_error *error)
+{
+    ms_mcml_layered_options o;
+    ms_mcml_layered r;
+    ms_mcml__flights *s;
+    ms_status status;
+    double sharpest = 0, transport = 0, before[3];
+    int i, l, order, high, isotropic = 1;
+    memset(&o, 0, sizeof o);
+    memset(&r, 0, sizeof r);
+    if (options) o = *options;
+    if (tissue == NULL || out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tissue or out is NULL");
+    if ((status = ms_mcml__check_tissue(tissue, error)) != MS_OK) return status;
+    if (tissue->layer_count > MS_MCML__STRATA)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "%d layers, the layered solver takes %d", tissue->layer_count, MS_MCML__STRATA);
+    if (o.order < 0 || o.order > MS_MCML__ORDER_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "order is %d, expected 1 to %d, or 0", o.order, MS_MCML__ORDER_MAX);
+    if (!ms_mcml__between(o.tolerance, 0, 1e-2) || (o.tolerance > 0 && o.tolerance < 1e-9))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g, expected 1e-9 to 0.01, or 0", o.tolerance);
+    if (!ms_mcml__between(o.frequency_step, 0, 1) || (o.frequency_step > 0 && o.frequency_step < 0.1))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frequency_step is %g, expected 0.1 to 1, or 0", o.frequency_step);
+    if (o.a_z && (o.nz < 1 || !ms_mcml__between(o.dz_cm, 1e-30, 1e30)))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz is %d and dz_cm %g, expected at least 1 and above 0", o.nz, o.dz_cm);
+    if (!(o.frequency_step > 0)) o.frequency_step = 0.25;
+    for (i = 0; i < tissue->layer_count; ++i) {
+        const ms_mcml_layer *layer = &tissue->layers[i];
+        const double *moment = o.moment ? o.moment + (size_t)i * (MS_MCML__ORDER_MAX + 3) : NULL;
+        transport += (layer->mu_a_per_cm + (layer->g < 1 ? layer->mu_s_per_cm * (1 - layer->g) : 0)) * layer->thickness_cm;
+        if (!(layer->mu_s_per_cm > 0)) continue;
+        for (l = 0; moment && l < MS_MCML__ORDER_MAX + 3; ++l)
+            if (!ms_mcml__between(moment[l], l ? -1 : 1, 1))
+                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1, "moment %d of a phase function is %g, expected -1 to 1, the first 1",
+                                l, moment[l]);
+        if (moment ? fabs(moment[1]) + fabs(moment[2]) > 0 : layer->g < 1 && fabs(layer->g) > 0) isotropic = 0;
+        if (!moment && layer->g < 1 && fabs(layer->g) > sharpest) sharpest = fabs(layer->g);
+    }
+    order = o.order;
+    if (order == 0 && o.moment && !isotropic) order = 15;
+    for (l = 1; order == 0; l += 2)
+        if (isotropic || (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.04 : 0.19)) || l == MS_MCML__ORDER_MAX) order = l;
+    r.order = order;
+    if (!(o.tolerance > 0)) o.tolerance = order < 4 ? 1e-6 : 1e-4; /* few moments: cheap */
+    high = isotropic ? order : MS_MCML__ORDER_MAX;
+    before[0] = before[1] = before[2] = 0;
+    if (high > 23) {
+        status = ms_mcml__totals(tissue, &o, 23, 0, &r, error);
+        if (status) return status;
+        before[0] = r.rd;
+        before[1] = r.tt;
+    }
+    status = ms_mcml__totals(tissue, &o, high, 1, &r, error);
+    if (status) return status;
+    for (i = 0; i < tissue->layer_count; ++i) {
+        const ms_mcml_layer *layer = &tissue->layers[i];
+        const double *moment = o.moment ? o.moment + (size_t)i * (MS_MCML__ORDER_MAX + 3) : NULL;
+        if (!(layer->mu_s_per_cm > 0) || isotropic || (!moment && !(layer->g < 1))) continue;
+        r.peak = fmax(r.peak, moment ? fabs(moment[order + 1]) : pow(fabs(layer->g), order + 1));
+        before[2] = fmax(before[2], moment ? fabs(moment[high + 1]) : pow(fabs(layer->g), high + 1));
+    }
+    r.rd_error = 1e-7 + (high > 23 ? fabs(r.rd - before[0]) + 2e-4 * before[2] : 0);
+    r.tt_error = 1e-7 + (high > 23 ? fabs(r.tt - before[1]) + 2e-4 * before[2] : 0);
+    if (!o.totals_only) {
+        for (l = isotropic ? 0 : 1; l >= 0; --l) { /* half the order first, for the errors of rings */
+            const int here = l ? (order - 1) / 2 > 1 ? (order - 1) / 2 : 1 : order;
+            status = ms_mcml__flights_make(&s, tissue, &o, here, here > 15 ? 2 : 1, here, error);
+            if (status) return status;
+            status = ms_mcml__spectra(s, &o, &r, l, isotropic && tissue->layer_count == 1 && s->layer[0].semi, error);
+            if (status == MS_OK && l == 0) {
+                ms_mcml__singles(s, &r);
+                before[0] = s->specular - r.specular; /* not scattered but by the forward peak */
+                before[1] = s->unscattered;
+            }
+            ms_mcml__flights_destroy(s, &o.allocator);
+            if (status) return status;
+        }
+        if (isotropic) {
+            memcpy(r.energy[1], r.energy[0], sizeof r.energy[0]);
+            memcpy(r.beyond[1], r.beyond[0], sizeof r.beyond[0]);
+            memcpy(r.rest[1], r.rest[0], sizeof r.rest[0]);
+            memcpy(r.multiple[1], r.multiple[0], sizeof r.multiple[0]);
+        }
+        for (l = 0; l < 4; ++l) { /* energies add up to the totals */
+            const int coarse = l & 1, side = l >> 1;
+            double scattered = side ? r.tt - before[1] : r.rd - before[0], sum = r.rest[coarse][side];
+            for (i = 0; side == 0 && i < r.singles; ++i) scattered -= r.single_energy[i] * (1 - r.single_end[i]);
+            for (i = 0; i < r.rates; ++i) sum += r.energy[coarse][side][i];
+            if (!(scattered > 0 && sum > 0.5 * scattered && sum < 2 * scattered)) continue;
+            for (i = 0; i < r.rates; ++i) r.energy[coarse][side][i] *= scattered / sum;
+            for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) r.beyond[coarse][side][i] *= scattered / sum;
+            r.rest[coarse][side] *= scattered / sum;
+            r.multiple[coarse][side] = scattered;
+        }
+        for (l = 0; l < 4; ++l) { /* where the terms have little left, the rest is only noise: it fades as they do */
+            const int coarse = l & 1, side = l >> 1;
+            double *y = r.beyond[coarse][side], first = 0, part = 0, fall = 0;
+            for (i = 2; side && i < MS_MCML_LAYERED_RADII; ++i) { /* transmission: as it fell last */
+                const double r1 = r.radius_cm * exp(0.1 * (i - 1)), grow = exp(0.1) - 1;
+                if (y[i - 1] > 1e-4 * r.multiple[coarse][1] && !(fall > 0)) continue;
+                if (!(fall > 0)) fall = y[i - 1] > 0 && y[i - 2] > y[i - 1] ? log(y[i - 2] / y[i - 1]) / (r1 * (1 - exp(-0.1))) : 1e9 / r1;
+                y[i] = fall * r1 * grow < 700 ? y[i - 1] * exp(-fall * r1 * grow) : 0;
+            }
+            if (side) continue;
+            for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) {
+                double sum = 0;
+                int j;
+                for (j = 0; j < r.rates; ++j)
+                    sum += r.energy[coarse][side][j] * ms_mcml__x_bessel_k1(r.rate_per_cm[j] * r.radius_cm * exp(0.1 * i));
+                if (!(first > 0) && sum < 3e-6 * r.multiple[coarse][side] && sum > 0) {
+                    first = sum;
+                    part = y[i];
+                }
+                if (first > 0) y[i] = part * sum / first;
+            }
+        }
+    }
+    *out = r;
+    if (r.residual > 10 * o.tolerance)
+        return ms__fail(error, MS_NOT_CONVERGED, 0, "the iteration ended at a residual of %g, expected %g", r.residual, o.tolerance);
+    if (r.rd_error > 5e-5 || r.tt_error > 5e-5)
+        return ms__fail(error, MS_NOT_CONVERGED, 0, "the totals are known to %g only", r.rd_error > r.tt_error ? r.rd_error : r.tt_error);
+    if (!o.totals_only && r.peak > 0.3)
+        return ms__fail(error, MS_NOT_CONVERGED, 0, "g is too close to 1 for order %d: %g of the scattering counts as forward", order, r.peak);
+    for (i = 0; i < tissue->layer_count && !o.totals_only; ++i)
+        if (!(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0) && tissue->layer_count > 1)
+            return ms__fail(error, MS_NOT_CONVERGED, (size_t)i + 1, "layer %d is clear: rings are not reliable, totals are", i + 1);
+    return MS_OK;
+}
+
+static double ms_mcml__layered_beyond(const ms_mcml_layered *s, int coarse, int side, double r)
+{
+    enum { N = MS_MCML_LAYERED_RADII };
+    double sum = 0;
+    int i;
+    for (i = 0; side == 0 && i < s->singles; ++i) {
+        const double x = s->single_rate_per_cm[i] * r, e = x < 700 ? exp(-x) : 0;
+        if (e > s->single_end[i]) sum += s->single_energy[i] * (e - s->single_end[i]);
+    }
+    for (i = 0; i < s->rates && s->rate_per_cm[i] * r < 700; ++i)
+        sum += s->energy[coarse][side][i] * ms_mcml__x_bessel_k1(s->rate_per_cm[i] * r);
+    if (s->table[side]) { /* cubic through the nearest four of the table; a paraboloid before its start */
+        const double *y = s->beyond[coarse][side], u = 10 * log(r / s->radius_cm), rest = s->rest[coarse][side];
+        double t, d0, d1;
+        if (u <= 0) return sum + rest - (rest - y[0]) * (r / s->radius_cm) * (r / s->radius_cm);
+        if (u >= N - 3) return sum;
+        i = (int)u;
+        t = u - i;
+        d0 = i > 0 ? 0.5 * (y[i + 1] - y[i - 1]) : y[1] - y[0];
+        d1 = 0.5 * (y[i + 2] - y[i]);
+        sum += y[i] + t * (d0 + t * (3 * (y[i + 1] - y[i]) - 2 * d0 - d1 + t * (2 * (y[i] - y[i + 1]) + d0 + d1)));
+    }
+    return sum;
+}
+
+MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *s, int side, double r_cm)
+{
+    double sum;
+    if (s == NULL || side < 0 || side > 1 || !ms_mcml__between(r_cm, 0, 1e300)) return ms_mcml__nan();
+    if (!(r_cm > 0)) return side ? s->tt : s->rd;
+    sum = ms_mcml__layered_beyond(s, 0, side, r_cm);
+    return sum > 0 ? sum : 0;
+}
+
+MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0_cm, double r1_cm, double *ring_error)
+{
+    double r0 = r0_cm, r1 = r1_cm, fine, coarse, inner, q;
+    if (s == NULL || side < 0 || side > 1 || !ms_mcml__between(r0, 0, 1e150) || !ms_mcml__between(r1, 0, 1e150) || !(r0 < r1))
+        return ms_mcml__nan();
+    if (r1 - r0 < 1e-4 * r1) { /* the mean of a narrower ring is the same to 1e-8, but would cancel */
+        r0 = (1 - 0.5e-4) * 0.5 * (r0_cm + r1_cm);
+        r1 = (1 + 0.5e-4) * 0.5 * (r0_cm + r1_cm);
+    }
+    q = 1 / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
+    inner = side ? s->tt : s->rd;
+    fine = (r0 > 0 ? ms_mcml__layered_beyond(s, 0, side, r0) : inner) -
+           ms_mcml__layered_beyond(s, 0, side, r1);
+    coarse = (r0 > 0 ? ms_mcml__layered_beyond(s, 1, side, r0) : inner) -
+             ms_mcml__layered_beyond(s, 1, side, r1);
+    fine = fine > 0 ? fine * q : 0;
+    /* half of what the last doubling of the order moved; what the fit of the highest and the lowest frequencies leaves open */
+    if (ring_error) *ring_error = 0.5 * fabs(coarse * q - fine) + (5e-4 + 7e-3 * exp(-r0 / (10 * s->radius_cm))) * fine + (side ? 1e-4 : s->table[0] ? 1e-5 : 3e-6) * inner * q;
+    return fine;
+}
+
+MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *s, int side, double x_cm)
+{
+    double sum = 0;
+    int j;
+    if (s == NULL || side < 0 || side > 1 || !ms_mcml__between(x_cm, 0, 1e300)) return ms_mcml__nan();
+    if (!(x_cm > 0)) return 0.5 * (side ? s->tt : s->rd);
+    for (j = 0; j < 48; ++j) { /* 2 / pi times the integral of what lies beyond r = x / cos(t) */
+        const double r = x_cm / cos(1.5707963267948966 * (j + 0.5) / 48);
+        sum += ms_mcml__layered_beyond(s, 0, side, r) / 48;
+    }
+    return 0.5 * (sum > 0 ? sum : 0);
+}
+
 /* --- white Monte Carlo ------------------------------------------------------------------------------------- */
 
 /* Lengths in mean free paths. Flight j of a photon takes the four words of the Philox block (seed, photon, j): length,
@@ -3958,6 +5672,15 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
     return ms_mcml__trace_scalar;
 }
 
+#undef MS_MCML__AZIMUTHS
+#undef MS_MCML__EVEN_MAX
+#undef MS_MCML__ODD_MAX
+#undef MS_MCML__ORDER_MAX
+#undef MS_MCML__PANELS_MAX
+#undef MS_MCML__RAYS
+#undef MS_MCML__SHAPES
+#undef MS_MCML__SPAN
+#undef MS_MCML__STRATA
 #undef MS_MCML__BATCH
 #undef MS_MCML__BLOCK
 #undef MS_MCML__CHANCE
