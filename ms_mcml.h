@@ -1745,8 +1745,10 @@ MS_API size_t ms_mcml_save_size(const ms_mcml *tally)
 
 MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes)
 {
-    uint8_t *p = ms_mcml__put_head(tally, (uint8_t *)bytes);
+    uint8_t *p;
     size_t i;
+    if (tally == NULL || bytes == NULL) return;
+    p = ms_mcml__put_head(tally, (uint8_t *)bytes);
     for (i = 0; i < tally->at.count; ++i) p = ms_mcml__put(p, (uint64_t)tally->sum[i]);
 }
 

@@ -1590,6 +1590,7 @@ static int ms_sss__ring_of(const ms_sss_profile *p, double r)
 MS_API void ms_sss_profile_value(const ms_sss_profile *p, double r, double out[3])
 {
     int c, i;
+    if (p == NULL || out == NULL) return;
     for (c = 0; c < 3; ++c) {
         out[c] = 0;
         if (p->kind == MS_SSS__RINGS) {
@@ -1612,6 +1613,7 @@ MS_API void ms_sss_profile_value(const ms_sss_profile *p, double r, double out[3
 MS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3])
 {
     int c, i;
+    if (p == NULL || out == NULL) return;
     for (c = 0; c < 3; ++c) {
         out[c] = 0;
         if (p->kind == MS_SSS__RINGS) {
@@ -1630,6 +1632,7 @@ MS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3]
 
 MS_API void ms_sss_profile_reflectance(const ms_sss_profile *p, double out[3])
 {
+    if (p == NULL || out == NULL) return;
     ms_sss_profile_disc(p, p->kind == MS_SSS__RINGS ? p->edge[p->count] : 1e30, out);
 }
 
@@ -1637,6 +1640,7 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double fraction, doub
 {
     double total[3], inside[3];
     int c, i;
+    if (p == NULL || out == NULL) return;
     ms_sss_profile_reflectance(p, total);
     for (c = 0; c < 3; ++c) {
         double low = 0, high = 1e-9;
@@ -1668,6 +1672,7 @@ static double ms_sss__chord(double mean, double slope, double u)
 MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3])
 {
     int c, i;
+    if (p == NULL || out == NULL) return;
     x = fabs(x);
     for (c = 0; c < 3; ++c) {
         out[c] = 0;
@@ -1701,6 +1706,7 @@ MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3]
 MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double out[3])
 {
     int c, i;
+    if (p == NULL || out == NULL) return;
     x = fabs(x);
     for (c = 0; c < 3; ++c) {
         out[c] = 0;
@@ -2225,6 +2231,7 @@ MS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *ke
 {
     ms_sss__curve curve;
     double error[MS_SSS__SIGNALS];
+    if (errors == NULL || kernel == NULL || designer == NULL) return;
     ms_sss__kernel_curve(designer, kernel, &curve);
     ms_sss__curve_errors(designer, &curve, error);
     errors->vertical_step = error[0];
@@ -3367,6 +3374,7 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 {
     double total[3], decay[3];
     int c;
+    if (profile == NULL || out == NULL) return;
     ms_sss__decay(profile, total, decay);
     for (c = 0; c < 3; ++c) out[c] = ms_sss__slab(total[c], decay[c], thickness_mm > 0 ? thickness_mm : 0);
 }
@@ -3389,6 +3397,7 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 {
     float facing = 0, entry = 0, parallel = 0;
     int c;
+    if (kernel == NULL || normal == NULL || entry_normal == NULL || to_light == NULL || light == NULL || out == NULL) return;
     for (c = 0; c < 3; ++c) {
         facing += normal[c] * to_light[c];
         entry += entry_normal[c] * to_light[c];
