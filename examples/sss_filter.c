@@ -1,12 +1,13 @@
 /* Filters a rendered irradiance picture so that light seems to scatter below the surface:
 
      cc -O2 -I. examples/sss_filter.c -o build/sss_filter -lm
-     build/sss_filter IRRADIANCE.pfm DEPTH.pfm OUT.(pfm|png) --material NAME|--profile CSV [--taps N]
-                      [--mm-per-unit S] [--fov DEG|--ortho HEIGHT] [--strength S]
+     build/sss_filter IRRADIANCE.pfm DEPTH.pfm OUT.(pfm|png) --material NAME|--profile CSV
+                      [--method M] [--model M] [--taps N] [--mm-per-unit S] [--fov DEG|--ortho HEIGHT] [--strength S]
 
    IRRADIANCE: linear light that arrives, before the surface's color, without specular reflection. DEPTH: distance along
    the viewing axis in scene units; 0, negative and non-finite values mark pixels that take no part. A PFM result holds
-   the light that leaves, to be multiplied by the surface's color; a PNG is clamped to [0, 1] and sRGB-encoded. */
+   the light that leaves, to be multiplied by the surface's color; a PNG is clamped to [0, 1] and sRGB-encoded. Which method
+   it took is printed. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
@@ -17,7 +18,10 @@ static const char usage[] =
     "usage: sss_filter IRRADIANCE.pfm DEPTH.pfm OUT.(pfm|png) --material NAME|--profile CSV [options]\n"
     "  --material NAME    one of the 11 materials of build/profile --list, such as skin1\n"
     "  --profile CSV      lines of r_mm,R,G,B in 1/mm^2, as build/profile prints them\n"
-    "  --taps N           samples of each of the two passes, odd, 3 to 257 (17)\n"
+    "  --method M         taps: two passes; pyramid; gather: from every pixel, in space; auto (auto): gather, in large\n"
+    "                     pictures as many taps as show no bands\n"
+    "  --model M          of the taps: image, preintegrated, residual, gaussians, guided, artist, slice (image)\n"
+    "  --taps N           samples of each of the two passes, odd, 3 to 257 (as many as show no bands)\n"
     "  --mm-per-unit S    millimetres in a unit of the depth (1)\n"
     "  --fov DEG          perspective, full vertical angle (45)\n"
     "  --ortho HEIGHT     orthographic, units from top to bottom\n"
@@ -72,9 +76,22 @@ static ms_status profile_of_file(const char *path, ms_sss_profile **profile, ms_
     return status;
 }
 
+static const struct {
+    const char *name;
+    ms_sss_model model;
+} models[] = {{"image", MS_SSS_IMAGE_OPTIMAL}, {"preintegrated", MS_SSS_PREINTEGRATED}, {"residual", MS_SSS_RESIDUAL},
+              {"gaussians", MS_SSS_GAUSSIANS},   {"guided", MS_SSS_GUIDED},               {"artist", MS_SSS_ARTIST},
+              {"slice", MS_SSS_SLICE}};
+enum { MODELS = sizeof models / sizeof models[0] };
+
+typedef enum method { AUTO, TAPS, PYRAMID, GATHER, METHODS } method;
+static const char *const method_names[METHODS] = {"auto", "taps", "pyramid", "gather"};
+static const int gather_pixels = 600000; /* up to which a gather takes seconds */
+
 typedef struct settings {
+    int method, model; /* model -1: not said */
     const char *path[3], *material, *csv;           /* irradiance, depth, result; one of the other two is NULL */
-    double taps, mm_per_unit, fov, ortho, strength; /* ortho 0: perspective */
+    double taps, mm_per_unit, fov, ortho, strength; /* taps 0: not said; ortho 0: perspective */
 } settings;
 
 /* What has to be released, however the program ends. */
@@ -89,7 +106,7 @@ static int parse(int argc, char **argv, settings *s)
 {
     int i, paths = 0, perspective = 0;
     memset(s, 0, sizeof *s);
-    s->taps = 17;
+    s->model = -1;
     s->mm_per_unit = 1;
     s->fov = 45;
     s->strength = 1;
@@ -105,6 +122,13 @@ static int parse(int argc, char **argv, settings *s)
         else if (strcmp(name, "--profile") == 0) s->csv = value;
         else if (strcmp(name, "--taps") == 0)
             good = value && number(value, 3, MS_SSS_TAPS_MAX, &s->taps) && fmod(s->taps, 2) == 1;
+        else if (strcmp(name, "--method") == 0) {
+            for (s->method = 0; s->method < METHODS && value && strcmp(value, method_names[s->method]) != 0; ++s->method) {}
+            good = s->method < METHODS;
+        } else if (strcmp(name, "--model") == 0) {
+            for (s->model = 0; s->model < MODELS && value && strcmp(value, models[s->model].name) != 0; ++s->model) {}
+            good = s->model < MODELS;
+        }
         else if (strcmp(name, "--mm-per-unit") == 0) good = value && number(value, 1e-9, 1e9, &s->mm_per_unit);
         else if (strcmp(name, "--fov") == 0) good = perspective = value && number(value, 0.01, 179.9, &s->fov);
         else if (strcmp(name, "--ortho") == 0) good = value && number(value, 1e-9, 1e9, &s->ortho);
@@ -119,6 +143,9 @@ static int parse(int argc, char **argv, settings *s)
         fail(2, "arguments", "three file names are expected");
         return file_usage(usage);
     }
+    if (s->method > TAPS && (s->taps > 0 || s->model >= 0))
+        return fail(2, method_names[s->method], "--taps and --model belong to the method taps");
+    if (s->taps > 0 || s->model >= 0) s->method = TAPS;
     if ((s->material == NULL) == (s->csv == NULL))
         return fail(2, "arguments", "one of --material and --profile is expected");
     if (perspective && s->ortho > 0) return fail(2, "arguments", "--fov and --ortho exclude each other");
@@ -127,10 +154,9 @@ static int parse(int argc, char **argv, settings *s)
     return 0;
 }
 
-/* A pre-integrated kernel for the nearest pixel, where it is largest. */
-static ms_status make_kernel(const settings *s, const job *j, ms_sss_kernel *kernel, ms_error *error)
+/* Pixels that 99% of the light span where the object is nearest; 0: no pixel takes part. */
+static double radius_px(const settings *s, const job *j)
 {
-    ms_sss_kernel_options options = ms_sss_kernel_defaults();
     double reach[3], radius_mm = 0, nearest = HUGE_VAL, height_mm;
     int i, pixel_count = j->depth.width * j->depth.height;
     for (i = 0; i < pixel_count; ++i)
@@ -138,17 +164,34 @@ static ms_status make_kernel(const settings *s, const job *j, ms_sss_kernel *ker
     ms_sss_profile_radius(j->profile, 0.99, reach);
     for (i = 0; i < 3; ++i) radius_mm = reach[i] > radius_mm ? reach[i] : radius_mm;
     height_mm = s->mm_per_unit * (s->ortho > 0 ? s->ortho : 2 * tan(s->fov * 3.14159265358979 / 360) * nearest);
-    options.model = MS_SSS_PREINTEGRATED;
-    options.tap_count = (int)s->taps;
-    options.placement = s->taps <= 33 ? MS_SSS_OPTIMISED : MS_SSS_QUANTILE;
-    return ms_sss_kernel_make(kernel, NULL, j->profile,
-                              nearest < HUGE_VAL ? radius_mm / height_mm * j->depth.height : 1, &options, NULL, error);
+    return nearest < HUGE_VAL ? radius_mm / height_mm * j->depth.height : 0;
+}
+
+static ms_status make_kernel(const settings *s, const job *j, double radius, ms_sss_kernel *kernel, ms_error *error)
+{
+    ms_sss_kernel_options options = ms_sss_kernel_defaults();
+    ms_sss_designer *designer;
+    ms_status status;
+    if (s->taps > 0 || s->model > 0) {
+        options.model = models[s->model > 0 ? s->model : 0].model;
+        options.tap_count = s->taps > 0 ? (int)s->taps : 17;
+        options.placement = options.tap_count <= 33 ? MS_SSS_OPTIMISED : MS_SSS_QUANTILE;
+        return ms_sss_kernel_make(kernel, NULL, j->profile, radius, &options, NULL, error);
+    }
+    status = ms_sss_designer_create(&designer, j->profile, radius, NULL, error);
+    if (status != MS_OK) return status;
+    status = ms_sss_kernel_choose(kernel, NULL, designer, 0.1, 33, error);
+    ms_sss_designer_destroy(designer);
+    return status == MS_NOT_CONVERGED ? MS_OK : status; /* it then holds the best */
 }
 
 static int run(const settings *s, job *j)
 {
     static ms_sss_kernel kernel;
+    static ms_sss_pyramid pyramid;
     const char *problem;
+    double radius;
+    int way = s->method, i, count = 0;
     ms_error error;
     ms_status status;
     ms_sss_frame frame;
@@ -168,7 +211,13 @@ static int run(const settings *s, job *j)
     if (status != MS_OK && error.position)
         fprintf(stderr, "sss_filter: %s:%lu: %s\n", s->csv, (unsigned long)error.position, error.message);
     if (status != MS_OK) return error.position ? 1 : fail(1, s->material ? s->material : s->csv, error.message);
-    if (make_kernel(s, j, &kernel, &error) != MS_OK) return fail(1, "kernel", error.message);
+    radius = radius_px(s, j);
+    for (i = 0; i < j->depth.width * j->depth.height; ++i) count += j->depth.pixels[i] > 0;
+    if (way == AUTO) way = radius > 0.5 && count <= gather_pixels ? GATHER : TAPS;
+    status = way == TAPS      ? make_kernel(s, j, radius > 0 ? radius : 1, &kernel, &error)
+             : way == PYRAMID ? ms_sss_pyramid_make(&pyramid, j->profile, &error)
+                              : MS_OK;
+    if (status != MS_OK) return fail(1, "kernel", error.message);
 
     j->output = image_new(j->input.width, j->input.height, 3);
     memset(&frame, 0, sizeof frame);
@@ -181,11 +230,18 @@ static int run(const settings *s, job *j)
     options.fov_degrees = s->ortho > 0 ? 0 : (float)s->fov;
     options.mm_per_unit = (float)s->mm_per_unit;
     options.fade = (float)(1 - s->strength);
-    size = ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);
+    size = way == TAPS      ? ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options)
+           : way == PYRAMID ? ms_sss_pyramid_workspace(frame.width, frame.height)
+                            : ms_sss_gather_workspace(frame.width, frame.height, 0);
     j->workspace = malloc(size);
     if (j->output.pixels == NULL || j->workspace == NULL) return fail(1, s->path[2], "out of memory");
-    if (ms_sss_filter(&frame, &kernel, 1, &options, j->workspace, size, &error) != MS_OK)
-        return fail(1, s->path[0], error.message);
+    status = way == TAPS      ? ms_sss_filter(&frame, &kernel, 1, &options, j->workspace, size, &error)
+             : way == PYRAMID ? ms_sss_pyramid_filter(&frame, &pyramid, &options, j->workspace, size, &error)
+                              : ms_sss_gather(&frame, NULL, j->profile, &options, j->workspace, size, &error);
+    if (status != MS_OK) return fail(1, s->path[0], error.message);
+    printf("%s", way == TAPS ? "two passes" : way == PYRAMID ? "pyramid" : "gathered in space");
+    if (way == TAPS) printf(" of %d taps, %d term%s", kernel.tap_count, kernel.term_count, kernel.term_count > 1 ? "s" : "");
+    printf("; 99%% of the light within %.1f pixels\n", radius);
 
     if (image__has_extension(s->path[2], ".png")) image_to_srgb(&j->output);
     problem = image_write(s->path[2], &j->output);
@@ -207,5 +263,5 @@ int main(int argc, char **argv)
     image_free(&j.output);
     ms_sss_profile_destroy(j.profile);
     free(j.workspace);
-    return code;
+    return code ? code : file_end_stdout("sss_filter");
 }
