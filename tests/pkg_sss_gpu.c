@@ -280,7 +280,7 @@ static double gl_compare(one_case *t)
     texture[PROFILE] = gl_texture(PROFILE, GL_R32F, WIDTH, HEIGHT, index_of);
     texture[NORMAL] = gl_texture(NORMAL, GL_RGBA32F, WIDTH, HEIGHT, normal);
     for (i = 0; i < TEXTURES; ++i)
-        if (i == SUM || i >= PREPARED) texture[i] = gl_texture(i, GL_RGBA32F, WIDTH, HEIGHT, NULL);
+        if (i == SUM || i >= PREPARED) texture[i] = gl_texture(i, s->half_target && i != RESULT ? GL_RGBA16F : GL_RGBA32F, WIDTH, HEIGHT, NULL);
     for (term = 0; term < t->terms; ++term) {
         if (ms_sss_shader_constants(t->kernel, term, &t->options, WIDTH, HEIGHT, s, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
         for (i = term || !s->prepared; i < 3; ++i) { /* PREPARE once, then X and Y */
@@ -347,6 +347,31 @@ static const char *transmission_shader(ms_sss_language language)
              "@fragment fn main(@builtin(position) p: vec4<f32>) -> @location(0) vec4<f32> { let x = p.x - 0.5; let y = p.y - 0.5; return ",
              language == MS_SSS_WGSL ? "vec4<f32>" : language == MS_SSS_HLSL ? "float4" : "vec4", vec3, vec3, vec3, vec3, vec3, vec3);
     return all;
+}
+
+/* Targets of 16 bits between the passes: colours to 2^-12, two or three times. The depths here are numbers that 16 bits
+   hold, the profile is read again from its own texture. */
+static void case_half(void)
+{
+    static one_case t;
+    int i;
+    if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
+    make_picture();
+    for (i = 0; i < PIXELS; ++i) depth[i] = (float)(floor(32 * (double)depth[i]) / 32);
+    for (i = 0; i < 4; ++i) {
+        double e;
+        make_case(&t, 1, MS_SSS_GLSL_330, 0, 1);
+        t.shader.half_target = 1;
+        t.shader.prepared = i / 2;
+        t.shader.depth = i % 2 ? MS_SSS_TEXTURE : MS_SSS_NONE;
+        t.shader.profile = MS_SSS_TEXTURE;
+        t.shader.profile_count = PROFILES;
+        t.options = ms_sss_filter_defaults();
+        t.options.ortho_height = 40;
+        t.options.flat = 1;
+        e = gl_compare(&t);
+        if (!(e <= 1e-3 && e > 1e-6)) TEST_FAIL("case %d: %g", i, e);
+    }
 }
 
 /* As many kernels as a pass takes, in patches that a tap crosses several of, one of them without a kernel. */
@@ -841,6 +866,7 @@ static const test_case cases[] = {
     {"OpenGL 3.3 against the CPU", case_desktop},
     {"OpenGL ES 3.0 against the CPU", case_es},
     {"sixteen materials in one pass", case_sixteen},
+    {"targets of 16 bits", case_half},
     {"Vulkan GLSL against the CPU", case_vulkan_runs},
     {"HLSL against the CPU", case_hlsl_runs},
     {"OpenGL 4.3 compute against the CPU", case_compute},
