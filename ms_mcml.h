@@ -5717,262 +5717,262 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
    Read once a level. V is a vector of L floats, U of L 32-bit words, M a comparison's result. */
 
 #if MS_MCML__ISA == 1
-#define L 1
-#define V float
-#define U uint32_t
-#define M int
-#define V_LOAD(p) (*(p))
-#define V_STORE(p, a) (*(p) = (a))
-#define V_SET(a) (a)
-#define V_ADD(a, b) ((a) + (b))
-#define V_SUB(a, b) ((a) - (b))
-#define V_MUL(a, b) ((a) * (b))
-#define V_DIV(a, b) ((a) / (b))
-#define V_MADD(a, b, c) ((a) * (b) + (c))
-#define V_SQRT(a) sqrtf(a)
-#define V_MAX(a, b) ((a) > (b) ? (a) : (b))
-#define V_LESS(a, b) ((a) < (b))
-#define V_SELECT(m, a, b) ((m) ? (a) : (b))
-#define V_FROM_INT(a) ((float)(int32_t)(a))
-#define V_BITS(a) ms_mcml__bits_float(a)
-#define U_BITS(a) ms_mcml__float_bits(a)
-#define U_LOAD(p) (*(p))
-#define U_STORE(p, a) (*(p) = (a))
-#define U_SET(a) (a)
-#define U_ADD(a, b) ((a) + (b))
-#define U_SUB(a, b) ((a) - (b))
-#define U_AND(a, b) ((a) & (b))
-#define U_XOR(a, b) ((a) ^ (b))
-#define U_RIGHT(a, n) ((a) >> (n))
-#define U_LEFT(a, n) ((a) << (n))
-#define U_IS_ZERO(a) ((a) == 0)
-#define U_WIDE(a, m, high, low) ((high) = (uint32_t)(((uint64_t)(a) * (m)) >> 32), (low) = (a) * (m))
-#define V_NMADD(a, b, c) ((c) - (a) * (b))
-#define V_MIN(a, b) ((a) < (b) ? (a) : (b))
-#define V_ABS(a) fabsf(a)
-#define V_SIGN(a) (ms_mcml__float_bits(a) >> 31 ? -1.0f : 1.0f)
-#define V_TO_INT(a) ((uint32_t)(int32_t)(a))
-#define U_ROTATE(a, n) (((a) << (n)) | ((a) >> (32 - (n))))
-#define U_MUL(a, b) ((a) * (b))
-#define M_BITS(m) ((unsigned)(m))
+#define MS_MCML__L 1
+#define MS_MCML__V float
+#define MS_MCML__U uint32_t
+#define MS_MCML__M int
+#define MS_MCML__V_LOAD(p) (*(p))
+#define MS_MCML__V_STORE(p, a) (*(p) = (a))
+#define MS_MCML__V_SET(a) (a)
+#define MS_MCML__V_ADD(a, b) ((a) + (b))
+#define MS_MCML__V_SUB(a, b) ((a) - (b))
+#define MS_MCML__V_MUL(a, b) ((a) * (b))
+#define MS_MCML__V_DIV(a, b) ((a) / (b))
+#define MS_MCML__V_MADD(a, b, c) ((a) * (b) + (c))
+#define MS_MCML__V_SQRT(a) sqrtf(a)
+#define MS_MCML__V_MAX(a, b) ((a) > (b) ? (a) : (b))
+#define MS_MCML__V_LESS(a, b) ((a) < (b))
+#define MS_MCML__V_SELECT(m, a, b) ((m) ? (a) : (b))
+#define MS_MCML__V_FROM_INT(a) ((float)(int32_t)(a))
+#define MS_MCML__V_BITS(a) ms_mcml__bits_float(a)
+#define MS_MCML__U_BITS(a) ms_mcml__float_bits(a)
+#define MS_MCML__U_LOAD(p) (*(p))
+#define MS_MCML__U_STORE(p, a) (*(p) = (a))
+#define MS_MCML__U_SET(a) (a)
+#define MS_MCML__U_ADD(a, b) ((a) + (b))
+#define MS_MCML__U_SUB(a, b) ((a) - (b))
+#define MS_MCML__U_AND(a, b) ((a) & (b))
+#define MS_MCML__U_XOR(a, b) ((a) ^ (b))
+#define MS_MCML__U_RIGHT(a, n) ((a) >> (n))
+#define MS_MCML__U_LEFT(a, n) ((a) << (n))
+#define MS_MCML__U_IS_ZERO(a) ((a) == 0)
+#define MS_MCML__U_WIDE(a, m, high, low) ((high) = (uint32_t)(((uint64_t)(a) * (m)) >> 32), (low) = (a) * (m))
+#define MS_MCML__V_NMADD(a, b, c) ((c) - (a) * (b))
+#define MS_MCML__V_MIN(a, b) ((a) < (b) ? (a) : (b))
+#define MS_MCML__V_ABS(a) fabsf(a)
+#define MS_MCML__V_SIGN(a) (ms_mcml__float_bits(a) >> 31 ? -1.0f : 1.0f)
+#define MS_MCML__V_TO_INT(a) ((uint32_t)(int32_t)(a))
+#define MS_MCML__U_ROTATE(a, n) (((a) << (n)) | ((a) >> (32 - (n))))
+#define MS_MCML__U_MUL(a, b) ((a) * (b))
+#define MS_MCML__M_BITS(m) ((unsigned)(m))
 
 #elif MS_MCML__ISA == 2 && defined(MS__X64)
-#define L 4
-#define V __m128
-#define U __m128i
-#define M __m128
-#define V_LOAD(p) _mm_loadu_ps(p)
-#define V_STORE(p, a) _mm_storeu_ps(p, a)
-#define V_SET(a) _mm_set1_ps(a)
-#define V_ADD(a, b) _mm_add_ps(a, b)
-#define V_SUB(a, b) _mm_sub_ps(a, b)
-#define V_MUL(a, b) _mm_mul_ps(a, b)
-#define V_DIV(a, b) _mm_div_ps(a, b)
-#define V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
-#define V_SQRT(a) _mm_sqrt_ps(a)
-#define V_MAX(a, b) _mm_max_ps(a, b)
-#define V_LESS(a, b) _mm_cmplt_ps(a, b)
-#define V_SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
-#define V_FROM_INT(a) _mm_cvtepi32_ps(a)
-#define V_BITS(a) _mm_castsi128_ps(a)
-#define U_BITS(a) _mm_castps_si128(a)
-#define U_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
-#define U_STORE(p, a) _mm_storeu_si128((__m128i *)(void *)(p), a)
-#define U_SET(a) _mm_set1_epi32((int)(a))
-#define U_ADD(a, b) _mm_add_epi32(a, b)
-#define U_SUB(a, b) _mm_sub_epi32(a, b)
-#define U_AND(a, b) _mm_and_si128(a, b)
-#define U_XOR(a, b) _mm_xor_si128(a, b)
-#define U_RIGHT(a, n) _mm_srli_epi32(a, n)
-#define U_LEFT(a, n) _mm_slli_epi32(a, n)
-#define U_IS_ZERO(a) _mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))
-#define U_WIDE(a, m, high, low) /* even lanes, odd lanes, and sorted together again */                         \
+#define MS_MCML__L 4
+#define MS_MCML__V __m128
+#define MS_MCML__U __m128i
+#define MS_MCML__M __m128
+#define MS_MCML__V_LOAD(p) _mm_loadu_ps(p)
+#define MS_MCML__V_STORE(p, a) _mm_storeu_ps(p, a)
+#define MS_MCML__V_SET(a) _mm_set1_ps(a)
+#define MS_MCML__V_ADD(a, b) _mm_add_ps(a, b)
+#define MS_MCML__V_SUB(a, b) _mm_sub_ps(a, b)
+#define MS_MCML__V_MUL(a, b) _mm_mul_ps(a, b)
+#define MS_MCML__V_DIV(a, b) _mm_div_ps(a, b)
+#define MS_MCML__V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define MS_MCML__V_SQRT(a) _mm_sqrt_ps(a)
+#define MS_MCML__V_MAX(a, b) _mm_max_ps(a, b)
+#define MS_MCML__V_LESS(a, b) _mm_cmplt_ps(a, b)
+#define MS_MCML__V_SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
+#define MS_MCML__V_FROM_INT(a) _mm_cvtepi32_ps(a)
+#define MS_MCML__V_BITS(a) _mm_castsi128_ps(a)
+#define MS_MCML__U_BITS(a) _mm_castps_si128(a)
+#define MS_MCML__U_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
+#define MS_MCML__U_STORE(p, a) _mm_storeu_si128((__m128i *)(void *)(p), a)
+#define MS_MCML__U_SET(a) _mm_set1_epi32((int)(a))
+#define MS_MCML__U_ADD(a, b) _mm_add_epi32(a, b)
+#define MS_MCML__U_SUB(a, b) _mm_sub_epi32(a, b)
+#define MS_MCML__U_AND(a, b) _mm_and_si128(a, b)
+#define MS_MCML__U_XOR(a, b) _mm_xor_si128(a, b)
+#define MS_MCML__U_RIGHT(a, n) _mm_srli_epi32(a, n)
+#define MS_MCML__U_LEFT(a, n) _mm_slli_epi32(a, n)
+#define MS_MCML__U_IS_ZERO(a) _mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))
+#define MS_MCML__U_WIDE(a, m, high, low) /* even lanes, odd lanes, and sorted together again */                         \
     do {                                                                                                       \
         __m128i even_ = _mm_mul_epu32(a, m), odd_ = _mm_mul_epu32(_mm_srli_epi64(a, 32), m);                   \
         __m128i upper_ = _mm_set_epi32(-1, 0, -1, 0);                                                          \
         (high) = _mm_or_si128(_mm_srli_epi64(even_, 32), _mm_and_si128(odd_, upper_));                         \
         (low) = _mm_or_si128(_mm_andnot_si128(upper_, even_), _mm_slli_epi64(odd_, 32));                       \
     } while (0)
-#define V_NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
-#define V_MIN(a, b) _mm_min_ps(a, b)
-#define V_ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
-#define V_SIGN(a) _mm_or_ps(_mm_and_ps(a, _mm_set1_ps(-0.0f)), _mm_set1_ps(1.0f))
-#define V_TO_INT(a) _mm_cvttps_epi32(a)
-#define U_ROTATE(a, n) _mm_or_si128(_mm_slli_epi32(a, n), _mm_srli_epi32(a, 32 - (n)))
-#define U_MUL(a, b) \
+#define MS_MCML__V_NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
+#define MS_MCML__V_MIN(a, b) _mm_min_ps(a, b)
+#define MS_MCML__V_ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
+#define MS_MCML__V_SIGN(a) _mm_or_ps(_mm_and_ps(a, _mm_set1_ps(-0.0f)), _mm_set1_ps(1.0f))
+#define MS_MCML__V_TO_INT(a) _mm_cvttps_epi32(a)
+#define MS_MCML__U_ROTATE(a, n) _mm_or_si128(_mm_slli_epi32(a, n), _mm_srli_epi32(a, 32 - (n)))
+#define MS_MCML__U_MUL(a, b) \
     _mm_unpacklo_epi32(_mm_shuffle_epi32(_mm_mul_epu32(a, b), 0x08), \
                        _mm_shuffle_epi32(_mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32)), 0x08))
-#define M_BITS(m) ((unsigned)_mm_movemask_ps(m))
+#define MS_MCML__M_BITS(m) ((unsigned)_mm_movemask_ps(m))
 
 #elif MS_MCML__ISA == 2
-#define L 4
-#define V float32x4_t
-#define U uint32x4_t
-#define M uint32x4_t
-#define V_LOAD(p) vld1q_f32(p)
-#define V_STORE(p, a) vst1q_f32(p, a)
-#define V_SET(a) vdupq_n_f32(a)
-#define V_ADD(a, b) vaddq_f32(a, b)
-#define V_SUB(a, b) vsubq_f32(a, b)
-#define V_MUL(a, b) vmulq_f32(a, b)
-#define V_DIV(a, b) vdivq_f32(a, b)
-#define V_MADD(a, b, c) vfmaq_f32(c, a, b)
-#define V_SQRT(a) vsqrtq_f32(a)
-#define V_MAX(a, b) vmaxq_f32(a, b)
-#define V_LESS(a, b) vcltq_f32(a, b)
-#define V_SELECT(m, a, b) vbslq_f32(m, a, b)
-#define V_FROM_INT(a) vcvtq_f32_s32(vreinterpretq_s32_u32(a))
-#define V_BITS(a) vreinterpretq_f32_u32(a)
-#define U_BITS(a) vreinterpretq_u32_f32(a)
-#define U_LOAD(p) vld1q_u32(p)
-#define U_STORE(p, a) vst1q_u32(p, a)
-#define U_SET(a) vdupq_n_u32(a)
-#define U_ADD(a, b) vaddq_u32(a, b)
-#define U_SUB(a, b) vsubq_u32(a, b)
-#define U_AND(a, b) vandq_u32(a, b)
-#define U_XOR(a, b) veorq_u32(a, b)
-#define U_RIGHT(a, n) vshrq_n_u32(a, n)
-#define U_LEFT(a, n) vshlq_n_u32(a, n)
-#define U_IS_ZERO(a) vceqq_u32(a, vdupq_n_u32(0))
-#define U_WIDE(a, m, high, low)                                                                                \
+#define MS_MCML__L 4
+#define MS_MCML__V float32x4_t
+#define MS_MCML__U uint32x4_t
+#define MS_MCML__M uint32x4_t
+#define MS_MCML__V_LOAD(p) vld1q_f32(p)
+#define MS_MCML__V_STORE(p, a) vst1q_f32(p, a)
+#define MS_MCML__V_SET(a) vdupq_n_f32(a)
+#define MS_MCML__V_ADD(a, b) vaddq_f32(a, b)
+#define MS_MCML__V_SUB(a, b) vsubq_f32(a, b)
+#define MS_MCML__V_MUL(a, b) vmulq_f32(a, b)
+#define MS_MCML__V_DIV(a, b) vdivq_f32(a, b)
+#define MS_MCML__V_MADD(a, b, c) vfmaq_f32(c, a, b)
+#define MS_MCML__V_SQRT(a) vsqrtq_f32(a)
+#define MS_MCML__V_MAX(a, b) vmaxq_f32(a, b)
+#define MS_MCML__V_LESS(a, b) vcltq_f32(a, b)
+#define MS_MCML__V_SELECT(m, a, b) vbslq_f32(m, a, b)
+#define MS_MCML__V_FROM_INT(a) vcvtq_f32_s32(vreinterpretq_s32_u32(a))
+#define MS_MCML__V_BITS(a) vreinterpretq_f32_u32(a)
+#define MS_MCML__U_BITS(a) vreinterpretq_u32_f32(a)
+#define MS_MCML__U_LOAD(p) vld1q_u32(p)
+#define MS_MCML__U_STORE(p, a) vst1q_u32(p, a)
+#define MS_MCML__U_SET(a) vdupq_n_u32(a)
+#define MS_MCML__U_ADD(a, b) vaddq_u32(a, b)
+#define MS_MCML__U_SUB(a, b) vsubq_u32(a, b)
+#define MS_MCML__U_AND(a, b) vandq_u32(a, b)
+#define MS_MCML__U_XOR(a, b) veorq_u32(a, b)
+#define MS_MCML__U_RIGHT(a, n) vshrq_n_u32(a, n)
+#define MS_MCML__U_LEFT(a, n) vshlq_n_u32(a, n)
+#define MS_MCML__U_IS_ZERO(a) vceqq_u32(a, vdupq_n_u32(0))
+#define MS_MCML__U_WIDE(a, m, high, low)                                                                                \
     do {                                                                                                       \
         uint32x4_t first_ = vreinterpretq_u32_u64(vmull_u32(vget_low_u32(a), vget_low_u32(m)));                \
         uint32x4_t second_ = vreinterpretq_u32_u64(vmull_u32(vget_high_u32(a), vget_high_u32(m)));             \
         (low) = vuzp1q_u32(first_, second_);                                                                   \
         (high) = vuzp2q_u32(first_, second_);                                                                  \
     } while (0)
-#define V_NMADD(a, b, c) vfmsq_f32(c, a, b)
-#define V_MIN(a, b) vminq_f32(a, b)
-#define V_ABS(a) vabsq_f32(a)
-#define V_SIGN(a) vbslq_f32(vdupq_n_u32(0x80000000u), a, vdupq_n_f32(1.0f))
-#define V_TO_INT(a) vreinterpretq_u32_s32(vcvtq_s32_f32(a))
-#define U_ROTATE(a, n) vorrq_u32(vshlq_n_u32(a, n), vshrq_n_u32(a, 32 - (n)))
-#define U_MUL(a, b) vmulq_u32(a, b)
-#define M_BITS(m) ms_mcml__neon_bits(m)
+#define MS_MCML__V_NMADD(a, b, c) vfmsq_f32(c, a, b)
+#define MS_MCML__V_MIN(a, b) vminq_f32(a, b)
+#define MS_MCML__V_ABS(a) vabsq_f32(a)
+#define MS_MCML__V_SIGN(a) vbslq_f32(vdupq_n_u32(0x80000000u), a, vdupq_n_f32(1.0f))
+#define MS_MCML__V_TO_INT(a) vreinterpretq_u32_s32(vcvtq_s32_f32(a))
+#define MS_MCML__U_ROTATE(a, n) vorrq_u32(vshlq_n_u32(a, n), vshrq_n_u32(a, 32 - (n)))
+#define MS_MCML__U_MUL(a, b) vmulq_u32(a, b)
+#define MS_MCML__M_BITS(m) ms_mcml__neon_bits(m)
 
 #elif MS_MCML__ISA == 3
-#define L 8
-#define V __m256
-#define U __m256i
-#define M __m256
-#define V_LOAD(p) _mm256_loadu_ps(p)
-#define V_STORE(p, a) _mm256_storeu_ps(p, a)
-#define V_SET(a) _mm256_set1_ps(a)
-#define V_ADD(a, b) _mm256_add_ps(a, b)
-#define V_SUB(a, b) _mm256_sub_ps(a, b)
-#define V_MUL(a, b) _mm256_mul_ps(a, b)
-#define V_DIV(a, b) _mm256_div_ps(a, b)
-#define V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define V_SQRT(a) _mm256_sqrt_ps(a)
-#define V_MAX(a, b) _mm256_max_ps(a, b)
-#define V_LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
-#define V_SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
-#define V_FROM_INT(a) _mm256_cvtepi32_ps(a)
-#define V_BITS(a) _mm256_castsi256_ps(a)
-#define U_BITS(a) _mm256_castps_si256(a)
-#define U_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
-#define U_STORE(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), a)
-#define U_SET(a) _mm256_set1_epi32((int)(a))
-#define U_ADD(a, b) _mm256_add_epi32(a, b)
-#define U_SUB(a, b) _mm256_sub_epi32(a, b)
-#define U_AND(a, b) _mm256_and_si256(a, b)
-#define U_XOR(a, b) _mm256_xor_si256(a, b)
-#define U_RIGHT(a, n) _mm256_srli_epi32(a, n)
-#define U_LEFT(a, n) _mm256_slli_epi32(a, n)
-#define U_IS_ZERO(a) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))
-#define U_WIDE(a, m, high, low)                                                                                \
+#define MS_MCML__L 8
+#define MS_MCML__V __m256
+#define MS_MCML__U __m256i
+#define MS_MCML__M __m256
+#define MS_MCML__V_LOAD(p) _mm256_loadu_ps(p)
+#define MS_MCML__V_STORE(p, a) _mm256_storeu_ps(p, a)
+#define MS_MCML__V_SET(a) _mm256_set1_ps(a)
+#define MS_MCML__V_ADD(a, b) _mm256_add_ps(a, b)
+#define MS_MCML__V_SUB(a, b) _mm256_sub_ps(a, b)
+#define MS_MCML__V_MUL(a, b) _mm256_mul_ps(a, b)
+#define MS_MCML__V_DIV(a, b) _mm256_div_ps(a, b)
+#define MS_MCML__V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define MS_MCML__V_SQRT(a) _mm256_sqrt_ps(a)
+#define MS_MCML__V_MAX(a, b) _mm256_max_ps(a, b)
+#define MS_MCML__V_LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
+#define MS_MCML__V_SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
+#define MS_MCML__V_FROM_INT(a) _mm256_cvtepi32_ps(a)
+#define MS_MCML__V_BITS(a) _mm256_castsi256_ps(a)
+#define MS_MCML__U_BITS(a) _mm256_castps_si256(a)
+#define MS_MCML__U_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
+#define MS_MCML__U_STORE(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), a)
+#define MS_MCML__U_SET(a) _mm256_set1_epi32((int)(a))
+#define MS_MCML__U_ADD(a, b) _mm256_add_epi32(a, b)
+#define MS_MCML__U_SUB(a, b) _mm256_sub_epi32(a, b)
+#define MS_MCML__U_AND(a, b) _mm256_and_si256(a, b)
+#define MS_MCML__U_XOR(a, b) _mm256_xor_si256(a, b)
+#define MS_MCML__U_RIGHT(a, n) _mm256_srli_epi32(a, n)
+#define MS_MCML__U_LEFT(a, n) _mm256_slli_epi32(a, n)
+#define MS_MCML__U_IS_ZERO(a) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))
+#define MS_MCML__U_WIDE(a, m, high, low)                                                                                \
     do {                                                                                                       \
         __m256i even_ = _mm256_mul_epu32(a, m), odd_ = _mm256_mul_epu32(_mm256_srli_epi64(a, 32), m);          \
         (high) = _mm256_blend_epi32(_mm256_srli_epi64(even_, 32), odd_, 0xAA);                                 \
         (low) = _mm256_blend_epi32(even_, _mm256_slli_epi64(odd_, 32), 0xAA);                                  \
     } while (0)
-#define V_NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
-#define V_MIN(a, b) _mm256_min_ps(a, b)
-#define V_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
-#define V_SIGN(a) _mm256_or_ps(_mm256_and_ps(a, _mm256_set1_ps(-0.0f)), _mm256_set1_ps(1.0f))
-#define V_TO_INT(a) _mm256_cvttps_epi32(a)
-#define U_ROTATE(a, n) _mm256_or_si256(_mm256_slli_epi32(a, n), _mm256_srli_epi32(a, 32 - (n)))
-#define U_MUL(a, b) _mm256_mullo_epi32(a, b)
-#define M_BITS(m) ((unsigned)_mm256_movemask_ps(m))
+#define MS_MCML__V_NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
+#define MS_MCML__V_MIN(a, b) _mm256_min_ps(a, b)
+#define MS_MCML__V_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
+#define MS_MCML__V_SIGN(a) _mm256_or_ps(_mm256_and_ps(a, _mm256_set1_ps(-0.0f)), _mm256_set1_ps(1.0f))
+#define MS_MCML__V_TO_INT(a) _mm256_cvttps_epi32(a)
+#define MS_MCML__U_ROTATE(a, n) _mm256_or_si256(_mm256_slli_epi32(a, n), _mm256_srli_epi32(a, 32 - (n)))
+#define MS_MCML__U_MUL(a, b) _mm256_mullo_epi32(a, b)
+#define MS_MCML__M_BITS(m) ((unsigned)_mm256_movemask_ps(m))
 
 #elif MS_MCML__ISA == 4
-#define L 16
-#define V __m512
-#define U __m512i
-#define M __mmask16
-#define V_LOAD(p) _mm512_loadu_ps(p)
-#define V_STORE(p, a) _mm512_storeu_ps(p, a)
-#define V_SET(a) _mm512_set1_ps(a)
-#define V_ADD(a, b) _mm512_add_ps(a, b)
-#define V_SUB(a, b) _mm512_sub_ps(a, b)
-#define V_MUL(a, b) _mm512_mul_ps(a, b)
-#define V_DIV(a, b) _mm512_div_ps(a, b)
-#define V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define V_SQRT(a) _mm512_maskz_sqrt_ps((__mmask16)-1, a)
-#define V_MAX(a, b) _mm512_maskz_max_ps((__mmask16)-1, a, b)
-#define V_LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
-#define V_SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
-#define V_FROM_INT(a) _mm512_maskz_cvtepi32_ps((__mmask16)-1, a)
-#define V_BITS(a) _mm512_castsi512_ps(a)
-#define U_BITS(a) _mm512_castps_si512(a)
-#define U_LOAD(p) _mm512_loadu_si512((const void *)(p))
-#define U_STORE(p, a) _mm512_storeu_si512((void *)(p), a)
-#define U_SET(a) _mm512_set1_epi32((int)(a))
-#define U_ADD(a, b) _mm512_add_epi32(a, b)
-#define U_SUB(a, b) _mm512_sub_epi32(a, b)
-#define U_AND(a, b) _mm512_and_si512(a, b)
-#define U_XOR(a, b) _mm512_xor_si512(a, b)
-#define U_RIGHT(a, n) _mm512_maskz_srli_epi32((__mmask16)-1, a, n)
-#define U_LEFT(a, n) _mm512_maskz_slli_epi32((__mmask16)-1, a, n)
-#define U_IS_ZERO(a) _mm512_testn_epi32_mask(a, a)
-#define V_NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
-#define V_MIN(a, b) _mm512_maskz_min_ps((__mmask16)-1, a, b)
-#define V_ABS(a) _mm512_castsi512_ps(_mm512_and_si512(_mm512_castps_si512(a), _mm512_set1_epi32(0x7fffffff)))
-#define V_SIGN(a) \
+#define MS_MCML__L 16
+#define MS_MCML__V __m512
+#define MS_MCML__U __m512i
+#define MS_MCML__M __mmask16
+#define MS_MCML__V_LOAD(p) _mm512_loadu_ps(p)
+#define MS_MCML__V_STORE(p, a) _mm512_storeu_ps(p, a)
+#define MS_MCML__V_SET(a) _mm512_set1_ps(a)
+#define MS_MCML__V_ADD(a, b) _mm512_add_ps(a, b)
+#define MS_MCML__V_SUB(a, b) _mm512_sub_ps(a, b)
+#define MS_MCML__V_MUL(a, b) _mm512_mul_ps(a, b)
+#define MS_MCML__V_DIV(a, b) _mm512_div_ps(a, b)
+#define MS_MCML__V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define MS_MCML__V_SQRT(a) _mm512_maskz_sqrt_ps((__mmask16)-1, a)
+#define MS_MCML__V_MAX(a, b) _mm512_maskz_max_ps((__mmask16)-1, a, b)
+#define MS_MCML__V_LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
+#define MS_MCML__V_SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
+#define MS_MCML__V_FROM_INT(a) _mm512_maskz_cvtepi32_ps((__mmask16)-1, a)
+#define MS_MCML__V_BITS(a) _mm512_castsi512_ps(a)
+#define MS_MCML__U_BITS(a) _mm512_castps_si512(a)
+#define MS_MCML__U_LOAD(p) _mm512_loadu_si512((const void *)(p))
+#define MS_MCML__U_STORE(p, a) _mm512_storeu_si512((void *)(p), a)
+#define MS_MCML__U_SET(a) _mm512_set1_epi32((int)(a))
+#define MS_MCML__U_ADD(a, b) _mm512_add_epi32(a, b)
+#define MS_MCML__U_SUB(a, b) _mm512_sub_epi32(a, b)
+#define MS_MCML__U_AND(a, b) _mm512_and_si512(a, b)
+#define MS_MCML__U_XOR(a, b) _mm512_xor_si512(a, b)
+#define MS_MCML__U_RIGHT(a, n) _mm512_maskz_srli_epi32((__mmask16)-1, a, n)
+#define MS_MCML__U_LEFT(a, n) _mm512_maskz_slli_epi32((__mmask16)-1, a, n)
+#define MS_MCML__U_IS_ZERO(a) _mm512_testn_epi32_mask(a, a)
+#define MS_MCML__V_NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
+#define MS_MCML__V_MIN(a, b) _mm512_maskz_min_ps((__mmask16)-1, a, b)
+#define MS_MCML__V_ABS(a) _mm512_castsi512_ps(_mm512_and_si512(_mm512_castps_si512(a), _mm512_set1_epi32(0x7fffffff)))
+#define MS_MCML__V_SIGN(a) \
     _mm512_castsi512_ps(_mm512_ternarylogic_epi32(_mm512_castps_si512(a), _mm512_set1_epi32((int)0x80000000u), \
                                                   _mm512_set1_epi32(0x3f800000), 0xEA))
-#define V_TO_INT(a) _mm512_maskz_cvttps_epi32((__mmask16)-1, a)
-#define U_ROTATE(a, n) _mm512_maskz_rol_epi32((__mmask16)-1, a, n)
-#define U_MUL(a, b) _mm512_mullo_epi32(a, b)
-#define M_BITS(m) ((unsigned)(m))
+#define MS_MCML__V_TO_INT(a) _mm512_maskz_cvttps_epi32((__mmask16)-1, a)
+#define MS_MCML__U_ROTATE(a, n) _mm512_maskz_rol_epi32((__mmask16)-1, a, n)
+#define MS_MCML__U_MUL(a, b) _mm512_mullo_epi32(a, b)
+#define MS_MCML__M_BITS(m) ((unsigned)(m))
 
 #endif
 
 /* -log(u), u = (word / 2 + 1/2) 2^-31 > 0. With u = (1 + t) 2^e and 1 + t in [sqrt(1/2), sqrt(2)):
    log(1 + t) = t - t^2 / 2 + t^3 P(t), error 1e-8. */
-static inline V MS_MCML__FN(exponential)(U word)
+static inline MS_MCML__V MS_MCML__FN(exponential)(MS_MCML__U word)
 {
-    const V u = V_MADD(V_FROM_INT(U_RIGHT(word, 1)), V_SET(1.0f / 2147483648.0f), V_SET(1.0f / 4294967296.0f));
-    const U bits = U_ADD(U_SUB(U_BITS(u), U_SET(0x3f3504f3u)), U_SET(64u << 23));
-    const V t = V_SUB(V_BITS(U_ADD(U_AND(bits, U_SET(0x7fffffu)), U_SET(0x3f3504f3u))), V_SET(1.0f));
-    V p = V_MADD(t, V_SET(-0.0810155815f), V_SET(0.127123076f));
-    p = V_MADD(p, t, V_SET(-0.12972239f));
-    p = V_MADD(p, t, V_SET(0.142021738f));
-    p = V_MADD(p, t, V_SET(-0.166422476f));
-    p = V_MADD(p, t, V_SET(0.200014686f));
-    p = V_MADD(p, t, V_SET(-0.250002965f));
-    p = V_MADD(p, t, V_SET(0.333333286f));
-    p = V_MADD(V_MADD(p, t, V_SET(-0.5f)), V_MUL(t, t), t);
-    return V_SUB(V_MUL(V_SUB(V_SET(64.0f), V_FROM_INT(U_RIGHT(bits, 23))), V_SET(0.693147181f)), p);
+    const MS_MCML__V u = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(word, 1)), MS_MCML__V_SET(1.0f / 2147483648.0f), MS_MCML__V_SET(1.0f / 4294967296.0f));
+    const MS_MCML__U bits = MS_MCML__U_ADD(MS_MCML__U_SUB(MS_MCML__U_BITS(u), MS_MCML__U_SET(0x3f3504f3u)), MS_MCML__U_SET(64u << 23));
+    const MS_MCML__V t = MS_MCML__V_SUB(MS_MCML__V_BITS(MS_MCML__U_ADD(MS_MCML__U_AND(bits, MS_MCML__U_SET(0x7fffffu)), MS_MCML__U_SET(0x3f3504f3u))), MS_MCML__V_SET(1.0f));
+    MS_MCML__V p = MS_MCML__V_MADD(t, MS_MCML__V_SET(-0.0810155815f), MS_MCML__V_SET(0.127123076f));
+    p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.12972239f));
+    p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(0.142021738f));
+    p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.166422476f));
+    p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(0.200014686f));
+    p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.250002965f));
+    p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(0.333333286f));
+    p = MS_MCML__V_MADD(MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.5f)), MS_MCML__V_MUL(t, t), t);
+    return MS_MCML__V_SUB(MS_MCML__V_MUL(MS_MCML__V_SUB(MS_MCML__V_SET(64.0f), MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(bits, 23))), MS_MCML__V_SET(0.693147181f)), p);
 }
 
 /* A word as a number in [0, 1) of 24 bits. */
-static inline V MS_MCML__FN(uniform)(U word)
+static inline MS_MCML__V MS_MCML__FN(uniform)(MS_MCML__U word)
 {
-    return V_MUL(V_FROM_INT(U_RIGHT(word, 8)), V_SET(1.0f / 16777216.0f));
+    return MS_MCML__V_MUL(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(word, 8)), MS_MCML__V_SET(1.0f / 16777216.0f));
 }
 
 /* xoshiro128+ (Blackman, Vigna 2018), a lane a photon. */
 #define MS_MCML__DRAW(word) \
     do { \
-        const U shifted = U_LEFT(s1, 9); \
-        word = U_ADD(s0, s3); \
-        s2 = U_XOR(s2, s0); \
-        s3 = U_XOR(s3, s1); \
-        s1 = U_XOR(s1, s2); \
-        s0 = U_XOR(s0, s3); \
-        s2 = U_XOR(s2, shifted); \
-        s3 = U_ROTATE(s3, 11); \
+        const MS_MCML__U shifted = MS_MCML__U_LEFT(s1, 9); \
+        word = MS_MCML__U_ADD(s0, s3); \
+        s2 = MS_MCML__U_XOR(s2, s0); \
+        s3 = MS_MCML__U_XOR(s3, s1); \
+        s1 = MS_MCML__U_XOR(s1, s2); \
+        s0 = MS_MCML__U_XOR(s0, s3); \
+        s2 = MS_MCML__U_XOR(s2, shifted); \
+        s3 = MS_MCML__U_ROTATE(s3, 11); \
     } while (0)
 
 /* Traces the photons of t. A turn of the loop is one event of every lane: a flight that ends in a collision or at a
@@ -5981,29 +5981,29 @@ static inline V MS_MCML__FN(uniform)(U word)
    are long known: 25% faster than to wait for them. */
 static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 {
-    const V zero = V_SET(0.0f), one = V_SET(1.0f), two = V_SET(2.0f), half = V_SET(0.5f);
-    const unsigned all = (2u << (L - 1)) - 1;
-    U s0, s1, s2, s3;
+    const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f), two = MS_MCML__V_SET(2.0f), half = MS_MCML__V_SET(0.5f);
+    const unsigned all = (2u << (MS_MCML__L - 1)) - 1;
+    MS_MCML__U s0, s1, s2, s3;
     int i;
 
-    for (i = 0; i < L; ++i) ms_mcml__launch(t, i);
-    s0 = U_LOAD(t->s[0]);
-    s1 = U_LOAD(t->s[1]);
-    s2 = U_LOAD(t->s[2]);
-    s3 = U_LOAD(t->s[3]);
+    for (i = 0; i < MS_MCML__L; ++i) ms_mcml__launch(t, i);
+    s0 = MS_MCML__U_LOAD(t->s[0]);
+    s1 = MS_MCML__U_LOAD(t->s[1]);
+    s2 = MS_MCML__U_LOAD(t->s[2]);
+    s3 = MS_MCML__U_LOAD(t->s[3]);
     while (t->alive) {
-        U word_flight, word_cosine, word_azimuth, word_chance, events;
-        V x = V_LOAD(t->x), y = V_LOAD(t->y), z = V_LOAD(t->z);
-        V ux = V_LOAD(t->ux), uy = V_LOAD(t->uy), uz = V_LOAD(t->uz);
-        V w = V_LOAD(t->w), u, flight, steep, gap, step;
-        const V depth = V_LOAD(t->depth), mfp = V_LOAD(t->mfp), g = V_LOAD(t->g);
+        MS_MCML__U word_flight, word_cosine, word_azimuth, word_chance, events;
+        MS_MCML__V x = MS_MCML__V_LOAD(t->x), y = MS_MCML__V_LOAD(t->y), z = MS_MCML__V_LOAD(t->z);
+        MS_MCML__V ux = MS_MCML__V_LOAD(t->ux), uy = MS_MCML__V_LOAD(t->uy), uz = MS_MCML__V_LOAD(t->uz);
+        MS_MCML__V w = MS_MCML__V_LOAD(t->w), u, flight, steep, gap, step;
+        const MS_MCML__V depth = MS_MCML__V_LOAD(t->depth), mfp = MS_MCML__V_LOAD(t->mfp), g = MS_MCML__V_LOAD(t->g);
         unsigned boundary, crossing = 0, ended, halving;
-        M hit, up;
+        MS_MCML__M hit, up;
 
         if (t->volume_a)
-            for (i = 0; i < L; ++i) t->bins_a[i][t->cell[i]] += (int64_t)t->units_a[i];
+            for (i = 0; i < MS_MCML__L; ++i) t->bins_a[i][t->cell[i]] += (int64_t)t->units_a[i];
         if (t->volume_phi)
-            for (i = 0; i < L; ++i) t->bins_phi[i][t->cell[i]] += (int64_t)t->units_phi[i];
+            for (i = 0; i < MS_MCML__L; ++i) t->bins_phi[i][t->cell[i]] += (int64_t)t->units_phi[i];
 
         MS_MCML__DRAW(word_flight);
         MS_MCML__DRAW(word_cosine);
@@ -6012,109 +6012,109 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         u = MS_MCML__FN(uniform)(word_chance);
 
         /* to the collision, or to the boundary if that is nearer; at least half the smallest -log u that is not 0 */
-        flight = V_MUL(V_MAX(MS_MCML__FN(exponential)(word_flight), V_SET(3e-8f)), mfp);
-        up = V_LESS(uz, zero);
-        gap = V_MAX(V_SELECT(up, z, V_SUB(depth, z)), zero);
-        steep = V_MAX(V_ABS(uz), V_SET(1e-9f));
-        hit = V_LESS(gap, V_MUL(flight, steep));
-        boundary = M_BITS(hit) & t->alive;
-        step = V_SELECT(hit, V_DIV(gap, steep), flight);
-        x = V_MADD(step, ux, x);
-        y = V_MADD(step, uy, y);
-        z = V_SELECT(hit, V_SELECT(up, zero, depth), V_MADD(step, uz, z));
-        V_STORE(t->path, V_MADD(step, V_LOAD(t->n), V_LOAD(t->path)));
+        flight = MS_MCML__V_MUL(MS_MCML__V_MAX(MS_MCML__FN(exponential)(word_flight), MS_MCML__V_SET(3e-8f)), mfp);
+        up = MS_MCML__V_LESS(uz, zero);
+        gap = MS_MCML__V_MAX(MS_MCML__V_SELECT(up, z, MS_MCML__V_SUB(depth, z)), zero);
+        steep = MS_MCML__V_MAX(MS_MCML__V_ABS(uz), MS_MCML__V_SET(1e-9f));
+        hit = MS_MCML__V_LESS(gap, MS_MCML__V_MUL(flight, steep));
+        boundary = MS_MCML__M_BITS(hit) & t->alive;
+        step = MS_MCML__V_SELECT(hit, MS_MCML__V_DIV(gap, steep), flight);
+        x = MS_MCML__V_MADD(step, ux, x);
+        y = MS_MCML__V_MADD(step, uy, y);
+        z = MS_MCML__V_SELECT(hit, MS_MCML__V_SELECT(up, zero, depth), MS_MCML__V_MADD(step, uz, z));
+        MS_MCML__V_STORE(t->path, MS_MCML__V_MADD(step, MS_MCML__V_LOAD(t->n), MS_MCML__V_LOAD(t->path)));
 
-        if (M_BITS(hit) == all) {
-            V_STORE(t->units_a, zero);
-            V_STORE(t->units_phi, zero);
+        if (MS_MCML__M_BITS(hit) == all) {
+            MS_MCML__V_STORE(t->units_a, zero);
+            MS_MCML__V_STORE(t->units_phi, zero);
         } else {
             /* absorption at a collision, in units of 2^-30, rounded up with a chance equal to the remainder */
-            const V lost = V_SELECT(hit, zero, V_MUL(w, V_LOAD(t->absorbed)));
+            const MS_MCML__V lost = MS_MCML__V_SELECT(hit, zero, MS_MCML__V_MUL(w, MS_MCML__V_LOAD(t->absorbed)));
             if (t->volume_a || t->volume_phi) {
-                const V r = V_SQRT(V_MADD(x, x, V_MUL(y, y))), ring = V_MIN(V_MUL(r, V_SET(t->inverse_dr)), V_SET(t->last_r));
-                const V slab = V_MUL(V_ADD(z, V_LOAD(t->top)), V_SET(t->inverse_dz));
-                const U row = U_MUL(V_TO_INT(V_MAX(ring, zero)), U_SET(t->nz));
-                const V column = V_MAX(V_MIN(slab, V_SET(t->last_z)), zero);
-                U_STORE(t->cell, U_ADD(row, V_TO_INT(column)));
-                V_STORE(t->units_a, V_MADD(lost, V_SET(MS_MCML__UNITS), u));
-                V_STORE(t->units_phi, V_SELECT(hit, zero, V_MADD(V_MUL(w, mfp), V_SET(t->phi_units), u)));
+                const MS_MCML__V r = MS_MCML__V_SQRT(MS_MCML__V_MADD(x, x, MS_MCML__V_MUL(y, y))), ring = MS_MCML__V_MIN(MS_MCML__V_MUL(r, MS_MCML__V_SET(t->inverse_dr)), MS_MCML__V_SET(t->last_r));
+                const MS_MCML__V slab = MS_MCML__V_MUL(MS_MCML__V_ADD(z, MS_MCML__V_LOAD(t->top)), MS_MCML__V_SET(t->inverse_dz));
+                const MS_MCML__U row = MS_MCML__U_MUL(MS_MCML__V_TO_INT(MS_MCML__V_MAX(ring, zero)), MS_MCML__U_SET(t->nz));
+                const MS_MCML__V column = MS_MCML__V_MAX(MS_MCML__V_MIN(slab, MS_MCML__V_SET(t->last_z)), zero);
+                MS_MCML__U_STORE(t->cell, MS_MCML__U_ADD(row, MS_MCML__V_TO_INT(column)));
+                MS_MCML__V_STORE(t->units_a, MS_MCML__V_MADD(lost, MS_MCML__V_SET(MS_MCML__UNITS), u));
+                MS_MCML__V_STORE(t->units_phi, MS_MCML__V_SELECT(hit, zero, MS_MCML__V_MADD(MS_MCML__V_MUL(w, mfp), MS_MCML__V_SET(t->phi_units), u)));
             }
-            w = V_SUB(w, lost);
-            V_STORE(t->kept, V_ADD(lost, V_LOAD(t->kept)));
-            w = V_SELECT(V_LESS(V_SELECT(hit, one, w), V_SET(t->low_weight)),
-                         V_SELECT(V_LESS(u, V_SET(MS_MCML__CHANCE)), V_MUL(w, V_SET(1 / MS_MCML__CHANCE)), zero), w);
+            w = MS_MCML__V_SUB(w, lost);
+            MS_MCML__V_STORE(t->kept, MS_MCML__V_ADD(lost, MS_MCML__V_LOAD(t->kept)));
+            w = MS_MCML__V_SELECT(MS_MCML__V_LESS(MS_MCML__V_SELECT(hit, one, w), MS_MCML__V_SET(t->low_weight)),
+                         MS_MCML__V_SELECT(MS_MCML__V_LESS(u, MS_MCML__V_SET(MS_MCML__CHANCE)), MS_MCML__V_MUL(w, MS_MCML__V_SET(1 / MS_MCML__CHANCE)), zero), w);
 
             /* Henyey-Greenstein, v = 2 xi - 1:
                1 - cos = (1 - g)^2 (1 - v) (2 + g + g v) / (2 (1 + g v)^2), 1 + cos the same with -g and -v */
-            const V xi = MS_MCML__FN(uniform)(word_cosine), gv = V_MUL(g, V_MADD(two, xi, V_SET(-1.0f)));
-            const V q = V_DIV(one, V_ADD(one, gv)), middle = V_ADD(two, gv);
-            const V less = V_MUL(V_SUB(one, g), q), more = V_MUL(V_ADD(one, g), q);
-            const V below = V_MUL(V_MUL(V_MUL(less, less), V_SUB(one, xi)), V_ADD(middle, g));
-            const V above = V_MUL(V_MUL(V_MUL(more, more), xi), V_SUB(middle, g));
-            const V cosine = V_SUB(one, below), sine = V_SQRT(V_MUL(below, above));
+            const MS_MCML__V xi = MS_MCML__FN(uniform)(word_cosine), gv = MS_MCML__V_MUL(g, MS_MCML__V_MADD(two, xi, MS_MCML__V_SET(-1.0f)));
+            const MS_MCML__V q = MS_MCML__V_DIV(one, MS_MCML__V_ADD(one, gv)), middle = MS_MCML__V_ADD(two, gv);
+            const MS_MCML__V less = MS_MCML__V_MUL(MS_MCML__V_SUB(one, g), q), more = MS_MCML__V_MUL(MS_MCML__V_ADD(one, g), q);
+            const MS_MCML__V below = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(less, less), MS_MCML__V_SUB(one, xi)), MS_MCML__V_ADD(middle, g));
+            const MS_MCML__V above = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(more, more), xi), MS_MCML__V_SUB(middle, g));
+            const MS_MCML__V cosine = MS_MCML__V_SUB(one, below), sine = MS_MCML__V_SQRT(MS_MCML__V_MUL(below, above));
             /* azimuth 2 pi tau, tau in [-1/2, 1/2), from sin and cos of pi tau */
-            const V tau = V_SUB(MS_MCML__FN(uniform)(word_azimuth), half), square = V_MUL(tau, tau);
-            V sh = V_SET(0.0776594074f), ch = V_SET(0.219696795f), sc, ss, sign, a, b, vx, vy, vz, scale;
-            sh = V_MADD(sh, square, V_SET(-0.598292159f));
-            sh = V_MADD(sh, square, V_SET(2.55007766f));
-            sh = V_MADD(sh, square, V_SET(-5.16771009f));
-            sh = V_MUL(V_MADD(sh, square, V_SET(3.14159264f)), tau);
-            ch = V_MADD(ch, square, V_SET(-1.33188016f));
-            ch = V_MADD(ch, square, V_SET(4.05841191f));
-            ch = V_MADD(ch, square, V_SET(-4.93479286f));
-            ch = V_MADD(ch, square, V_SET(0.999999953f));
-            sc = V_MUL(sine, V_NMADD(V_ADD(sh, sh), sh, one));
-            ss = V_MUL(sine, V_MUL(V_ADD(sh, sh), ch));
+            const MS_MCML__V tau = MS_MCML__V_SUB(MS_MCML__FN(uniform)(word_azimuth), half), square = MS_MCML__V_MUL(tau, tau);
+            MS_MCML__V sh = MS_MCML__V_SET(0.0776594074f), ch = MS_MCML__V_SET(0.219696795f), sc, ss, sign, a, b, vx, vy, vz, scale;
+            sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-0.598292159f));
+            sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(2.55007766f));
+            sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-5.16771009f));
+            sh = MS_MCML__V_MUL(MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(3.14159264f)), tau);
+            ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(-1.33188016f));
+            ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(4.05841191f));
+            ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(-4.93479286f));
+            ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(0.999999953f));
+            sc = MS_MCML__V_MUL(sine, MS_MCML__V_NMADD(MS_MCML__V_ADD(sh, sh), sh, one));
+            ss = MS_MCML__V_MUL(sine, MS_MCML__V_MUL(MS_MCML__V_ADD(sh, sh), ch));
             /* an orthonormal basis around u without a branch (Duff et al. 2017), and one Newton step to length 1 */
-            sign = V_SIGN(uz);
-            a = V_DIV(V_SET(-1.0f), V_ADD(sign, uz));
-            b = V_MUL(V_MUL(ux, uy), a);
-            vx = V_MADD(sc, V_MADD(V_MUL(sign, ux), V_MUL(ux, a), one), V_MADD(ss, b, V_MUL(cosine, ux)));
-            vy = V_MADD(sc, V_MUL(sign, b), V_MADD(ss, V_MADD(V_MUL(uy, uy), a, sign), V_MUL(cosine, uy)));
-            vz = V_NMADD(V_MUL(sc, sign), ux, V_NMADD(ss, uy, V_MUL(cosine, uz)));
-            scale = V_MADD(vx, vx, V_MADD(vy, vy, V_MUL(vz, vz)));
-            scale = V_NMADD(half, scale, V_SET(1.5f));
-            ux = V_SELECT(hit, ux, V_MUL(vx, scale));
-            uy = V_SELECT(hit, uy, V_MUL(vy, scale));
-            uz = V_SELECT(hit, uz, V_MUL(vz, scale));
+            sign = MS_MCML__V_SIGN(uz);
+            a = MS_MCML__V_DIV(MS_MCML__V_SET(-1.0f), MS_MCML__V_ADD(sign, uz));
+            b = MS_MCML__V_MUL(MS_MCML__V_MUL(ux, uy), a);
+            vx = MS_MCML__V_MADD(sc, MS_MCML__V_MADD(MS_MCML__V_MUL(sign, ux), MS_MCML__V_MUL(ux, a), one), MS_MCML__V_MADD(ss, b, MS_MCML__V_MUL(cosine, ux)));
+            vy = MS_MCML__V_MADD(sc, MS_MCML__V_MUL(sign, b), MS_MCML__V_MADD(ss, MS_MCML__V_MADD(MS_MCML__V_MUL(uy, uy), a, sign), MS_MCML__V_MUL(cosine, uy)));
+            vz = MS_MCML__V_NMADD(MS_MCML__V_MUL(sc, sign), ux, MS_MCML__V_NMADD(ss, uy, MS_MCML__V_MUL(cosine, uz)));
+            scale = MS_MCML__V_MADD(vx, vx, MS_MCML__V_MADD(vy, vy, MS_MCML__V_MUL(vz, vz)));
+            scale = MS_MCML__V_NMADD(half, scale, MS_MCML__V_SET(1.5f));
+            ux = MS_MCML__V_SELECT(hit, ux, MS_MCML__V_MUL(vx, scale));
+            uy = MS_MCML__V_SELECT(hit, uy, MS_MCML__V_MUL(vy, scale));
+            uz = MS_MCML__V_SELECT(hit, uz, MS_MCML__V_MUL(vz, scale));
         }
 
         if (boundary) { /* Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0 and so R = 1 */
-            const V ratio = V_SELECT(up, V_LOAD(t->ratio_up), V_LOAD(t->ratio_down));
-            const V sin2_i = V_MAX(V_NMADD(steep, steep, one), zero);
-            const V cos_t = V_SQRT(V_MAX(V_NMADD(V_MUL(ratio, ratio), sin2_i, one), zero));
-            const V si = V_MUL(ratio, steep), pt = V_MUL(ratio, cos_t); /* R = (rs^2 + rp^2) / 2, u < R without division */
-            const V s_sum = V_ADD(si, cos_t), p_sum = V_ADD(pt, steep), both = V_MUL(s_sum, p_sum);
-            const V rs = V_MUL(V_SUB(si, cos_t), p_sum), rp = V_MUL(V_SUB(pt, steep), s_sum);
-            const M back = V_LESS(V_MUL(u, V_MUL(both, both)), V_MUL(half, V_ADD(V_MUL(rs, rs), V_MUL(rp, rp))));
-            uz = V_SELECT(hit, V_SELECT(back, V_SUB(zero, uz), uz), uz);
-            V_STORE(t->cos_t, cos_t);
-            crossing = boundary & ~M_BITS(back);
+            const MS_MCML__V ratio = MS_MCML__V_SELECT(up, MS_MCML__V_LOAD(t->ratio_up), MS_MCML__V_LOAD(t->ratio_down));
+            const MS_MCML__V sin2_i = MS_MCML__V_MAX(MS_MCML__V_NMADD(steep, steep, one), zero);
+            const MS_MCML__V cos_t = MS_MCML__V_SQRT(MS_MCML__V_MAX(MS_MCML__V_NMADD(MS_MCML__V_MUL(ratio, ratio), sin2_i, one), zero));
+            const MS_MCML__V si = MS_MCML__V_MUL(ratio, steep), pt = MS_MCML__V_MUL(ratio, cos_t); /* R = (rs^2 + rp^2) / 2, u < R without division */
+            const MS_MCML__V s_sum = MS_MCML__V_ADD(si, cos_t), p_sum = MS_MCML__V_ADD(pt, steep), both = MS_MCML__V_MUL(s_sum, p_sum);
+            const MS_MCML__V rs = MS_MCML__V_MUL(MS_MCML__V_SUB(si, cos_t), p_sum), rp = MS_MCML__V_MUL(MS_MCML__V_SUB(pt, steep), s_sum);
+            const MS_MCML__M back = MS_MCML__V_LESS(MS_MCML__V_MUL(u, MS_MCML__V_MUL(both, both)), MS_MCML__V_MUL(half, MS_MCML__V_ADD(MS_MCML__V_MUL(rs, rs), MS_MCML__V_MUL(rp, rp))));
+            uz = MS_MCML__V_SELECT(hit, MS_MCML__V_SELECT(back, MS_MCML__V_SUB(zero, uz), uz), uz);
+            MS_MCML__V_STORE(t->cos_t, cos_t);
+            crossing = boundary & ~MS_MCML__M_BITS(back);
         }
 
-        V_STORE(t->x, x);
-        V_STORE(t->y, y);
-        V_STORE(t->z, z);
-        V_STORE(t->ux, ux);
-        V_STORE(t->uy, uy);
-        V_STORE(t->uz, uz);
-        V_STORE(t->w, w);
-        events = U_ADD(U_LOAD(t->events), U_SET(1u));
-        U_STORE(t->events, events);
-        ended = t->alive & ~(t->alive & M_BITS(V_LESS(zero, w)));
-        halving = t->alive & M_BITS(U_IS_ZERO(U_XOR(events, U_LOAD(t->limit))));
+        MS_MCML__V_STORE(t->x, x);
+        MS_MCML__V_STORE(t->y, y);
+        MS_MCML__V_STORE(t->z, z);
+        MS_MCML__V_STORE(t->ux, ux);
+        MS_MCML__V_STORE(t->uy, uy);
+        MS_MCML__V_STORE(t->uz, uz);
+        MS_MCML__V_STORE(t->w, w);
+        events = MS_MCML__U_ADD(MS_MCML__U_LOAD(t->events), MS_MCML__U_SET(1u));
+        MS_MCML__U_STORE(t->events, events);
+        ended = t->alive & ~(t->alive & MS_MCML__M_BITS(MS_MCML__V_LESS(zero, w)));
+        halving = t->alive & MS_MCML__M_BITS(MS_MCML__U_IS_ZERO(MS_MCML__U_XOR(events, MS_MCML__U_LOAD(t->limit))));
         if (crossing | ended | halving) {
-            U_STORE(t->word, word_chance);
-            U_STORE(t->s[0], s0);
-            U_STORE(t->s[1], s1);
-            U_STORE(t->s[2], s2);
-            U_STORE(t->s[3], s3);
+            MS_MCML__U_STORE(t->word, word_chance);
+            MS_MCML__U_STORE(t->s[0], s0);
+            MS_MCML__U_STORE(t->s[1], s1);
+            MS_MCML__U_STORE(t->s[2], s2);
+            MS_MCML__U_STORE(t->s[3], s3);
             for (i = 0; (crossing | ended | halving) >> i; ++i)
                 if ((crossing | ended | halving) >> i & 1) ms_mcml__rare(t, i, crossing >> i & 1, halving >> i & 1);
-            s0 = U_LOAD(t->s[0]);
-            s1 = U_LOAD(t->s[1]);
-            s2 = U_LOAD(t->s[2]);
-            s3 = U_LOAD(t->s[3]);
+            s0 = MS_MCML__U_LOAD(t->s[0]);
+            s1 = MS_MCML__U_LOAD(t->s[1]);
+            s2 = MS_MCML__U_LOAD(t->s[2]);
+            s3 = MS_MCML__U_LOAD(t->s[3]);
         }
     }
 }
@@ -6124,101 +6124,101 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
    and the flight from there. */
 static void MS_MCML__FN(white)(const ms_mcml__white_batch *batch)
 {
-    float lane_x[L], lane_y[L], lane_z[L], lane_r2[L];
-    uint32_t lane_j[L], lane_low[L], lane_high[L], lane_word[L], key0[10], key1[10];
-    int slot[L], lane, next = 0, active = 0, round;
-    const V zero = V_SET(0.0f), one = V_SET(1.0f), eta = V_SET(batch->eta);
-    const U m0 = U_SET(0xD2511F53u), m1 = U_SET(0xCD9E8D57u);
-    V x = zero, y = zero, z = zero;
-    U j = U_SET(0u), low, high;
+    float lane_x[MS_MCML__L], lane_y[MS_MCML__L], lane_z[MS_MCML__L], lane_r2[MS_MCML__L];
+    uint32_t lane_j[MS_MCML__L], lane_low[MS_MCML__L], lane_high[MS_MCML__L], lane_word[MS_MCML__L], key0[10], key1[10];
+    int slot[MS_MCML__L], lane, next = 0, active = 0, round;
+    const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f), eta = MS_MCML__V_SET(batch->eta);
+    const MS_MCML__U m0 = MS_MCML__U_SET(0xD2511F53u), m1 = MS_MCML__U_SET(0xCD9E8D57u);
+    MS_MCML__V x = zero, y = zero, z = zero;
+    MS_MCML__U j = MS_MCML__U_SET(0u), low, high;
     for (round = 0; round < 10; ++round) {
         key0[round] = (uint32_t)batch->seed + 0x9E3779B9u * (uint32_t)round;
         key1[round] = (uint32_t)(batch->seed >> 32) + 0xBB67AE85u * (uint32_t)round;
     }
-    for (lane = 0; lane < L; ++lane) {
+    for (lane = 0; lane < MS_MCML__L; ++lane) {
         uint64_t photon = batch->first + (uint64_t)next;
         slot[lane] = next < batch->count ? next++ : -1;
         active += slot[lane] >= 0;
         lane_low[lane] = (uint32_t)photon;
         lane_high[lane] = (uint32_t)(photon >> 32);
     }
-    low = U_LOAD(lane_low);
-    high = U_LOAD(lane_high);
+    low = MS_MCML__U_LOAD(lane_low);
+    high = MS_MCML__U_LOAD(lane_high);
     while (active > 0) {
-        U c0 = j, c1 = U_SET(MS_MCML__WHITE_STREAM), c2 = low, c3 = high, high0, low0, high1, low1, bits;
-        V u, t, s, mu, dx, dy, z_next;
-        M mask;
+        MS_MCML__U c0 = j, c1 = MS_MCML__U_SET(MS_MCML__WHITE_STREAM), c2 = low, c3 = high, high0, low0, high1, low1, bits;
+        MS_MCML__V u, t, s, mu, dx, dy, z_next;
+        MS_MCML__M mask;
         unsigned leaves, ends;
         for (round = 0; round < 10; ++round) { /* ms__philox */
-            U_WIDE(c0, m0, high0, low0);
-            U_WIDE(c2, m1, high1, low1);
-            c0 = U_XOR(U_XOR(high1, c1), U_SET(key0[round]));
-            c2 = U_XOR(U_XOR(high0, c3), U_SET(key1[round]));
+            MS_MCML__U_WIDE(c0, m0, high0, low0);
+            MS_MCML__U_WIDE(c2, m1, high1, low1);
+            c0 = MS_MCML__U_XOR(MS_MCML__U_XOR(high1, c1), MS_MCML__U_SET(key0[round]));
+            c2 = MS_MCML__U_XOR(MS_MCML__U_XOR(high0, c3), MS_MCML__U_SET(key1[round]));
             c1 = low1;
             c3 = low0;
         }
         /* s = -log(u), u = (1 + t) 2^e with 1 + t in [sqrt(1/2), sqrt(2)): log(1 + t) = t - t^2 / 2 + t^3 P(t), error 1e-8 */
-        u = V_MADD(V_FROM_INT(U_RIGHT(c0, 1)), V_SET(1.0f / 2147483648.0f), V_SET(1.0f / 4294967296.0f));
-        bits = U_ADD(U_SUB(U_BITS(u), U_SET(0x3f3504f3u)), U_SET(64u << 23));
-        t = V_SUB(V_BITS(U_ADD(U_AND(bits, U_SET(0x7fffffu)), U_SET(0x3f3504f3u))), one);
-        s = V_MADD(t, V_SET(-0.0810155815f), V_SET(0.127123076f));
-        s = V_MADD(s, t, V_SET(-0.12972239f));
-        s = V_MADD(s, t, V_SET(0.142021738f));
-        s = V_MADD(s, t, V_SET(-0.166422476f));
-        s = V_MADD(s, t, V_SET(0.200014686f));
-        s = V_MADD(s, t, V_SET(-0.250002965f));
-        s = V_MADD(s, t, V_SET(0.333333286f));
-        s = V_MADD(V_MADD(s, t, V_SET(-0.5f)), V_MUL(t, t), t);
-        s = V_MADD(V_SUB(V_SET(64.0f), V_FROM_INT(U_RIGHT(bits, 23))), V_SET(0.693147181f), V_SUB(zero, s));
+        u = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(c0, 1)), MS_MCML__V_SET(1.0f / 2147483648.0f), MS_MCML__V_SET(1.0f / 4294967296.0f));
+        bits = MS_MCML__U_ADD(MS_MCML__U_SUB(MS_MCML__U_BITS(u), MS_MCML__U_SET(0x3f3504f3u)), MS_MCML__U_SET(64u << 23));
+        t = MS_MCML__V_SUB(MS_MCML__V_BITS(MS_MCML__U_ADD(MS_MCML__U_AND(bits, MS_MCML__U_SET(0x7fffffu)), MS_MCML__U_SET(0x3f3504f3u))), one);
+        s = MS_MCML__V_MADD(t, MS_MCML__V_SET(-0.0810155815f), MS_MCML__V_SET(0.127123076f));
+        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(-0.12972239f));
+        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(0.142021738f));
+        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(-0.166422476f));
+        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(0.200014686f));
+        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(-0.250002965f));
+        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(0.333333286f));
+        s = MS_MCML__V_MADD(MS_MCML__V_MADD(s, t, MS_MCML__V_SET(-0.5f)), MS_MCML__V_MUL(t, t), t);
+        s = MS_MCML__V_MADD(MS_MCML__V_SUB(MS_MCML__V_SET(64.0f), MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(bits, 23))), MS_MCML__V_SET(0.693147181f), MS_MCML__V_SUB(zero, s));
         /* Direction: the cosine even in (-1, 1], the azimuth in a quarter turn, mirrored and turned by two bits. */
-        mu = V_MADD(V_FROM_INT(U_RIGHT(c1, 8)), V_SET(-1.0f / 8388608.0f), one);
-        mu = V_SELECT(U_IS_ZERO(j), one, mu);
-        u = V_MADD(V_FROM_INT(U_RIGHT(c2, 8)), V_SET(1.57079633f / 16777216.0f), V_SET(-0.785398163f));
-        t = V_MUL(u, u);
-        dx = V_MADD(V_MADD(t, V_SET(-0.000195879498f), V_SET(0.00833274863f)), t, V_SET(-0.166666647f));
-        dx = V_MADD(V_MUL(dx, t), u, u);
-        dy = V_MADD(V_MADD(t, V_SET(2.45497663e-05f), V_SET(-0.0013888317f)), t, V_SET(0.0416666649f));
-        dy = V_MADD(V_MADD(dy, t, V_SET(-0.5f)), t, one);
-        dy = V_BITS(U_XOR(U_BITS(dy), U_LEFT(c2, 31)));
-        mask = U_IS_ZERO(U_AND(c2, U_SET(2u)));
-        u = V_SELECT(mask, dx, dy);
-        dy = V_SELECT(mask, dy, dx);
-        t = V_MUL(V_SQRT(V_MAX(zero, V_SUB(one, V_MUL(mu, mu)))), s);
-        dx = V_MUL(u, t);
-        dy = V_MUL(dy, t);
-        z_next = V_MADD(s, mu, z);
+        mu = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(c1, 8)), MS_MCML__V_SET(-1.0f / 8388608.0f), one);
+        mu = MS_MCML__V_SELECT(MS_MCML__U_IS_ZERO(j), one, mu);
+        u = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(c2, 8)), MS_MCML__V_SET(1.57079633f / 16777216.0f), MS_MCML__V_SET(-0.785398163f));
+        t = MS_MCML__V_MUL(u, u);
+        dx = MS_MCML__V_MADD(MS_MCML__V_MADD(t, MS_MCML__V_SET(-0.000195879498f), MS_MCML__V_SET(0.00833274863f)), t, MS_MCML__V_SET(-0.166666647f));
+        dx = MS_MCML__V_MADD(MS_MCML__V_MUL(dx, t), u, u);
+        dy = MS_MCML__V_MADD(MS_MCML__V_MADD(t, MS_MCML__V_SET(2.45497663e-05f), MS_MCML__V_SET(-0.0013888317f)), t, MS_MCML__V_SET(0.0416666649f));
+        dy = MS_MCML__V_MADD(MS_MCML__V_MADD(dy, t, MS_MCML__V_SET(-0.5f)), t, one);
+        dy = MS_MCML__V_BITS(MS_MCML__U_XOR(MS_MCML__U_BITS(dy), MS_MCML__U_LEFT(c2, 31)));
+        mask = MS_MCML__U_IS_ZERO(MS_MCML__U_AND(c2, MS_MCML__U_SET(2u)));
+        u = MS_MCML__V_SELECT(mask, dx, dy);
+        dy = MS_MCML__V_SELECT(mask, dy, dx);
+        t = MS_MCML__V_MUL(MS_MCML__V_SQRT(MS_MCML__V_MAX(zero, MS_MCML__V_SUB(one, MS_MCML__V_MUL(mu, mu)))), s);
+        dx = MS_MCML__V_MUL(u, t);
+        dy = MS_MCML__V_MUL(dy, t);
+        z_next = MS_MCML__V_MADD(s, mu, z);
 
-        leaves = M_BITS(V_LESS(z_next, zero));
+        leaves = MS_MCML__M_BITS(MS_MCML__V_LESS(z_next, zero));
         if (leaves) { /* Fresnel, unpolarised: T = 2 eta mu mu_out (1 / a^2 + 1 / b^2), 0 beyond the critical angle */
-            V in = V_SUB(zero, mu), square = V_SUB(one, V_MUL(V_MUL(eta, eta), V_SUB(one, V_MUL(mu, mu))));
-            V out = V_SQRT(V_MAX(zero, square)), a = V_MADD(eta, in, out), b = V_MADD(eta, out, in), ab = V_MUL(a, b);
-            u = V_MUL(V_ADD(V_FROM_INT(U_RIGHT(c3, 8)), V_SET(0.5f)), V_SET(1.0f / 16777216.0f));
-            t = V_MUL(V_MUL(V_MUL(V_ADD(eta, eta), in), out), V_MADD(a, a, V_MUL(b, b)));
-            leaves &= M_BITS(V_LESS(V_MUL(u, V_MUL(ab, ab)), t));
+            MS_MCML__V in = MS_MCML__V_SUB(zero, mu), square = MS_MCML__V_SUB(one, MS_MCML__V_MUL(MS_MCML__V_MUL(eta, eta), MS_MCML__V_SUB(one, MS_MCML__V_MUL(mu, mu))));
+            MS_MCML__V out = MS_MCML__V_SQRT(MS_MCML__V_MAX(zero, square)), a = MS_MCML__V_MADD(eta, in, out), b = MS_MCML__V_MADD(eta, out, in), ab = MS_MCML__V_MUL(a, b);
+            u = MS_MCML__V_MUL(MS_MCML__V_ADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(c3, 8)), MS_MCML__V_SET(0.5f)), MS_MCML__V_SET(1.0f / 16777216.0f));
+            t = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_ADD(eta, eta), in), out), MS_MCML__V_MADD(a, a, MS_MCML__V_MUL(b, b)));
+            leaves &= MS_MCML__M_BITS(MS_MCML__V_LESS(MS_MCML__V_MUL(u, MS_MCML__V_MUL(ab, ab)), t));
         }
-        ends = M_BITS(U_IS_ZERO(U_AND(j, U_SET(MS_MCML__HALVING - 1))));
+        ends = MS_MCML__M_BITS(MS_MCML__U_IS_ZERO(MS_MCML__U_AND(j, MS_MCML__U_SET(MS_MCML__HALVING - 1))));
         if (ends) { /* half of the photons end at collisions 1024, 2048, 4096, ... */
             unsigned candidates = ends;
-            U_STORE(lane_j, j);
-            U_STORE(lane_word, c3);
-            for (ends = 0, lane = 0; lane < L; ++lane)
+            MS_MCML__U_STORE(lane_j, j);
+            MS_MCML__U_STORE(lane_word, c3);
+            for (ends = 0, lane = 0; lane < MS_MCML__L; ++lane)
                 if (candidates >> lane & 1 && lane_j[lane] && (lane_j[lane] & (lane_j[lane] - 1)) == 0 && lane_word[lane] & 1)
                     ends |= 1u << lane;
         }
         if (leaves | ends) {
-            t = V_DIV(z, V_SUB(z, z_next)); /* the part of the flight before the surface */
-            u = V_MADD(dx, t, x);
-            t = V_MADD(dy, t, y);
-            V_STORE(lane_r2, V_MADD(u, u, V_MUL(t, t)));
-            U_STORE(lane_j, j);
-            x = V_ADD(x, dx);
-            y = V_ADD(y, dy);
-            V_STORE(lane_x, x);
-            V_STORE(lane_y, y);
-            V_STORE(lane_z, z_next);
-            U_STORE(lane_low, low);
-            U_STORE(lane_high, high);
-            for (lane = 0; lane < L; ++lane) {
+            t = MS_MCML__V_DIV(z, MS_MCML__V_SUB(z, z_next)); /* the part of the flight before the surface */
+            u = MS_MCML__V_MADD(dx, t, x);
+            t = MS_MCML__V_MADD(dy, t, y);
+            MS_MCML__V_STORE(lane_r2, MS_MCML__V_MADD(u, u, MS_MCML__V_MUL(t, t)));
+            MS_MCML__U_STORE(lane_j, j);
+            x = MS_MCML__V_ADD(x, dx);
+            y = MS_MCML__V_ADD(y, dy);
+            MS_MCML__V_STORE(lane_x, x);
+            MS_MCML__V_STORE(lane_y, y);
+            MS_MCML__V_STORE(lane_z, z_next);
+            MS_MCML__U_STORE(lane_low, low);
+            MS_MCML__U_STORE(lane_high, high);
+            for (lane = 0; lane < MS_MCML__L; ++lane) {
                 uint64_t photon = batch->first + (uint64_t)next;
                 if (!((leaves | ends) >> lane & 1)) {
                     lane_j[lane]++;
@@ -6237,18 +6237,18 @@ static void MS_MCML__FN(white)(const ms_mcml__white_batch *batch)
                 lane_low[lane] = (uint32_t)photon;
                 lane_high[lane] = (uint32_t)(photon >> 32);
             }
-            x = V_LOAD(lane_x);
-            y = V_LOAD(lane_y);
-            z_next = V_LOAD(lane_z);
-            j = U_LOAD(lane_j);
-            low = U_LOAD(lane_low);
-            high = U_LOAD(lane_high);
+            x = MS_MCML__V_LOAD(lane_x);
+            y = MS_MCML__V_LOAD(lane_y);
+            z_next = MS_MCML__V_LOAD(lane_z);
+            j = MS_MCML__U_LOAD(lane_j);
+            low = MS_MCML__U_LOAD(lane_low);
+            high = MS_MCML__U_LOAD(lane_high);
         } else {
-            x = V_ADD(x, dx);
-            y = V_ADD(y, dy);
-            j = U_ADD(j, U_SET(1u));
+            x = MS_MCML__V_ADD(x, dx);
+            y = MS_MCML__V_ADD(y, dy);
+            j = MS_MCML__U_ADD(j, MS_MCML__U_SET(1u));
         }
-        z = V_BITS(U_AND(U_BITS(z_next), U_SET(0x7fffffffu))); /* reflected: the mirror image */
+        z = MS_MCML__V_BITS(MS_MCML__U_AND(MS_MCML__U_BITS(z_next), MS_MCML__U_SET(0x7fffffffu))); /* reflected: the mirror image */
     }
 }
 #endif
@@ -6256,44 +6256,44 @@ static void MS_MCML__FN(white)(const ms_mcml__white_batch *batch)
 #undef MS_MCML__DRAW
 #undef MS_MCML__LEVEL
 #undef MS_MCML__ISA
-#undef L
-#undef M
-#undef M_BITS
-#undef U
-#undef U_ADD
-#undef U_AND
-#undef U_BITS
-#undef U_IS_ZERO
-#undef U_LEFT
-#undef U_LOAD
-#undef U_MUL
-#undef U_RIGHT
-#undef U_ROTATE
-#undef U_SET
-#undef U_STORE
-#undef U_SUB
-#undef U_WIDE
-#undef U_XOR
-#undef V
-#undef V_ABS
-#undef V_ADD
-#undef V_BITS
-#undef V_DIV
-#undef V_FROM_INT
-#undef V_LESS
-#undef V_LOAD
-#undef V_MADD
-#undef V_MAX
-#undef V_MIN
-#undef V_MUL
-#undef V_NMADD
-#undef V_SELECT
-#undef V_SET
-#undef V_SIGN
-#undef V_SQRT
-#undef V_STORE
-#undef V_SUB
-#undef V_TO_INT
+#undef MS_MCML__L
+#undef MS_MCML__M
+#undef MS_MCML__M_BITS
+#undef MS_MCML__U
+#undef MS_MCML__U_ADD
+#undef MS_MCML__U_AND
+#undef MS_MCML__U_BITS
+#undef MS_MCML__U_IS_ZERO
+#undef MS_MCML__U_LEFT
+#undef MS_MCML__U_LOAD
+#undef MS_MCML__U_MUL
+#undef MS_MCML__U_RIGHT
+#undef MS_MCML__U_ROTATE
+#undef MS_MCML__U_SET
+#undef MS_MCML__U_STORE
+#undef MS_MCML__U_SUB
+#undef MS_MCML__U_WIDE
+#undef MS_MCML__U_XOR
+#undef MS_MCML__V
+#undef MS_MCML__V_ABS
+#undef MS_MCML__V_ADD
+#undef MS_MCML__V_BITS
+#undef MS_MCML__V_DIV
+#undef MS_MCML__V_FROM_INT
+#undef MS_MCML__V_LESS
+#undef MS_MCML__V_LOAD
+#undef MS_MCML__V_MADD
+#undef MS_MCML__V_MAX
+#undef MS_MCML__V_MIN
+#undef MS_MCML__V_MUL
+#undef MS_MCML__V_NMADD
+#undef MS_MCML__V_SELECT
+#undef MS_MCML__V_SET
+#undef MS_MCML__V_SIGN
+#undef MS_MCML__V_SQRT
+#undef MS_MCML__V_STORE
+#undef MS_MCML__V_SUB
+#undef MS_MCML__V_TO_INT
 #endif /* kernels */
 
 /*
