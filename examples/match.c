@@ -2,13 +2,17 @@
      cc -O2 -I. examples/match.c -o build/match -lm
 
      build/match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK.(png|pgm|ppm|pfm)] [--start X.csv]
-                 [--cost 50] [--seconds 0] [--out-params CSV] [--out-png PNG]
+                 [--cost 50] [--seconds 0] [--robust] [--exposure] [--tint] [--freeze NAME,NUMBER,...] [--pull 0]
+                 [--out-params CSV] [--out-png PNG]
 
    The renderer takes parameters in [0, 1] and makes 3 x S x S display values. The target may have any size and be grey, RGB or
    with alpha (a pixel counts as much as it covers); display values in PNG, PPM and PGM, linear light in a PFM, which is
    converted. DIR holds inversion networks for first guesses, X.csv one more: the source material, or the last frame's answer;
    without either the search starts in the middle of the box. MASK: the weight of each pixel, a channel each where it has colour.
-   --cost: renders to spend on the refinement, --seconds: no longer than that. The parameters go to CSV as a line of names and a row:
+   --cost: renders to spend on the refinement, --seconds: no longer than that. --robust: what fits badly (a logo, a stitch) counts as an
+   outlier. --exposure, --tint: a gain of the picture, or one a channel with an offset, is found along, and is not the
+   material's. --freeze keeps parameters as X.csv has them, --pull holds all of them to it (0.01: a change by 1 costs as much as
+   an RMSE of 0.1). The parameters go to CSV as a line of names and a row:
    the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
@@ -24,7 +28,7 @@
 
 static const char usage_text[] =
     "usage: match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK] [--start X.csv] [--cost 50] [--seconds 0] "
-    "[--out-params CSV] [--out-png PNG]";
+    "[--robust] [--exposure] [--tint] [--freeze NAME,...] [--pull 0] [--out-params CSV] [--out-png PNG]";
 
 static int fail(const char *path, const char *what)
 {
@@ -143,6 +147,25 @@ static void header_of(const char *path, char *text, size_t size)
     if (end != start || *text == '#') *text = 0;
 }
 
+/* The parameters in a list of names or numbers, separated by commas, get equal bounds; 0 where a word is neither. */
+static int freeze(const char *list, const char *names, int n, const double *source, double *low, double *high)
+{
+    int word, i, k;
+    for (word = 0;; ++word) {
+        char text[64], name[64], *end;
+        name_of(list, word, text, sizeof text);
+        if (*text == 0) return word > 0;
+        k = (int)strtol(text, &end, 10);
+        if (*end != 0) k = -1;
+        for (i = 0; i < n && k < 0; ++i) {
+            name_of(names, i, name, sizeof name);
+            if (strcmp(name, text) == 0) k = i;
+        }
+        if (k < 0 || k >= n) return 0;
+        low[k] = high[k] = source[k];
+    }
+}
+
 /* Parameters that the picture leaves open: errors of the size of the RMSE in every value would move them by more than a
    tenth of their range. */
 static void print_open(const matcher *m, const double *x, double rmse, const char *names)
@@ -169,20 +192,23 @@ int main(int argc, char **argv)
     static matcher m;
     static char header[32768], text[40000];
     const char *renderer = NULL, *target_path = NULL, *inversions = NULL, *mask_path = NULL, *start = NULL, *csv = NULL, *png = NULL;
-    const char *problem, *names;
-    double x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX], cost = 50, limit = 0, seconds;
+    const char *problem, *names, *frozen = NULL;
+    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX], pulls[MS_PME_PARAMETERS_MAX], pull = 0, x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX], cost = 50, limit = 0, seconds;
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
     image answer;
     materials guess;
-    float *target, *weight, *alpha, *picture;
+    float *target, *weight, *alpha, *counted, *picture;
     ms_error error;
     ms_status status;
     size_t used = 0;
-    int i, n, pixels, has_alpha = 0;
+    int i, n, pixels, has_alpha = 0, robust = 0, round;
     for (i = 1; i < argc; ++i) {
         if (strcmp(argv[i], "--help") == 0) return puts(usage_text) < 0 || file_end_stdout("match");
-        if (argv[i][0] != '-' && renderer == NULL) renderer = argv[i];
+        if (strcmp(argv[i], "--robust") == 0) robust = 1;
+        else if (strcmp(argv[i], "--exposure") == 0) options.nuisance |= MS_PME_EXPOSURE;
+        else if (strcmp(argv[i], "--tint") == 0) options.nuisance |= MS_PME_TINT | MS_PME_OFFSET;
+        else if (argv[i][0] != '-' && renderer == NULL) renderer = argv[i];
         else if (argv[i][0] != '-' && target_path == NULL) target_path = argv[i];
         else if (argv[i][0] != '-' || i + 1 == argc) break;
         else if (strcmp(argv[i], "--inversion") == 0) inversions = argv[++i];
@@ -190,7 +216,10 @@ int main(int argc, char **argv)
         else if (strcmp(argv[i], "--start") == 0) start = argv[++i];
         else if (strcmp(argv[i], "--out-params") == 0) csv = argv[++i];
         else if (strcmp(argv[i], "--out-png") == 0) png = argv[++i];
-        else if (strcmp(argv[i], "--cost") == 0) {
+        else if (strcmp(argv[i], "--freeze") == 0) frozen = argv[++i];
+        else if (strcmp(argv[i], "--pull") == 0) {
+            if (!number(argv[++i], 0, &pull)) return fail(argv[i], "--pull takes a number from 0 to 1e9") + 1;
+        } else if (strcmp(argv[i], "--cost") == 0) {
             if (!number(argv[++i], 1, &cost)) return fail(argv[i], "--cost takes a number from 1 to 1e9") + 1;
         } else if (strcmp(argv[i], "--seconds") == 0) {
             if (!number(argv[++i], 0, &limit)) return fail(argv[i], "--seconds takes a number from 0 (no limit) to 1e9") + 1;
@@ -210,12 +239,13 @@ int main(int argc, char **argv)
     }
     n = m.renderer.parameter_count;
     pixels = m.network.size * m.network.size;
-    target = (float *)malloc(10 * (size_t)pixels * sizeof(float));
+    target = (float *)malloc(13 * (size_t)pixels * sizeof(float));
     answer = image_new(m.network.size, m.network.size, 3);
     if (target == NULL || answer.pixels == NULL) return fail(target_path, "out of memory");
     picture = target + 3 * pixels;
     weight = picture + 3 * pixels;
     alpha = weight + 3 * pixels;
+    counted = alpha + pixels;
     for (i = 0; i < 3 * pixels; ++i) weight[i] = 1;
     problem = mask_path ? read_mask(mask_path, m.network.size, weight) : NULL;
     if (problem) return fail(mask_path, problem);
@@ -228,9 +258,23 @@ int main(int argc, char **argv)
     for (i = 0; start && i < n; ++i) source[i] = (double)guess.x[i];
     if (start && names == NULL) header_of(start, header, sizeof header);
     if (names == NULL && header[0]) names = header;
+    for (i = 0; i < n; ++i) {
+        low[i] = 0;
+        high[i] = 1;
+        pulls[i] = pull;
+    }
+    if ((frozen || pull > 0) && !start) return fail("--freeze and --pull", "need --start, which says where") + 1;
+    if (frozen && !freeze(frozen, names, n, source, low, high)) return fail(frozen, "--freeze takes names or numbers of parameters") + 1;
 
     /* the match */
     seconds = now();
+    m.renderer.lower = low;
+    m.renderer.upper = high;
+    options.channels = 3;
+    if (pull > 0) {
+        options.source = source;
+        options.pull = pulls;
+    }
     options.refine.max_cost = cost;
     options.refine.max_seconds = limit;
     options.refine.restarts = 1000; /* while cost is left: from the other first guesses, then from random points */
@@ -238,6 +282,25 @@ int main(int argc, char **argv)
     options.candidate_count = start != NULL;
     status = matcher_aim(&m, target, weight, &error);
     if (status == MS_OK) status = ms_pme_match(&m.renderer, target, weight, &options, x, picture, &result, &error);
+    for (round = 0; round < 5 && robust && status == MS_OK; ++round) { /* weights by what fits badly, and on from there */
+        ms_pme_match_options again = options;
+        ms_pme_match_result better;
+        ms_pme_renderer alone = m.renderer;
+        status = ms_pme_reweigh(MS_PME_TUKEY, 0, m.renderer.image_size, 3, picture, target, weight, counted, NULL, &error);
+        if (status == MS_OK) status = matcher_aim(&m, target, counted, &error);
+        alone.reduced = m.renderer.reduced;
+        alone.reduced_offset = m.renderer.reduced_offset;
+        alone.prediction_count = 0;
+        again.candidates = x;
+        again.candidate_count = 1;
+        again.refine.restarts = 0;
+        if (status == MS_OK) status = ms_pme_match(&alone, target, counted, &again, x, picture, &better, &error);
+        if (status != MS_OK) break;
+        better.cost += result.cost;
+        better.best_candidate = result.best_candidate;
+        better.rmse_initial = result.rmse_initial;
+        result = better;
+    }
     if (status != MS_OK) return fail(target_path, error.message);
     seconds = now() - seconds;
 
@@ -254,6 +317,8 @@ int main(int argc, char **argv)
         else printf("%s%.4f", i ? " " : "x: ", x[i]);
     }
     printf("\n");
+    if (options.nuisance)
+        printf("gain %.3f %.3f %.3f, offset %.3f %.3f %.3f\n", result.gain[0], result.gain[1], result.gain[2], result.offset[0], result.offset[1], result.offset[2]);
     print_open(&m, x, result.rmse, names);
     for (i = 0; i < n && names; ++i) {
         char name[64];

@@ -34,6 +34,26 @@ typedef struct matcher {
     matcher_block x, small, workspace; /* parameters as floats, the picture that an inversion network takes */
 } matcher;
 
+/* What went wrong with a file; returns status. */
+static inline ms_status matcher__fail(ms_error *error, ms_status status, const char *path, const char *sentence)
+{
+    if (error == NULL) return status;
+    error->status = status;
+    error->position = 0;
+    snprintf(error->message, sizeof error->message, "%.100s: %.130s", path, sentence);
+    return status;
+}
+
+/* Makes a block at least that large; what it held is lost. */
+static inline ms_status matcher__room(matcher_block *block, size_t size)
+{
+    if (size <= block->size) return MS_OK;
+    free(block->data);
+    block->data = size < (size_t)-1 ? malloc(size) : NULL;
+    block->size = block->data != NULL ? size : 0;
+    return block->data != NULL ? MS_OK : MS_OUT_OF_MEMORY;
+}
+
 /* --- what ms_pme.h calls: phi(x), its Jacobian, the collapsed residuals, the inversion networks --- */
 
 static inline float *matcher__floats(const matcher *m, const double *x)
@@ -52,8 +72,9 @@ static inline ms_status matcher__render(void *user, const double *x, float *pict
 
 static inline ms_status matcher__jacobian(void *user, const double *x, float *picture, float *jacobian)
 {
-    const matcher *m = (const matcher *)user;
-    return ms_nn_jacobian(m->network.nn, matcher__floats(m, x), picture, jacobian, m->workspace.data);
+    matcher *m = (matcher *)user;
+    ms_status status = matcher__room(&m->workspace, ms_nn_workspace_size(m->network.nn, MS_NN_JACOBIAN, 1)); /* more than a collapse needs */
+    return status != MS_OK ? status : ms_nn_jacobian(m->network.nn, matcher__floats(m, x), picture, jacobian, m->workspace.data);
 }
 
 /* The pictures' own residuals, where nothing is collapsed: for the sensitivity. */
@@ -114,26 +135,6 @@ static inline ms_status matcher__predict(void *user, int i, const float *target,
 }
 
 /* --- making one --- */
-
-/* What went wrong with a file; returns status. */
-static inline ms_status matcher__fail(ms_error *error, ms_status status, const char *path, const char *sentence)
-{
-    if (error == NULL) return status;
-    error->status = status;
-    error->position = 0;
-    snprintf(error->message, sizeof error->message, "%.100s: %.130s", path, sentence);
-    return status;
-}
-
-/* Makes a block at least that large; what it held is lost. */
-static inline ms_status matcher__room(matcher_block *block, size_t size)
-{
-    if (size <= block->size) return MS_OK;
-    free(block->data);
-    block->data = size < (size_t)-1 ? malloc(size) : NULL;
-    block->size = block->data != NULL ? size : 0;
-    return block->data != NULL ? MS_OK : MS_OUT_OF_MEMORY;
-}
 
 static inline void matcher_close(matcher *m)
 {
@@ -244,7 +245,7 @@ static inline ms_status matcher__collapse(matcher *m, const float *weight, ms_er
     m->reduced.parameter_count = m->renderer.parameter_count;
     m->reduced.residual_count = m->renderer.image_size;
     m->reduced.residuals = matcher__plain_residuals;
-    if (status != MS_OK) return matcher__room(&m->workspace, ms_nn_workspace_size(m->network.nn, MS_NN_JACOBIAN, 1));
+    if (status != MS_OK) return MS_OK;
     m->reduced.residual_count = ms_nn_collapse_features(m->collapse) + 1;
     m->reduced.residuals = matcher__residuals;
     m->reduced.jacobian_cost = 5; /* pictures: with a value 6, as measured at 64 x 64 (`make bench FILTER=pme`) */

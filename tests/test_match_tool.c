@@ -1,6 +1,6 @@
 /* The command build/match (examples/match.c) as people use it: one picture in every format and size, masks, alpha, names, exit codes,
    and old results that stay after a failure. */
-#include "image.h"
+#include "edits.h"
 #include "test.h"
 #include <sys/wait.h>
 
@@ -12,11 +12,12 @@ enum { S = 8, N = 19 };
 
 /* Runs build/match NET with arguments; its exit code, and what it said in `said`. */
 static char said[20000];
+static const char *net = NET;
 static int run(const char *arguments)
 {
     char command[2000], *text;
     int status;
-    snprintf(command, sizeof command, "build/match " NET " %s >" LOG " 2>&1", arguments);
+    snprintf(command, sizeof command, "build/match %s %s >" LOG " 2>&1", net, arguments);
     status = system(command);
     text = test_read_file(LOG, NULL);
     snprintf(said, sizeof said, "%s", text ? text : "");
@@ -176,6 +177,75 @@ static void test_names(void)
     image_free(&im);
 }
 
+/* A brighter picture with a coloured cast: --tint finds both and leaves a closer picture; frozen parameters stay, pulled ones hardly move. */
+static void test_edits(void)
+{
+    image im = picture(3, 1), lit = picture(3, 1);
+    char *text;
+    double x[N], first[N], plain, tinted;
+    int i, c;
+    if (!have_tool()) SKIP("build/match is not there; make builds it");
+    image_write(FOLDER "a.ppm", &im);
+    plain = answer(FOLDER "a.ppm --out-png " FOLDER "drawn.png --cost 200", first); /* a picture that the renderer can make, to 8 bits */
+    CHECK(plain > 0);
+    image_free(&im);
+    CHECK(image_read(FOLDER "drawn.png", &im) == NULL);
+    for (i = 0; i < S * S; ++i)
+        for (c = 0; c < 3; ++c) {
+            lit.pixels[3 * i + c] = im.pixels[3 * i + c] * (c == 0 ? 0.9f : c == 1 ? 0.7f : 0.5f) + 0.05f;
+        }
+    image_write(FOLDER "lit.png", &lit);
+    plain = answer(FOLDER "lit.png --cost 300", x);
+    tinted = answer(FOLDER "lit.png --cost 300 --tint", x);
+    CHECK(strstr(said, "gain ") != NULL);
+    CHECK(tinted < plain);
+    answer(FOLDER "lit.png --cost 50 --exposure --robust", x);
+    TEST_NOTE("RMSE %.4f, with --tint %.4f", plain, tinted);
+    text = test_read_file(CSV, NULL); /* the last answer as a start of which three stay */
+    if (text) image_save(FOLDER "last.csv", text, strlen(text));
+    memcpy(first, x, sizeof first);
+    answer(FOLDER "lit.png --start " FOLDER "last.csv --freeze 0,3,18", x);
+    CHECK_NEAR(x[0], first[0], 1e-6);
+    CHECK_NEAR(x[3], first[3], 1e-6);
+    CHECK_NEAR(x[18], first[18], 1e-6);
+    CHECK_INT(run(FOLDER "lit.png --start " FOLDER "last.csv --freeze 0,colour"), 2);
+    CHECK(strstr(said, "names or numbers") != NULL);
+    CHECK_INT(run(FOLDER "lit.png --freeze 0"), 2);
+    answer(FOLDER "lit.png --start " FOLDER "last.csv --pull 1e6", x);
+    for (i = 0; i < N; ++i) CHECK_NEAR(x[i], first[i], 1e-3);
+    free(text);
+    image_free(&im);
+    image_free(&lit);
+}
+
+/* A logo on the shipped renderer's picture: --robust ends near the picture without it. */
+static void test_logo(void)
+{
+    image sheet, clean, painted, drawn;
+    double x[N], off[2] = {0, 0};
+    int k;
+    size_t i;
+    if (!have_tool()) SKIP("build/match is not there; make builds it");
+    if (image_read("examples/data/materials.ppm", &sheet)) SKIP("examples/data/materials.ppm is not there");
+    CHECK(edit_tile(&sheet, 20, 64, &clean) == NULL);
+    CHECK(edit_apply(&edits_further[0], &clean, &clean, &painted));
+    image_write(FOLDER "painted.png", &painted);
+    net = "examples/data/renderer_64.safetensors";
+    for (k = 0; k < 2; ++k) {
+        answer(k ? FOLDER "painted.png --inversion examples/data --cost 100 --robust --out-png " FOLDER "again.png"
+                 : FOLDER "painted.png --inversion examples/data --cost 100 --out-png " FOLDER "again.png", x);
+        CHECK(image_read(FOLDER "again.png", &drawn) == NULL);
+        for (i = 0; i < image_count(&drawn); ++i) off[k] += fabs((double)drawn.pixels[i] - (double)clean.pixels[i]) / (double)image_count(&drawn);
+        image_free(&drawn);
+    }
+    net = NET;
+    CHECK_LE(off[1], 0.5 * off[0]); /* a third in practice */
+    TEST_NOTE("mean distance from the unpainted picture %.4f, with --robust %.4f", off[0], off[1]);
+    image_free(&sheet);
+    image_free(&clean);
+    image_free(&painted);
+}
+
 static void test_mistakes(void)
 {
     static const char *const list[][2] = {
@@ -215,5 +285,5 @@ static void test_mistakes(void)
     image_free(&bad);
 }
 
-static const test_case cases[] = {{"formats and sizes", test_formats}, {"masks", test_masks}, {"names", test_names}, {"mistakes", test_mistakes}};
+static const test_case cases[] = {{"formats and sizes", test_formats}, {"masks", test_masks}, {"names", test_names}, {"edits", test_edits}, {"logo", test_logo}, {"mistakes", test_mistakes}};
 TEST_MAIN(cases)

@@ -831,6 +831,42 @@ static void test_restarts(void)
     CHECK_NEAR(x, 0.5, 0);
 }
 
+/* The budget is the caller's, 50 unless said; the second of two candidates behind predictions is taken where it is best. */
+static void test_match_budget(void)
+{
+    renderer_state s;
+    ms_pme_renderer r;
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result result;
+    float target[P];
+    double x[N], candidates[2 * N];
+    uint64_t state = 3;
+    int i, j;
+    renderer_make(&s);
+    r = renderer_of(&s);
+    s.truth = truth;
+    r.predict = predict;
+    r.prediction_count = 1;
+    render(&s, truth, target);
+    for (i = 0; i < P; ++i) target[i] += (float)(0.3 * test_normal(&state));
+    for (j = 0; j < N; ++j) {
+        candidates[j] = 0.95;
+        candidates[N + j] = truth[j];
+    }
+    options.candidates = candidates;
+    options.candidate_count = 2;
+    options.refine.restarts = 1000;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
+    CHECK_INT(result.best_candidate, 2);
+    CHECK(result.refine.cost > 46 && result.refine.cost <= 50);
+    options.refine.max_cost = 7;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
+    CHECK(result.refine.cost > 3 && result.refine.cost <= 7);
+    options.refine.max_cost = 200;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
+    CHECK(result.refine.cost > 190 && result.refine.cost <= 200);
+}
+
 static void test_match_arguments(void)
 {
     renderer_state s;
@@ -1309,6 +1345,7 @@ static void test_many_bounds(void)
             at_bounds += x[j] <= low[j] || x[j] >= high[j];
         }
         if (l.n == 256) CHECK(at_bounds > 150);
+        CHECK_LE(result.iterations, 6); /* the model is exact: what is left is the damping, which falls by tens */
         TEST_NOTE("n = %d: %d at bounds, %.0f evaluations", l.n, at_bounds, result.cost);
         free(l.a);
     }
@@ -1614,6 +1651,7 @@ static const test_case cases[] = {
     {"failing callback", test_failing_callback},  {"budgets", test_budgets},
     {"starts and bounds", test_starts},           {"arguments", test_arguments},
     {"match", test_match},                        {"match, restarts", test_restarts},
+    {"match, budget", test_match_budget},
     {"match, arguments", test_match_arguments},
     {"reduced objective", test_reduced},
     {"sensitivity", test_sensitivity},            {"repeatable", test_repeatable},
