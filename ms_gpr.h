@@ -1384,6 +1384,8 @@ typedef struct ms_gpr__search {
     double step;           /* no variable moves farther at a time; 0: 1e300 */
     double tolerance;      /* ends when an iteration gains less, and no projected slope is above its root */
     int evaluations;       /* at most */
+    double warm;           /* above 0: begins with the curvature that the last search left in `work`, times this */
+    int stored, newest;    /* how many pairs that is, and where the last one lies */
 } ms_gpr__search;
 
 static size_t ms_gpr__minimize_doubles(int count)
@@ -1405,13 +1407,18 @@ static int ms_gpr__held(const ms_gpr__search *s, int i, double x, double slope)
 
 /* Projected L-BFGS (Nocedal & Wright 2006, algorithm 7.4) with a backtracking line search along the projected path.
    q: start in, best out. work: ms_gpr__minimize_doubles(count). Never leaves q worse than it was. */
-static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, double *work)
+static ms_gpr__minimum ms_gpr__minimize(ms_gpr__search *s, double *q, double *work)
 {
     size_t n = (size_t)s->count;
     double *moves = work, *changes = moves + MS_GPR__MEMORY * n, *gradient = changes + MS_GPR__MEMORY * n, *direction = gradient + n,
            *trial = direction + n, *trial_gradient = trial + n, *rho = trial_gradient + n, *a = rho + MS_GPR__MEMORY;
     ms_gpr__minimum best;
-    int stored = 0, newest = -1, i, k, defined;
+    int stored = s->warm > 0 ? s->stored : 0, newest = stored ? s->newest : -1, i, k, defined;
+    for (k = 0; k < stored; ++k) {
+        int at = (newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY;
+        for (i = 0; i < s->count; ++i) changes[(size_t)at * n + (size_t)i] *= s->warm;
+        rho[at] /= s->warm;
+    }
     best.stopped = 0;
     best.evaluations = 1;
     best.value = HUGE_VAL;
@@ -1514,6 +1521,8 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             if (gain < 1e-3 * s->tolerance) break;
         }
     }
+    s->stored = stored;
+    s->newest = newest;
     return best;
 }
 
@@ -2468,7 +2477,7 @@ static void ms_gpr__ranked_select(ms_gpr__ranked *list, int count, int first)
 #define MS_GPR__PRIOR_SN 0.2
 #define MS_GPR__PRIOR_SN_SPREAD 0.25
 #define MS_GPR__PRIOR_TAIL 1.0
-#define MS_GPR__PART 100 /* scores at least that the starts of a fit are tried on, or a third of all; all where they are fewer than twice */
+#define MS_GPR__PART 100 /* scores at least that the starts of a fit are tried on, and 4 m; a third of all, but at most 400 */
 
 /* Scores that a search looks at: all of them, or a part. Targets have mean 0 and standard deviation 1. */
 typedef struct ms_gpr__sample {
@@ -2668,12 +2677,12 @@ static ms_gpr__minimum ms_gpr__fit_race(ms_gpr__fit *fit, ms_gpr__search *s)
 }
 
 /* The optimum, in q's first row. MAP: the race of the starts on a part of the scores, its winner to the end, every dimension
-   probed, and a polish on all scores. */
+   probed; then a polish on all scores. */
 static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 {
     ms_gpr__minimum found;
     ms_gpr__search s;
-    int map = fit->o.method == MS_GPR_METHOD_MAP;
+    int map = fit->o.method == MS_GPR_METHOD_MAP, pass, switched;
     memset(&s, 0, sizeof s);
     s.f = ms_gpr__fit_objective;
     s.context = fit;
@@ -2685,17 +2694,19 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
     s.evaluations = fit->o.evaluations;
     fit->sample = fit->part.columns ? &fit->part : &fit->whole;
     found = ms_gpr__fit_race(fit, &s);
-    if (!found.stopped && fit->part.columns) found = ms_gpr__minimize(&s, fit->q, fit->work);
-    if (found.stopped) return found;
-    fit->sample = &fit->whole;
-    if (fit->part.columns) s.tolerance = 0.1;
-    found = ms_gpr__minimize(&s, fit->q, fit->work);
-    if (!found.stopped && map) {
-        int switched = ms_gpr__fit_probe(fit, fit->q, found.value);
-        if (switched > 0) found = ms_gpr__minimize(&s, fit->q, fit->work);
+    for (pass = 0; !found.stopped && pass < 2; ++pass) { /* on the sample; then again, if probing found something */
+        found = ms_gpr__minimize(&s, fit->q, fit->work);
+        if (found.stopped || !map || pass == 1) break;
+        switched = ms_gpr__fit_probe(fit, fit->q, found.value);
         if (switched < 0) found.stopped = 1;
+        if (switched <= 0) break;
     }
-    return found;
+    if (found.stopped || fit->sample == &fit->whole) return found;
+    s.warm = (double)fit->whole.problem.n / fit->part.problem.n; /* the likelihood of more scores bends as much more */
+    s.tolerance = 0.1;
+    if (s.evaluations > 6 + 6000 / fit->whole.problem.n) s.evaluations = 6 + 6000 / fit->whole.problem.n; /* each takes n^3 */
+    fit->sample = &fit->whole;
+    return ms_gpr__minimize(&s, fit->q, fit->work);
 }
 
 static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, ms_gpr_fit_options *o, ms_error *error)
@@ -2811,8 +2822,8 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     if (status != MS_OK) return status;
     fit.starts = fit.o.start || fit.o.length_start > 0 ? 1 : 3 + fit.o.random_starts;
     fit.expected = 30 * fit.starts + fit.o.evaluations / 2;
-    part = n / 3 > MS_GPR__PART ? n / 3 : MS_GPR__PART;
-    if (fit.o.method == MS_GPR_METHOD_ML || fit.starts == 1 || n < 2 * MS_GPR__PART) part = n;
+    part = 4 * m > MS_GPR__PART ? 4 * m : MS_GPR__PART;
+    part = n / 2 < part || fit.o.method == MS_GPR_METHOD_ML || fit.starts == 1 ? n : n / 3 < part ? part : n / 3 < 400 ? n / 3 : 400;
     ms_gpr__fit_layout(&fit, n, m, part, &arena);
     doubles = arena.used;
     arena.base = ms_gpr__doubles(&fit.o.allocator, doubles, &block);
