@@ -1384,8 +1384,6 @@ typedef struct ms_gpr__search {
     double step;           /* no variable moves farther at a time; 0: 1e300 */
     double tolerance;      /* ends when an iteration gains less, and no projected slope is above its root */
     int evaluations;       /* at most */
-    double warm;           /* above 0: begins with the curvature that the last search left in `work`, times this */
-    int stored, newest;    /* how many pairs that is, and where the last one lies */
 } ms_gpr__search;
 
 static size_t ms_gpr__minimize_doubles(int count)
@@ -1407,18 +1405,13 @@ static int ms_gpr__held(const ms_gpr__search *s, int i, double x, double slope)
 
 /* Projected L-BFGS (Nocedal & Wright 2006, algorithm 7.4) with a backtracking line search along the projected path.
    q: start in, best out. work: ms_gpr__minimize_doubles(count). Never leaves q worse than it was. */
-static ms_gpr__minimum ms_gpr__minimize(ms_gpr__search *s, double *q, double *work)
+static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, double *work)
 {
     size_t n = (size_t)s->count;
     double *moves = work, *changes = moves + MS_GPR__MEMORY * n, *gradient = changes + MS_GPR__MEMORY * n, *direction = gradient + n,
            *trial = direction + n, *trial_gradient = trial + n, *rho = trial_gradient + n, *a = rho + MS_GPR__MEMORY;
     ms_gpr__minimum best;
-    int stored = s->warm > 0 ? s->stored : 0, newest = stored ? s->newest : -1, i, k, defined;
-    for (k = 0; k < stored; ++k) {
-        int at = (newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY;
-        for (i = 0; i < s->count; ++i) changes[(size_t)at * n + (size_t)i] *= s->warm;
-        rho[at] /= s->warm;
-    }
+    int stored = 0, newest = -1, i, k, defined;
     best.stopped = 0;
     best.evaluations = 1;
     best.value = HUGE_VAL;
@@ -1521,8 +1514,6 @@ static ms_gpr__minimum ms_gpr__minimize(ms_gpr__search *s, double *q, double *wo
             if (gain < 1e-3 * s->tolerance) break;
         }
     }
-    s->stored = stored;
-    s->newest = newest;
     return best;
 }
 
@@ -2676,13 +2667,23 @@ static ms_gpr__minimum ms_gpr__fit_race(ms_gpr__fit *fit, ms_gpr__search *s)
     return found;
 }
 
-/* The optimum, in q's first row. MAP: the race of the starts on a part of the scores, its winner to the end, every dimension
-   probed; then a polish on all scores. */
+/* From q's first row to the end; MAP: probed, and again to the end if that found something. */
+static ms_gpr__minimum ms_gpr__fit_polish(ms_gpr__fit *fit, const ms_gpr__search *s)
+{
+    ms_gpr__minimum found = ms_gpr__minimize(s, fit->q, fit->work);
+    int switched = found.stopped || fit->o.method != MS_GPR_METHOD_MAP ? 0 : ms_gpr__fit_probe(fit, fit->q, found.value);
+    if (switched < 0) found.stopped = 1;
+    return switched > 0 ? ms_gpr__minimize(s, fit->q, fit->work) : found;
+}
+
+/* The optimum, in q's first row. MAP: the race of the starts on a part of the scores and its winner's polish there, then a polish on
+   all scores; dimensions are probed once, on all scores where those are few. */
 static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 {
     ms_gpr__minimum found;
     ms_gpr__search s;
-    int map = fit->o.method == MS_GPR_METHOD_MAP, pass, switched;
+    double n = fit->whole.problem.n;
+    int few = n * n * n * fit->m < 4e8; /* probing all scores costs little then, and is misled less by a few wrong ones */
     memset(&s, 0, sizeof s);
     s.f = ms_gpr__fit_objective;
     s.context = fit;
@@ -2694,19 +2695,14 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
     s.evaluations = fit->o.evaluations;
     fit->sample = fit->part.columns ? &fit->part : &fit->whole;
     found = ms_gpr__fit_race(fit, &s);
-    for (pass = 0; !found.stopped && pass < 2; ++pass) { /* on the sample; then again, if probing found something */
-        found = ms_gpr__minimize(&s, fit->q, fit->work);
-        if (found.stopped || !map || pass == 1) break;
-        switched = ms_gpr__fit_probe(fit, fit->q, found.value);
-        if (switched < 0) found.stopped = 1;
-        if (switched <= 0) break;
-    }
-    if (found.stopped || fit->sample == &fit->whole) return found;
-    s.warm = (double)fit->whole.problem.n / fit->part.problem.n; /* the likelihood of more scores bends as much more */
+    if (found.stopped) return found;
+    if (fit->sample == &fit->whole) return ms_gpr__fit_polish(fit, &s);
+    found = few ? ms_gpr__minimize(&s, fit->q, fit->work) : ms_gpr__fit_polish(fit, &s);
+    if (found.stopped) return found;
     s.tolerance = 0.1;
-    if (s.evaluations > 6 + 6000 / fit->whole.problem.n) s.evaluations = 6 + 6000 / fit->whole.problem.n; /* each takes n^3 */
+    if (s.evaluations > 10 + 6000 / (int)n) s.evaluations = 10 + 6000 / (int)n; /* each takes n^3 */
     fit->sample = &fit->whole;
-    return ms_gpr__minimize(&s, fit->q, fit->work);
+    return few ? ms_gpr__fit_polish(fit, &s) : ms_gpr__minimize(&s, fit->q, fit->work);
 }
 
 static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, ms_gpr_fit_options *o, ms_error *error)
