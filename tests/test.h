@@ -79,6 +79,14 @@ static char test_skip_reason[200];
         return;                                                                                    \
     } while (0)
 
+/* Whether floating-point exceptions are unmasked in the calls (tests/calls.sh traps): cases that hand over NaN or infinity as
+   data, which the processor itself traps on, leave that part out then. */
+static TEST_UNUSED int test_unmasked(void)
+{
+    const char *calls = getenv("CALLS");
+    return calls != NULL && strcmp(calls, "traps") == 0;
+}
+
 /* --- numbers that do not depend on the code under test --- */
 
 static TEST_UNUSED uint64_t test_random_u64(uint64_t *state)
