@@ -552,8 +552,8 @@ typedef struct ms_gpr_grid {
     int columns, rows; /* 2 to 32768; x0 < x1, y0 < y1 */
 } ms_gpr_grid;
 
-/* resolution x resolution over the training latents and one length scale (at most a quarter of their range) around; all zero,
-   which every map refuses, where the space has not 2 dimensions. */
+/* resolution x resolution over a square, in length scales, that holds the training latents and one length scale (at most a quarter of
+   their range) around; all zero, which every map refuses, where the space has not 2 dimensions. */
 MS_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution);
 
 /* The latent coordinates of a grid point, and bilinear interpolation of a map at a point (clamped to the rectangle). */
@@ -590,16 +590,18 @@ typedef struct ms_gpr_variant {
     double latent[2];
     double similarity; /* s */
     double score;      /* u, predicted */
-    double value;      /* lambda s + (1 - lambda) u / best */
+    double value;      /* confidence (lambda s + (1 - lambda) (u - floor) / (best - floor)), floor: ms_gpr_floor */
+    double confidence; /* as in ms_gpr_map_confidence: where the plane knows nothing there are no variants */
 } ms_gpr_variant;
 
-/* The variants that maximise lambda s(x*, x') + (1 - lambda) u(x') / best over the plane (thesis 3.7), for several lambda.
+/* The variants that maximise lambda s(x*, x') + (1 - lambda) u(x') / best over the plane (thesis 3.7), times how much the plane knows
+   there, for several lambda.
    lambda    [count], each in [0, 1]: 1 asks for the most similar material, 0 for the best
-   best      the score that counts as 1; 0: the largest on the grid (1 where none is positive)
+   best      the score that counts as 1; 0, or the floor or less: the largest on the grid (1 above the floor where none is)
    variant   [count] out
    x         [count][m] out: their materials
    The grid is searched, then every maximum is refined by a pattern search to 1/64 of a cell; all lambdas share what was
-   looked at, so similarity never falls and score never rises as lambda grows. */
+   looked at, so similarity times confidence never falls and score times confidence never rises as lambda grows. */
 MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
                                      const ms_gpr_grid *grid, const double *lambda, int count, double best, ms_gpr_variant *variant,
                                      double *x, ms_error *error);
@@ -4702,7 +4704,7 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
 MS_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution)
 {
     ms_gpr_grid grid;
-    double low[2], high[2];
+    double low[2], high[2], side = 0;
     int i, k;
     memset(&grid, 0, sizeof grid);
     if (plane == NULL || plane->l != 2) return grid;
@@ -4718,6 +4720,12 @@ MS_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution
         if (!(margin < length && margin > 0)) margin = length;
         low[k] -= margin;
         high[k] += margin;
+        if ((high[k] - low[k]) / length > side) side = (high[k] - low[k]) / length;
+    }
+    for (k = 0; k < 2; ++k) {
+        double more = 0.5 * (side * exp(plane->theta[k]) - (high[k] - low[k]));
+        low[k] -= more;
+        high[k] += more;
     }
     grid.x0 = low[0];
     grid.y0 = low[1];
@@ -4951,7 +4959,7 @@ typedef struct ms_gpr__looks {
     double *x;            /* [m] of the point in hand */
     ms_gpr_variant *seen;
     int count;
-    double best;          /* the score that counts as 1 */
+    double best, floor;   /* the scores that count as 1 and 0 */
 } ms_gpr__looks;
 
 static ms_status ms_gpr__look(ms_gpr__looks *looks, double a, double b, ms_error *error)
@@ -4960,7 +4968,8 @@ static ms_status ms_gpr__look(ms_gpr__looks *looks, double a, double b, ms_error
     ms_status status;
     v->latent[0] = a;
     v->latent[1] = b;
-    status = ms_gpr_latent_map(looks->plane, v->latent, 1, looks->x, NULL, error);
+    status = ms_gpr_latent_map(looks->plane, v->latent, 1, looks->x, &v->confidence, error);
+    v->confidence = 1 - v->confidence / exp(2 * looks->plane->theta[2]);
     if (status == MS_OK) status = ms_gpr_predict(looks->gp, looks->x, 1, &v->score, NULL, error);
     if (status == MS_OK)
         status = ms_gpr__similarity(looks->similarity, looks->plane->m, looks->x, looks->pictures, &v->similarity, error);
@@ -4974,7 +4983,8 @@ static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lamb
     int i;
     chosen.value = -HUGE_VAL;
     for (i = 0; i < looks->count; ++i) {
-        double value = lambda * looks->seen[i].similarity + (1 - lambda) * looks->seen[i].score / looks->best;
+        const ms_gpr_variant *v = &looks->seen[i];
+        double value = v->confidence * (lambda * v->similarity + (1 - lambda) * (v->score - looks->floor) / (looks->best - looks->floor));
         if (!(value > chosen.value)) continue;
         chosen = looks->seen[i];
         chosen.value = value;
@@ -5048,9 +5058,11 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
                 ms_gpr_grid_point(grid, column, row, at);
                 status = ms_gpr__look(&looks, at[0], at[1], error);
             }
-        looks.best = best > 0 ? best : 1;
-        for (i = 0; !(best > 0) && i < looks.count; ++i)
-            if (i == 0 ? looks.seen[i].score > 0 : looks.seen[i].score > looks.best) looks.best = looks.seen[i].score;
+        looks.floor = ms_gpr_floor(gp);
+        looks.best = best > looks.floor ? best : -HUGE_VAL;
+        for (i = 0; !(best > looks.floor) && i < looks.count; ++i)
+            if (looks.seen[i].score > looks.best) looks.best = looks.seen[i].score;
+        if (!(looks.best > looks.floor)) looks.best = looks.floor + 1;
         for (i = 0; i < count && status == MS_OK; ++i)
             status = ms_gpr__looks_refine(&looks, grid, lambda[i], error);
         for (i = 0; i < count && status == MS_OK; ++i) {

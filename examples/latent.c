@@ -4,7 +4,7 @@
      build/latent SCORES.csv OUT.png
 
    SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. Three panels: predicted score, similarity to the best
-   material (here between parameters; a renderer or a neural network makes it one between pictures), and their product; dark where
+   material (here between parameters; a renderer or a neural network makes it one between pictures), and their product; grey where
    the plane knows nothing. White dots: the embedded materials; red: the best one; black: automatic variants of it, from most
    similar to best liked. */
 #define MS_GPR_IMPLEMENTATION

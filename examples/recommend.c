@@ -1,17 +1,17 @@
 /* Learns a taste from scored materials and recommends new ones.
 
      cc -O2 -I. examples/recommend.c -o build/recommend -lm
-     build/recommend SCORES.csv [--count 300] [--tau 0.6] [--seed S] [--out FILE]
+     build/recommend SCORES.csv [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--out FILE]
 
    SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. The recommendations go to FILE, or to standard output,
    as x0 .. x{m-1}, mean, sigma: predicted score and standard deviation. Parameters stay in [0, 1], or in the range of the
-   scored materials where those leave it. */
+   scored materials, rounded outwards, where those leave it; columns of one value keep it. Scores may be on any scale. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "scores.h"
 
-static const char usage[] = "usage: recommend SCORES.csv [--count 300] [--tau 0.6] [--seed S] [--out FILE]\n"
-                            "  count: 1 to 1000000; tau: above 0, at most 1\n";
+static const char usage[] = "usage: recommend SCORES.csv [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--out FILE]\n"
+                            "  count: 1 to 1000000; skip: so many of the same seed are left out; tau: above 0, at most 1; diversity: 0 to 1\n";
 
 /* The value behind an option; ends the program where it is no number from low to high. */
 static double number(const char *text, double low, double high)
@@ -35,9 +35,9 @@ static void write_csv(FILE *f, const double *x, const double *mean, const double
 
 int main(int argc, char **argv)
 {
-    static const char *const search[] = {"", "rejection", "the walk", "hill climbing"};
+    static const char *const search[] = {"", "rejection", "subset simulation"};
     const char *in = NULL, *out = NULL, *problem;
-    double count = 300, *x, *mean, *sigma, *low, *high;
+    double count = 300, *x, *mean, *sigma;
     ms_gpr_recommend_options options;
     ms_gpr_recommend_report report;
     ms_gpr_fit_report fitted;
@@ -54,6 +54,8 @@ int main(int argc, char **argv)
         if (argv[i][0] != '-' && in == NULL) in = argv[i];
         else if (argv[i][0] != '-' || i + 1 == argc) return file_usage(usage);
         else if (strcmp(argv[i], "--count") == 0) count = number(argv[++i], 1, 1e6);
+        else if (strcmp(argv[i], "--skip") == 0) options.skip = (int)number(argv[++i], 0, 1e6);
+        else if (strcmp(argv[i], "--diversity") == 0) options.diversity = number(argv[++i], 0, 1);
         else if (strcmp(argv[i], "--tau") == 0) options.tau = number(argv[++i], 1e-6, 1);
         else if (strcmp(argv[i], "--seed") == 0) options.seed = (uint64_t)number(argv[++i], 0, 9007199254740992.0);
         else if (strcmp(argv[i], "--out") == 0) out = argv[++i];
@@ -69,12 +71,7 @@ int main(int argc, char **argv)
     x = (double *)malloc((size_t)n * (size_t)s.m * sizeof *x);
     mean = (double *)malloc((size_t)n * sizeof *mean);
     sigma = (double *)malloc((size_t)n * sizeof *sigma);
-    low = (double *)malloc((size_t)s.m * sizeof *low);
-    high = (double *)malloc((size_t)s.m * sizeof *high);
-    if (!x || !mean || !sigma || !low || !high) return 1;
-    scores_box(&s, low, high);
-    options.low = low;
-    options.high = high;
+    if (!x || !mean || !sigma) return 1;
     status = ms_gpr_fit(s.x, s.y, s.n, s.m, NULL, &gp, &fitted, &error);
     if (status == MS_OK) status = ms_gpr_recommend(gp, &options, n, x, mean, sigma, &report, &error);
     if (status != MS_OK) {
@@ -97,6 +94,6 @@ int main(int argc, char **argv)
             report.acceptance > 0 ? 1 / report.acceptance : (double)INFINITY, report.spread);
     ms_gpr_destroy(gp);
     scores_free(&s);
-    free(x), free(mean), free(sigma), free(low), free(high);
+    free(x), free(mean), free(sigma);
     return 0;
 }

@@ -90,19 +90,4 @@ static inline const char *scores_read(const char *path, scores *s)
     fclose(f);
     return problem;
 }
-
-/* The box of allowed parameters: 0 to 1, or what the materials span in a dimension where they leave that. */
-static inline void scores_box(const scores *s, double *low, double *high)
-{
-    int i, k;
-    for (k = 0; k < s->m; ++k) {
-        low[k] = high[k] = s->x[k];
-        for (i = 0; i < s->n; ++i) {
-            double v = s->x[(size_t)i * (size_t)s->m + (size_t)k];
-            if (v < low[k]) low[k] = v;
-            if (v > high[k]) high[k] = v;
-        }
-        if (low[k] >= 0 && high[k] <= 1) { low[k] = 0; high[k] = 1; }
-    }
-}
 #endif

@@ -1452,7 +1452,7 @@ static void test_variants(void)
     enum { L = 9, FINE = 61 };
     plane_of_taste p = plane_make(20);
     double lambda[L], x[L * 12], at[2], *score = (double *)malloc(FINE * FINE * sizeof *score),
-           *similar = (double *)malloc(FINE * FINE * sizeof *similar), best;
+           *similar = (double *)malloc(FINE * FINE * sizeof *similar), *known = (double *)malloc(FINE * FINE * sizeof *known), best;
     ms_gpr_variant v[L];
     ms_gpr_similarity s;
     ms_gpr_grid fine = p.grid;
@@ -1466,16 +1466,21 @@ static void test_variants(void)
     fine.columns = fine.rows = FINE;
     CHECK_INT(ms_gpr_map_preference(p.plane, p.t.gp, &fine, score, NULL, NULL), MS_OK);
     CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &fine, similar, NULL), MS_OK);
+    CHECK_INT(ms_gpr_map_confidence(p.plane, &fine, known, NULL), MS_OK);
+    CHECK_NEAR((fine.x1 - fine.x0) / exp(ms_gpr_latent_theta(p.plane)[0]), (fine.y1 - fine.y0) / exp(ms_gpr_latent_theta(p.plane)[1]), 1e-12);
     calls = 0;
     CHECK_INT(ms_gpr_variants(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, v, x, NULL), MS_OK);
     TEST_NOTE("%d pictures for %d variants", calls, L);
     CHECK_LE(calls, 20 * 20 + 2 + L * 160);
     for (i = 0; i < L; ++i) {
         double top = -1e300, again[12], u;
-        CHECK_NEAR(v[i].value, lambda[i] * v[i].similarity + (1 - lambda[i]) * v[i].score / 10, 1e-12);
-        if (i) CHECK(v[i].similarity >= v[i - 1].similarity && v[i].score <= v[i - 1].score);
+        CHECK_NEAR(v[i].value, v[i].confidence * (lambda[i] * v[i].similarity + (1 - lambda[i]) * v[i].score / 10), 1e-12);
+        if (i) CHECK(v[i].confidence * v[i].similarity >= v[i - 1].confidence * v[i - 1].similarity);
+        if (i) CHECK(v[i].confidence * v[i].score <= v[i - 1].confidence * v[i - 1].score);
+        CHECK(v[i].confidence > 0.5); /* not where the plane knows nothing */
+        CHECK(v[i].latent[0] > p.grid.x0 && v[i].latent[0] < p.grid.x1 && v[i].latent[1] > p.grid.y0 && v[i].latent[1] < p.grid.y1);
         for (k = 0; k < FINE * FINE; ++k) {
-            double value = lambda[i] * similar[k] + (1 - lambda[i]) * score[k] / 10;
+            double value = known[k] * (lambda[i] * similar[k] + (1 - lambda[i]) * score[k] / 10);
             if (value > top) top = value;
         }
         CHECK(v[i].value >= top - 1e-3); /* a fine grid of three times the resolution finds hardly better */
@@ -1492,6 +1497,7 @@ static void test_variants(void)
     CHECK_NEAR(v[0].score, best, 1e-9); /* lambda 0 does not depend on the unit of scores */
     free(score);
     free(similar);
+    free(known);
     plane_free(&p);
 }
 
