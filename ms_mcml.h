@@ -89,8 +89,8 @@
        0.4         0.3             76 ms         3e-10               4e-4
        0.3         0.25 (default) 145 ms         5e-13               8e-5
 
-   Valid for index ratios 0.1 to 10 and every albedo, 1 included. Media with g other than 0 go to direct Monte Carlo;
-   similarity, mu_s (1 - g), is an option, whose totals are off by 0.3% at reduced albedo 0.99, 6% at 0.9, 60% at 0.5 and
+   Valid for index ratios 0.1 to 10 and every albedo, 1 included. Media with g other than 0 and layers go to the layered
+   solver, a tenth of a second to a second a channel; similarity, mu_s (1 - g), is an option, whose totals are off by 0.3% at reduced albedo 0.99, 6% at 0.9, 60% at 0.5 and
    whose profile is off by 100% and more within a mean free path of the beam. White Monte
    Carlo needs 1.5 us a photon for all albedos together, direct Monte Carlo 0.1 to 3 us a photon and channel; 1e6 photons
    leave about 1% of noise in a profile (relative L2 over rings of a twentieth of a mean free path).
@@ -595,7 +595,8 @@ MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *solution, int s
 
 /* Three ways to a profile; times on one AVX2 core, three channels, from tests/bench/bench_profile.c (README has the table):
 
-     deterministic   the half-space solver: 10 to 25 ms, rings to 1e-4, totals to 1e-8. The default for g = 0
+     deterministic   the half-space solver where g = 0: rings to 1e-4, totals to 1e-8; the layered solver elsewhere, whose
+                     rings have errors beside them. The default
      white           1.5 us a photon for all channels together, whatever they absorb. For a table over many albedos run
                      ms_mcml_white_run once instead
      direct          0.1 us a photon and channel at albedo 0.95, 1 to 3 us at 0.9999; the only way that is exact for g
@@ -603,12 +604,11 @@ MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *solution, int s
    1e6 photons leave an error of about 1% of the profile (L2). */
 
 typedef enum ms_mcml_method {
-    MS_MCML_AUTO = 0,          /* deterministic if photons = 0 and g = 0 (or similarity); else direct, but white (where it
-                                  can) for edge_mm and where a channel absorbs less than 1e-3 of what it meets: there it
-                                  needs less time */
-    MS_MCML_DETERMINISTIC = 1, /* no noise, milliseconds a channel; g = 0, or other g by similarity where that is asked for */
+    MS_MCML_AUTO = 0,          /* deterministic if photons = 0; else direct, but white (where it can) for edge_mm and where a
+                                  channel absorbs less than 1e-3 of what it meets: there it needs less time */
+    MS_MCML_DETERMINISTIC = 1, /* no noise: the half-space solver where g = 0, else the layered one */
     MS_MCML_WHITE = 2,         /* Monte Carlo, one run for all channels; g = 0 and one eta only */
-    MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g */
+    MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g, layers */
 } ms_mcml_method;
 
 typedef struct ms_mcml_profile_options {
@@ -619,8 +619,9 @@ typedef struct ms_mcml_profile_options {
     int rings;             /* 0 (with edge_mm NULL, ring_mm 0): rings that suit the media, see ms_mcml_profile */
     double ring_mm;
     double depth_step, frequency_step; /* deterministic: see ms_mcml_halfspace_options */
-    int similarity;        /* not 0: deterministic takes g other than 0 as mu_s (1 - g) and g = 0; RESULTS.md has the errors:
-                              100% and more within a mean free path of the beam */
+    int similarity;        /* not 0: deterministic takes g other than 0 as mu_s (1 - g) and g = 0: tens of times faster; RESULTS.md
+                              has the errors: 100% and more within a mean free path of the beam */
+    const ms_mcml_tissue *tissues; /* NULL, or [channels] layered tissues in place of media, which may be NULL then */
     ms_simd simd;
     ms_parallel parallel;
     ms_progress progress;
@@ -634,7 +635,7 @@ typedef struct ms_mcml_profile {
     int method;                     /* that was used */
     double *edge_mm;          /* [rings + 1] */
     double *rd_per_mm2;       /* [channels][rings] mean over each ring */
-    double *rd_error_per_mm2; /* [channels][rings] standard error; zeros if deterministic */
+    double *rd_error_per_mm2; /* [channels][rings] standard error, or the layered solver's; zeros from the half-space solver */
     double *within;           /* [channels][rings + 1] energy that leaves nearer than the edge */
     double *ap_per_mm;        /* [channels][rings] mean of the pre-integrated kernel a_p over edge_i <= x < edge_i+1;
                                        NULL from Monte Carlo (ms_sss.h integrates rings) */
@@ -649,6 +650,7 @@ typedef struct ms_mcml_profile {
    of the shortest mean free path, up to that path; from there each 4% wider than the one before, out to where every
    channel has 1e-5 of its energy left; for direct Monte Carlo all equal, out to 32 of the longest paths. Release with
    ms_mcml_profile_destroy. The same bits for any thread count.
+   MS_NOT_CONVERGED: the layered solver says so of a channel; the profile is there, with its errors, and to be released.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED, MS_UNSUPPORTED (a method whose conditions above are
    not met): *profile is zeroed. */
 MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_medium *media, int channels,
@@ -5241,13 +5243,50 @@ typedef struct ms_mcml__profile_job {
     double *work;                /* MS_MCML__SOLVE_BYTES for each channel, or for one if they run in turn */
     size_t work_stride;
     double depth_step, frequency_step;
+    const ms_mcml_profile_options *options;
+    ms_mcml_layered *layered;    /* [channels], where one needs it; rd < 0: by the half-space solver */
+    ms_error *failure;           /* [channels] */
     double *sum, *squares;       /* [channels][rings + 2] scores: inside the first edge, rings, beyond the last */
     double *log_albedo, *mu_t;   /* [channels] */
 } ms_mcml__profile_job;
 
+/* A channel's layers, in cm; layer is for a medium. */
+static void ms_mcml__profile_tissue(const ms_mcml__profile_job *job, int channel, ms_mcml_tissue *tissue, ms_mcml_layer *layer)
+{
+    const ms_mcml_medium *m = job->media + channel;
+    if (job->options->tissues) {
+        *tissue = job->options->tissues[channel];
+        return;
+    }
+    layer->n = m->eta;
+    layer->mu_a_per_cm = 10 * m->mu_a_per_mm;
+    layer->mu_s_per_cm = 10 * m->mu_s_per_mm;
+    layer->g = m->g;
+    layer->thickness_cm = 1e8;
+    tissue->n_above = tissue->n_below = 1;
+    tissue->layer_count = 1;
+    tissue->layers = layer;
+}
+
 static void ms_mcml__profile_solve(void *context, int channel)
 {
     const ms_mcml__profile_job *job = (const ms_mcml__profile_job *)context;
+    const ms_mcml_profile_options *o = job->options;
+    if (job->layered) {
+        ms_mcml_layer layer;
+        ms_mcml_tissue tissue;
+        ms_mcml_layered_options options;
+        memset(&options, 0, sizeof options);
+        options.allocator = o->allocator;
+        options.frequency_step = o->frequency_step;
+        job->failure[channel].status = MS_OK;
+        job->layered[channel].rd = -1;
+        ms_mcml__profile_tissue(job, channel, &tissue, &layer);
+        if (o->tissues || job->media[channel].g < 0 || job->media[channel].g > 0) {
+            ms_mcml_layered_solve(&tissue, &options, &job->layered[channel], &job->failure[channel]);
+            return;
+        }
+    }
     ms_mcml__solve(&job->media[channel], job->depth_step, job->frequency_step, &job->solution[channel],
                    job->work + (size_t)channel * job->work_stride);
 }
@@ -5260,8 +5299,27 @@ static void ms_mcml__profile_fill(void *context, int channel)
     const ms_mcml_halfspace *s = &job->solution[channel];
     size_t row = (size_t)channel * (size_t)p->rings;
     double *within = p->within + row + channel;
-    double beyond = ms_mcml_halfspace_beyond(s, p->edge_mm[0]), line = ms_mcml_halfspace_line_beyond(s, p->edge_mm[0]);
+    double beyond, line;
     int i;
+    if (job->layered && job->layered[channel].rd >= 0) {
+        const ms_mcml_layered *y = &job->layered[channel];
+        line = ms_mcml_layered_line_beyond(y, 0, 0.1 * p->edge_mm[0]);
+        within[0] = p->edge_mm[0] > 0 ? y->rd - ms_mcml_layered_beyond(y, 0, 0.1 * p->edge_mm[0]) : 0;
+        for (i = 0; i < p->rings; ++i) {
+            const double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1], next = ms_mcml_layered_line_beyond(y, 0, 0.1 * r1);
+            double error;
+            p->rd_per_mm2[row + (size_t)i] = 0.01 * ms_mcml_layered_ring(y, 0, 0.1 * r0, 0.1 * r1, &error);
+            p->rd_error_per_mm2[row + (size_t)i] = 0.01 * error;
+            within[i + 1] = y->rd - ms_mcml_layered_beyond(y, 0, 0.1 * r1);
+            p->ap_per_mm[row + (size_t)i] = line > next ? (line - next) / (r1 - r0) : 0;
+            line = next;
+        }
+        p->total[channel] = y->rd;
+        p->total_error[channel] = y->rd_error;
+        return;
+    }
+    beyond = ms_mcml_halfspace_beyond(s, p->edge_mm[0]);
+    line = ms_mcml_halfspace_line_beyond(s, p->edge_mm[0]);
     within[0] = s->total - beyond;
     for (i = 0; i < p->rings; ++i) {
         double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1], next = ms_mcml_halfspace_beyond(s, r1);
@@ -5302,27 +5360,29 @@ static void ms_mcml__profile_tally(void *context, const float *r2, const uint32_
 }
 
 /* Radius beyond which a channel has 1e-5 of its energy left. */
-static double ms_mcml__profile_radius(const ms_mcml_halfspace *s)
+static double ms_mcml__profile_radius(const ms_mcml_halfspace *s, const ms_mcml_layered *y)
 {
-    double low = 1e-3 / s->mu_t_per_mm, high = 1e8 / s->mu_t_per_mm;
+    double low = y ? 0.01 * y->radius_cm : 1e-3 / s->mu_t_per_mm, high = 1e11 * low;
     int i;
     for (i = 0; i < 40; ++i) {
         double middle = sqrt(low * high);
-        if (ms_mcml_halfspace_beyond(s, middle) > 1e-5 * s->total) low = middle;
+        if (y ? ms_mcml_layered_beyond(y, 0, 0.1 * middle) > 1e-5 * y->rd : ms_mcml_halfspace_beyond(s, middle) > 1e-5 * s->total) low = middle;
         else high = middle;
     }
     return high;
 }
 
 /* The rings that suit the media. edge NULL: only counts them. */
-static int ms_mcml__profile_rings(const ms_mcml_halfspace *solution, int channels, double *edge)
+static int ms_mcml__profile_rings(const ms_mcml_halfspace *solution, const ms_mcml_layered *layered, int channels, double *edge)
 {
     double radius = 0, mu_t = 0, r = 0;
     int c, n;
     for (c = 0; c < channels; ++c) {
-        double extent = solution[c].total > 0 ? ms_mcml__profile_radius(&solution[c]) : 1 / solution[c].mu_t_per_mm;
-        if (extent > radius) radius = extent;
-        if (solution[c].mu_t_per_mm > mu_t) mu_t = solution[c].mu_t_per_mm;
+        const ms_mcml_layered *y = layered && layered[c].rd >= 0 ? &layered[c] : NULL;
+        const double here = y ? 0.002 / y->radius_cm : solution[c].mu_t_per_mm; /* the table starts at 0.02 / mu_t */
+        const double end = (y ? y->rd : solution[c].total) > 0 ? ms_mcml__profile_radius(&solution[c], y) : 1 / here;
+        if (end > radius) radius = end;
+        if (here > mu_t) mu_t = here;
     }
     if (edge) edge[0] = 0;
     for (n = 0; r < radius || n < 20; ++n) {
@@ -5404,7 +5464,6 @@ static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const 
     progress.whole = &o->progress;
     progress.channels = p->channels;
     for (progress.channel = 0; status == MS_OK && progress.channel < p->channels; ++progress.channel) {
-        const ms_mcml_medium *m = &job->media[progress.channel];
         size_t row = (size_t)progress.channel * (size_t)p->rings;
         double *within = p->within + row + progress.channel;
         ms_mcml_layer layer;
@@ -5413,14 +5472,7 @@ static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const 
         ms_mcml_options options = ms_mcml_defaults();
         ms_mcml_result result;
         ms_mcml *tally;
-        layer.n = m->eta;
-        layer.mu_a_per_cm = 10 * m->mu_a_per_mm;
-        layer.mu_s_per_cm = 10 * m->mu_s_per_mm;
-        layer.g = m->g;
-        layer.thickness_cm = 1e8;
-        tissue.n_above = tissue.n_below = 1;
-        tissue.layer_count = 1;
-        tissue.layers = &layer;
+        ms_mcml__profile_tissue(job, progress.channel, &tissue, &layer);
         memset(&grid, 0, sizeof grid);
         grid.dr_cm = grid.dz_cm = 1;
         grid.nr = p->rings + 1 + inner; /* the last collects what lies beyond */
@@ -5465,41 +5517,47 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     size_t solve_size = 0, tally_size = 0, n, c;
     ms_status status = MS_OK;
     double least = 1; /* absorption, as a part of mu_a + mu_s */
-    int i, anisotropic = 0, forward = 0, solve;
+    int i, anisotropic = 0, layers = 0, solve;
     if (profile) memset(profile, 0, sizeof *profile);
-    if (profile == NULL || media == NULL || channels < 1 || channels > 65536)
+    if (profile == NULL || (media == NULL && !(options && options->tissues)) || channels < 1 || channels > 65536)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d channels, expected 1 to 65536; profile and media not NULL", channels);
     memset(&o, 0, sizeof o);
     if (options) o = *options;
-    for (i = 0; i < channels; ++i) {
+    for (i = 0; i < channels && o.tissues; ++i) {
+        anisotropic = layers = 1;
+        status = ms_mcml__check_tissue(&o.tissues[i], error);
+        if (status) return status;
+    }
+    for (i = 0; i < channels && !o.tissues; ++i) {
         double absorption = media[i].mu_a_per_mm / (media[i].mu_a_per_mm + media[i].mu_s_per_mm);
         status = ms_mcml__check_medium(&media[i], error);
         if (status) return status;
-        forward |= media[i].g < 0 || media[i].g > 0;
+        layers |= (media[i].g < 0 || media[i].g > 0) && !o.similarity;
         anisotropic |= media[i].g < 0 || media[i].g > 0 || media[i].eta < media[0].eta || media[i].eta > media[0].eta;
         if (absorption < least) least = absorption;
     }
     if (o.method < MS_MCML_AUTO || o.method > MS_MCML_DIRECT)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected one of ms_mcml_method", o.method);
     if (o.method == MS_MCML_AUTO)
-        o.method = o.photons == 0 && (!forward || o.similarity) ? MS_MCML_DETERMINISTIC
+        o.method = o.photons == 0 ? MS_MCML_DETERMINISTIC
                    : !anisotropic && (o.edge_mm || least < 1e-3) ? MS_MCML_WHITE : MS_MCML_DIRECT;
     if (o.photons == 0) o.photons = 1000000;
     status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
-    if (status == MS_OK) status = ms_mcml__check_photons(o.photons, media[0].eta, error);
+    if (status == MS_OK) status = ms_mcml__check_photons(o.photons, o.tissues ? 1 : media[0].eta, error);
     if (status == MS_OK && (o.rings != 0 || o.edge_mm)) status = ms_mcml__check_edges(o.edge_mm, o.rings, 1 << 24, error);
     if (status) return status;
     if (o.edge_mm == NULL && o.rings != 0 && !(ms__finite(o.ring_mm) && o.ring_mm > 0 && o.ring_mm <= 1e100))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected a positive number", o.ring_mm);
     if (o.method == MS_MCML_WHITE && anisotropic)
         return ms__fail(error, MS_UNSUPPORTED, 0, "white Monte Carlo needs g = 0 and one eta for all channels");
-    if (o.method == MS_MCML_DETERMINISTIC && forward && !o.similarity)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "g other than 0 needs direct Monte Carlo, or similarity in the options");
+    if (o.method == MS_MCML_DIRECT && o.rings == 0 && o.tissues)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "direct Monte Carlo of layers needs rings: edge_mm or ring_mm");
     if (o.method == MS_MCML_DIRECT && o.rings == 0) ms_mcml__profile_equal_rings(media, channels, &o);
 
     memset(&job, 0, sizeof job);
     memset(&p, 0, sizeof p);
     job.media = media;
+    job.options = &o;
     job.profile = &p;
     job.depth_step = o.depth_step;
     job.frequency_step = o.frequency_step;
@@ -5512,13 +5570,25 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     solve = o.method == MS_MCML_DETERMINISTIC || o.rings == 0;
     if (solve) {
         n = (o.parallel.run ? c : 1) * MS_MCML__SOLVE_BYTES;
-        solve_size = ms__size_add(n, c * sizeof(ms_mcml_halfspace));
+        solve_size = ms__size_add(n, c * (sizeof(ms_mcml_halfspace) + (layers ? sizeof(ms_mcml_layered) + sizeof(ms_error) : 0)));
         job.work = (double *)ms__alloc(&o.allocator, solve_size);
         if (job.work == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver", solve_size);
         job.solution = (ms_mcml_halfspace *)(void *)((char *)job.work + n);
+        if (layers) {
+            memset(job.solution, 0, solve_size - n);
+            job.layered = (ms_mcml_layered *)(void *)(job.solution + channels);
+            job.failure = (ms_error *)(void *)(job.layered + channels);
+        }
         ms__run(&o.parallel, channels, ms_mcml__profile_solve, &job);
+        for (i = 0; i < channels && layers; ++i) {
+            const ms_status here = job.failure[i].status;
+            if (here == MS_OK || here == MS_NOT_CONVERGED) continue;
+            if (error) *error = job.failure[i];
+            ms__release(&o.allocator, job.work, solve_size);
+            return here;
+        }
     }
-    if (o.rings == 0) p.rings = ms_mcml__profile_rings(job.solution, channels, NULL);
+    if (o.rings == 0) p.rings = ms_mcml__profile_rings(job.solution, job.layered, channels, NULL);
     n = (size_t)p.rings;
     p.memory_size = ms__size_mul(ms__size_add(ms__size_mul(c, ms__size_add(ms__size_mul(4, n), 3)), n + 1), sizeof(double));
     p.memory = ms__alloc(&o.allocator, p.memory_size);
@@ -5530,7 +5600,7 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
         p.ap_per_mm = p.rd_error_per_mm2 + c * n;
         p.total = p.ap_per_mm + c * n;
         p.total_error = p.total + c;
-        if (o.rings == 0) ms_mcml__profile_rings(job.solution, channels, p.edge_mm);
+        if (o.rings == 0) ms_mcml__profile_rings(job.solution, job.layered, channels, p.edge_mm);
         for (i = 0; o.rings != 0 && i <= p.rings; ++i) p.edge_mm[i] = o.edge_mm ? o.edge_mm[i] : i * o.ring_mm;
         if (o.method == MS_MCML_DETERMINISTIC) {
             ms__run(&o.parallel, channels, ms_mcml__profile_fill, &job);
@@ -5559,9 +5629,13 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     } else {
         status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d channels of %d rings", channels, p.rings);
     }
-    ms__release(&o.allocator, job.work, solve_size);
     if (status) ms_mcml_profile_destroy(&p);
     else *profile = p;
+    for (i = 0; i < channels && job.layered && status == MS_OK && o.method == MS_MCML_DETERMINISTIC; ++i) {
+        status = job.failure[i].status;
+        if (status && error) *error = job.failure[i];
+    }
+    ms__release(&o.allocator, job.work, solve_size);
     return status;
 }
 
