@@ -100,12 +100,12 @@
    Limits
    ------
    A separable kernel is no profile: step and disk errors above stay however many taps are spent, unless terms are added.
-   Kernels assume a locally flat surface and light that left the surface diffusely; thin parts need the transmittance.
+   Against random walks through three objects, four materials, three lamps (`make bench FILTER=sss_truth`): what is left of
+   the error lies at shadow borders, where two passes along the screen's axes are no round kernel (ms_sss_gather), and on parts that
+   let light through (ms_sss_transmission, or ms_sss_gather with a back layer): there, lit from behind, the filter alone is
+   no better than none. Bodies thinner than a mean free path stay too dark.
    Guided kernels send more light far away than the profile does; where it then crosses to other parts of an object (depth
    sigma a third of the radius, a knot of marble) their picture is worse than an unfiltered one.
-   Depth sigma, against random walks through a bust and a knot of skin and marble (`make bench FILTER=sss_truth`): 0.12
-   radii are within a tenth of the least error in all four; a third of the radius, which leaks between parts, is up to a
-   third above it; under 0.1 kernels get too narrow on slopes.
    Designs go up to a radius of 128 pixels; larger ones scale from there. Light that a profile sends beyond the 99% radius
    of its widest channel is moved inside, so that energy is kept. Errors are of linear interpolation between two pixels.
 
@@ -3191,14 +3191,14 @@ static ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms
     if (!(o->index >= 1 && o->index <= 2))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %g; 1 to 2 expected", o->index);
     if (o->model == MS_SSS_ROTATED && (dense || o->placement != MS_SSS_OPTIMISED || o->frame_count < 2 || o->frame_count > 8))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rotated kernels have optimised taps and 2 to 8 frames; frame_count is %d",
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "model rotated: frame_count is %d; 2 to 8, MS_SSS_OPTIMISED and no MS_SSS_DENSE expected",
                         o->frame_count);
     for (c = 0; c < 3; ++c) {
         const ms_sss_artist *a = &o->artist;
         int fitted = a->sigma_near_mm[c] == 0 && a->sigma_far_mm[c] == 0 && a->near_weight[c] == 0;
         if (!fitted && !(a->sigma_near_mm[c] > 0 && a->sigma_near_mm[c] <= 1e6 && a->sigma_far_mm[c] > 0 &&
                          a->sigma_far_mm[c] <= 1e6 && a->near_weight[c] >= 0 && a->near_weight[c] <= 1))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c, "artist, channel %d: sigmas %g and %g mm, weight %g", c,
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c, "artist, channel %d: sigma_near_mm %g, sigma_far_mm %g, near_weight %g; sigmas above 0, at most 1e6, a weight of 0 to 1, or all 0 expected", c,
                             a->sigma_near_mm[c], a->sigma_far_mm[c], a->near_weight[c]);
     }
     return MS_OK;
@@ -5272,7 +5272,7 @@ static void ms_sss__gather_add(const ms_sss__gather *g, const ms_sss__patch *p, 
                                float factor[3], float total[3])
 {
     const float dx = p->p[0] - q->p[0], dy = p->p[1] - q->p[1], dz = p->p[2] - q->p[2], square = dx * dx + dy * dy + dz * dz;
-    float r, low, high, area, sine = 0, step = (float)MS_SSS__GATHER_STEPS / g->reach;
+    float r, low, high, area, sine = 0, step = (float)(int)MS_SSS__GATHER_STEPS / g->reach;
     int inner, outer, c;
     if (!(square < g->reach * g->reach)) return;
     r = sqrtf(square);
@@ -5444,7 +5444,7 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
     g.disc = (float(*)[3])(void *)at;
     for (i = 0; i < MS_SSS__GATHER_STEPS + 2; ++i) {
         double disc[3];
-        ms_sss_profile_disc(profile, (double)g.reach * i / MS_SSS__GATHER_STEPS, disc);
+        ms_sss_profile_disc(profile, (double)g.reach * i / (int)MS_SSS__GATHER_STEPS, disc);
         for (c = 0; c < 3; ++c) g.disc[i][c] = (float)(total[c] > 0 ? disc[c] / total[c] : 0);
     }
     ms__run(&options->parallel, frame->height * g.layers, ms_sss__gather_load, &g);
