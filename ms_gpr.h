@@ -63,7 +63,7 @@
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    A model is two blocks from its allocator, n^2 + 3 n m doubles; a fit takes another of 4 n^2 and gives it back. Calls that
-   predict take one block of scratch. No globals; 12 KB of stack.
+   predict take one block of scratch. No globals; 20 KB of stack.
    A model is only read by const calls: they may overlap. ms_parallel shares out predictions, recommendations and galleries.
    Kernels are scalar, SSE2 or NEON, or AVX2 text, chosen once a model, capped by options.simd. AVX-512 brought too little
    and was left out.
@@ -5412,26 +5412,29 @@ static void MS_GPR__KERNEL(go)(void *d2, const void *slope, double t, double c, 
 }
 
 #if !MS_GPR__FLOAT
-/* A tile of 4 rows and 3 vectors, then of 1: twelve sums, three vectors of b and one of a fill 16 registers. Depth goes in slices
-   of 256, so that a slice of b stays in the first cache. */
+/* A tile of 4 rows and 3 vectors, then of 1: twelve sums, three vectors of b and one of a fill 16 registers. Depth goes in slices,
+   and three vectors of a slice of b are copied together, so that they stay in the first cache and on few pages. */
+#define MS_GPR__SLICE 128
 static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
                                    int rows, int columns, int depth, int parts)
 {
+    double strip[MS_GPR__SLICE * 3 * MS_GPR__LANES];
     int i, j, k, from, to;
     for (from = 0; from < depth; from = to) {
-        to = depth - from > 256 ? from + 256 : depth;
+        to = depth - from > MS_GPR__SLICE ? from + MS_GPR__SLICE : depth;
         for (j = 0; j + 3 * MS_GPR__LANES <= columns; j += 3 * MS_GPR__LANES) {
             int wanted = (parts & MS_GPR__UPPER) && j + 3 * MS_GPR__LANES < rows ? (j + 3 * MS_GPR__LANES + 3) & ~3 : rows;
             int first = (parts & MS_GPR__LOWER) && j > from ? j : from;
             if (first >= to) break;
+            for (k = first; k < to; ++k) memcpy(strip + (k - first) * 3 * MS_GPR__LANES, b + (size_t)k * b_stride + j, 3 * MS_GPR__LANES * sizeof *strip);
             for (i = 0; i < wanted; i += 4) {
-                const double *ak = a + (size_t)first * a_stride + i, *bk = b + (size_t)first * b_stride + j;
+                const double *ak = a + (size_t)first * a_stride + i, *bk = strip;
                 double *c0 = c + (size_t)i * c_stride + j, *c1 = c0 + c_stride, *c2 = c1 + c_stride, *c3 = c2 + c_stride;
                 MS_GPR__V c00 = MS_GPR__LOAD(c0), c01 = MS_GPR__LOAD(c0 + MS_GPR__LANES), c02 = MS_GPR__LOAD(c0 + 2 * MS_GPR__LANES);
                 MS_GPR__V c10 = MS_GPR__LOAD(c1), c11 = MS_GPR__LOAD(c1 + MS_GPR__LANES), c12 = MS_GPR__LOAD(c1 + 2 * MS_GPR__LANES);
                 MS_GPR__V c20 = MS_GPR__LOAD(c2), c21 = MS_GPR__LOAD(c2 + MS_GPR__LANES), c22 = MS_GPR__LOAD(c2 + 2 * MS_GPR__LANES);
                 MS_GPR__V c30 = MS_GPR__LOAD(c3), c31 = MS_GPR__LOAD(c3 + MS_GPR__LANES), c32 = MS_GPR__LOAD(c3 + 2 * MS_GPR__LANES);
-                for (k = first; k < to; ++k, ak += a_stride, bk += b_stride) {
+                for (k = first; k < to; ++k, ak += a_stride, bk += 3 * MS_GPR__LANES) {
                     MS_GPR__V b0 = MS_GPR__LOAD(bk), b1 = MS_GPR__LOAD(bk + MS_GPR__LANES), b2 = MS_GPR__LOAD(bk + 2 * MS_GPR__LANES), x;
 #define MS_GPR__STEP(r)                         \
     x = MS_GPR__SET(ak[r]);                     \
@@ -5553,6 +5556,7 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
      MS_GPR__JOIN(ms_gpr__line_mean_f_, MS_GPR__LEVEL), MS_GPR__JOIN(ms_gpr__go_f_, MS_GPR__LEVEL)}};
 #endif /* !MS_GPR__FLOAT */
 
+#undef MS_GPR__SLICE
 #undef MS_GPR__JOIN_
 #undef MS_GPR__JOIN
 #undef MS_GPR__LEVEL
