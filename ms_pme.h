@@ -1343,18 +1343,24 @@ static void ms_pme__random_point(ms_pme__run *run, const double *near_x, double 
 }
 
 /* Levenberg-Marquardt from starts [count][n], the best first. While cost is left, `restarts` further runs: from the other starts, then
-   from random points; roughly at first, to the end where that leads further. */
+   from random points, every second one from around the best; roughly at first, to the end where that leads further. */
 static void ms_pme__descend(ms_pme__run *run, const double *starts, int count, int restarts, double *memory)
 {
     ms_pme__walk walk;
-    int n = run->n, i;
+    int n = run->n, i, j, next = 0;
     double *scratch = memory + ms_pme__walk_size(n), tolerance = run->tolerance;
     ms_pme__walk_place(&walk, memory, n);
     for (i = 0; i <= restarts && !run->stopped; ++i) {
         double best = run->best_value;
         if (i > 0) run->tolerance = ms_pme__max(tolerance, 1e-3);
-        if (i < count) ms_pme__copy(scratch, starts + (size_t)i * (size_t)n, n);
-        else ms_pme__random_point(run, run->best, scratch);
+        if (i > 0 && i % 2 == 0 && run->ranged) {
+            for (j = 0; j < n; ++j)
+                scratch[j] = ms_pme__clip(run->best[j] + (ms__rng_uniform(&run->rng) - 0.5) * (run->upper[j] - run->lower[j]), run->lower[j], run->upper[j]);
+        } else if (next < count) {
+            ms_pme__copy(scratch, starts + (size_t)next++ * (size_t)n, n);
+        } else {
+            ms_pme__random_point(run, run->best, scratch);
+        }
         ms_pme__set_out(run, &walk, scratch);
         while (!walk.done && !run->stopped) ms_pme__step(run, &walk, scratch);
         run->tolerance = tolerance;

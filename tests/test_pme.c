@@ -413,7 +413,7 @@ static void test_reference_rest(void)
 /* --- functions that misbehave --- */
 
 typedef struct odd {
-    int kind;   /* 0: x'x shifted; 1: NaN for x0 > 0.6; 2: noise; 3: fails at a call; 4: NaN everywhere; 5: infinite Jacobian */
+    int kind;   /* 0: x'x shifted; 1: NaN for x0 > 0.6; 2: noise; 3: fails at a call; 4: NaN everywhere; 5, 6: Jacobian not finite */
     int calls, fail_at;
     uint64_t state;
 } odd;
@@ -443,6 +443,7 @@ static ms_status odd_residuals(void *user, const double *x, double *r, double *j
         memset(jacobian, 0, 6 * sizeof *jacobian);
         jacobian[0] = o->kind == 5 ? (double)HUGE_VAL : sqrt(3.0);
         jacobian[3] = 1;
+        if (o->kind == 6) jacobian[5] = nan_value();
     }
     return MS_OK;
 }
@@ -1438,6 +1439,10 @@ static void test_sensitivity_arguments(void)
     bad = odd_function(&o, 5, 0, NULL, NULL);
     CHECK_INT(ms_pme_sensitivity(&bad, NULL, x, sv, NULL, NULL, &error), MS_BAD_DATA);
     CHECK(strcmp(error.message, "the derivative of residual 0 by parameter 0 is not finite") == 0);
+    bad = odd_function(&o, 6, 0, NULL, NULL);
+    CHECK_INT(ms_pme_sensitivity(&bad, NULL, x, sv, NULL, NULL, &error), MS_BAD_DATA);
+    CHECK(strcmp(error.message, "the derivative of residual 2 by parameter 1 is not finite") == 0);
+    CHECK_INT(error.position, 1);
     bad = odd_function(&o, 0, 0, NULL, NULL);
     o.fail_at = 1;
     CHECK_INT(ms_pme_sensitivity(&bad, NULL, x, sv, NULL, NULL, &error), MS_IO);

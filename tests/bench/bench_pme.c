@@ -1,6 +1,6 @@
 /* ms_pme.h on edited pictures, with the networks and held-out materials of examples/data: the tables of the thesis's
    chapter 4, times, and what pictures tell about parameters. About two minutes. bench_pme --full gives basin hopping a
-   minute for every target instead of 0.3 s and factors the full-size network (40 minutes); --known searches the least RMSE of the 60 targets
+   minute for every target instead of 0.3 s and factors the full-size network (40 minutes); --minima makes pme_minima.md alone, --known searches the least RMSE of the 60 targets
    of targets.h (15 minutes, into build/bench/pme_targets.csv). Writes pme.md, pme_minima.md, pme_targets.md,
    pme_optimisers.md, pme_sequence.md, pme_time.md, pme_recovery.md, pme.csv and pme.svg. RMSE in levels of 255. */
 #define MS_NN_IMPLEMENTATION
@@ -639,8 +639,12 @@ int main(int argc, char **argv)
     problem = materials_read("examples/data/materials.csv", N, &held_out);
     if (!problem) problem = image_read("examples/data/materials.ppm", &sheet);
     check_picture(problem);
-    f = bench_open("pme_time.md");
     open_networks(&small, 64, small_targets);
+    if (argc > 1 && strcmp(argv[1], "--minima") == 0) {
+        table_minima(&small);
+        return 0;
+    }
+    f = bench_open("pme_time.md");
     open_networks(&large, 128, large_targets);
     fprintf(f, "One match at the defaults, milliseconds of one core of %s, medians of %d edited pictures (of %d for the largest). `make bench FILTER=pme`\n\n"
                "| picture | setting the target | best of 9 networks | the whole match | slowest |\n|---|---:|---:|---:|---:|\n",
