@@ -3,9 +3,10 @@
      cc -O2 -I. examples/profile.c -o build/profile -lm
      build/profile skin1
      build/profile --mua 0.032,0.17,0.48 --mus 0.74,0.88,1.01 --eta 1.3 --photons 10000000 --csv skin1.csv
+     build/profile --mci skin.mci                (layers: r_mm, R and T in 1/mm^2 of the file's first run)
      build/profile --list
 
-   Without --photons the half-space solver: no noise, milliseconds. With it, Monte Carlo. --csv saves the table to a
+   Without --photons the solvers: no noise. With it, Monte Carlo. --csv saves the table to a
    file; then only the comment lines are printed. Exit: 0, 1 if something failed, 2 if the arguments are wrong. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
@@ -16,6 +17,7 @@
 #include <string.h>
 
 static const char usage_text[] = "usage: profile MATERIAL | --mua R,G,B --mus R,G,B --eta N [--photons N] [--csv FILE]\n"
+                                 "  profile --mci FILE.mci [--csv FILE]    layers, without noise, in the rings of the file's first run\n"
                                  "  profile --list    the materials; coefficients are per mm\n";
 
 static int usage(const char *problem, const char *value)
@@ -71,9 +73,56 @@ static void print_table(FILE *f, const ms_mcml_profile *p)
                 rd[2 * p->rings + i]);
 }
 
+static void print_layers(FILE *f, const ms_mcml_run_spec *run, const ms_mcml_layered *s)
+{
+    const double dr = run->grid.dr_cm;
+    int i;
+    fprintf(f, "# %s: %d layers, layered solver of order %d\n", run->output, run->tissue.layer_count, s->order);
+    fprintf(f, "# specular,%.9g\n# total_reflectance,%.9g\n# total_transmittance,%.9g\n# absorbed,%.9g\n", s->specular, s->rd, s->tt, s->a);
+    fprintf(f, "# error_of_totals,%.2g,%.2g\n", s->rd_error, s->tt_error);
+    fprintf(f, "# %d rings %.9g mm wide; R and T are means over each, r_mm its middle\n", run->grid.nr, 10 * dr);
+    fprintf(f, "r_mm,R_1/mm2,T_1/mm2\n");
+    for (i = 0; i < run->grid.nr; ++i)
+        fprintf(f, "%.9g,%.9g,%.9g\n", 10 * (i + 0.5) * dr, 0.01 * ms_mcml_layered_ring(s, 0, i * dr, (i + 1) * dr, NULL),
+                0.01 * ms_mcml_layered_ring(s, 1, i * dr, (i + 1) * dr, NULL));
+}
+
+/* The first run of an .mci file. What cannot be promised is said on stderr, and the exit code is 1. */
+static int layers(const char *path, const char *csv)
+{
+    ms_mcml_mci file;
+    ms_mcml_layered solution;
+    ms_error error;
+    ms_status status = ms_mcml_mci_load(path, NULL, &file, &error);
+    int failed;
+    if (status == MS_OK) {
+        status = ms_mcml_layered_solve(&file.runs[0].tissue, NULL, &solution, &error);
+        if (status && status != MS_NOT_CONVERGED) ms_mcml_mci_destroy(&file);
+    }
+    if (status == MS_IO) fprintf(stderr, "profile: %s\n", error.message); /* names the file itself */
+    else if (status) fprintf(stderr, "profile: %s: %s\n", path, error.message);
+    if (status && status != MS_NOT_CONVERGED) return 1;
+    failed = status != MS_OK;
+    if (csv) {
+        file_out out;
+        FILE *f = file_create(csv, &out);
+        const char *trouble = out.problem;
+        if (f) {
+            print_layers(f, &file.runs[0], &solution);
+            trouble = file_finish(&out, 1);
+        }
+        if (trouble) fprintf(stderr, "profile: %s: %s\n", csv, trouble);
+        failed |= trouble != NULL;
+    } else {
+        print_layers(stdout, &file.runs[0], &solution);
+    }
+    ms_mcml_mci_destroy(&file);
+    return file_end_stdout("profile") || failed;
+}
+
 int main(int argc, char **argv)
 {
-    const char *name = NULL, *csv = NULL;
+    const char *name = NULL, *csv = NULL, *mci = NULL;
     ms_mcml_material custom;
     const ms_mcml_material *material = NULL;
     ms_mcml_medium medium[3];
@@ -108,6 +157,9 @@ int main(int argc, char **argv)
         } else if (strcmp(argv[i], "--photons") == 0) {
             if (!parse_numbers(value, &photons, 1) || !(photons >= 1 && photons < 4294967296.0))
                 return usage("--photons needs a number from 1 to 4294967295, not", value);
+        } else if (strcmp(argv[i], "--mci") == 0) {
+            if (value[0] == 0) return usage("--mci needs a file name", NULL);
+            mci = value;
         } else if (strcmp(argv[i], "--csv") == 0) {
             if (value[0] == 0) return usage("--csv needs a file name", NULL);
             csv = value;
@@ -116,6 +168,8 @@ int main(int argc, char **argv)
         }
         ++i;
     }
+    if (mci && (name || given || photons > 0)) return usage("--mci goes with --csv only", NULL);
+    if (mci) return layers(mci, csv);
     if (name && given) return usage("a material's name or coefficients, not both", NULL);
     if (!name && given != 7) return usage(given ? "--mua, --mus and --eta go together" : "no material", NULL);
     material = name ? ms_mcml_find_material(name) : &custom;

@@ -55,6 +55,11 @@ if [ -x build/profile ]; then
     refuses "negative absorption" "mu" build/profile --mua -1,0,0 --mus 1,1,1 --eta 1.4
     refuses "NaN scattering" "mu" build/profile --mua 1,0,0 --mus nan,1,1 --eta 1.4
     refuses "no arguments" "usage" build/profile
+    ok "one number for all channels" build/profile --mua 0.1 --mus 1 --eta 1.3
+    printf '1.0\n1\na.mco A\n1000\n0.01 0.01\n10 10 1\n2\n1\n1.4 3 100 0.8 0.01\n1.37 1 50 0.7 1e8\n1\n' >"$out/layers.mci"
+    ok "profile of layers" build/profile --mci "$out/layers.mci" --csv "$out/layers.csv"
+    is "its columns and rings" "$(grep -v '^#' "$out/layers.csv" | head -1), $(grep -vc '^#' "$out/layers.csv")" "r_mm,R_1/mm2,T_1/mm2, 11"
+    refuses "layers and coefficients" "mci" build/profile --mci "$out/layers.mci" --eta 1
 fi
 
 if [ -x build/mcml ]; then
