@@ -59,21 +59,23 @@
    Relative RMSE in % against the 2D convolution with d'Eon's skin profile, 99% of whose light leaves within 96 pixels;
    `make bench FILTER=sss_kernel` makes these tables, for the 11 materials of the thesis as well.
 
-     one tap a pixel                  1D passes   vertical step   45 degree step   1/f texture   made in ms
-     R_d sampled along the axis           2            7.80            8.23           22.80          0.0
-     one Gaussian                         2            7.21            8.68           19.18          1.8
-     SVD rank 1, normalised               2            6.48            6.29           16.62          3.0
-     pre-integrated                       2            0.00            3.03            7.33          0.0
-     image-optimal                        2            1.96            1.22            3.75          4.8
-     SVD rank 2, normalised               4            1.58            1.17            2.65          3.6
-     pre-integrated + 1 residual          4            0.00            0.88            1.22          2.9
+     one tap a pixel                  1D passes   vertical step   45 degree step   1/f texture
+     R_d sampled along the axis           2            7.80            8.23           22.80
+     one Gaussian                         2            7.21            8.68           19.18
+     SVD rank 1, normalised               2            6.48            6.29           16.62
+     pre-integrated                       2            0.00            3.03            7.33
+     image-optimal                        2            1.96            1.22            3.75
+     SVD rank 2, normalised               4            1.58            1.17            2.65
+     pre-integrated + 1 residual          4            0.00            0.88            1.22
 
      texture error by taps of a pass      24 pixels: 7     11     17     96 pixels: 7     11     17
      pre-integrated, quadratic spacing            4.48   4.45   5.80           11.59   8.58   7.71
      image-optimal, optimised taps (default)      2.50   1.61   1.41            9.25   5.62   4.16
      two terms, optimised taps                    1.89   0.67   0.29            8.12   3.74   1.98
      axes turned over 4 frames, their mean        1.48   0.60   0.19            5.89   2.82   1.42
-     made in ms (default kernel)                    12     25     41              23     42     73
+
+   A kernel takes longer to make with more taps, terms and, for the rotated ones, frames; the filter takes time with pixels,
+   taps and terms, hardly with the radius.
 
    Choose by what is seen: edges along the screen's axes want `dial` towards 1, a single bright dot wants more taps, detail
    and shadows are served by the default. Filter speed: `make bench FILTER=sss_filter`.
@@ -620,7 +622,7 @@ typedef struct ms_sss_pyramid {
     float reflectance[3]; /* the profile's total; the weights add up to 1 */
 } ms_sss_pyramid;
 
-/* Fits the weights: least squares of the transfer function for pictures with a 1/f spectrum, for every size. 0.1 s.
+/* Fits the weights: least squares of the transfer function for pictures with a 1/f spectrum, for every size.
    MS_INVALID_ARGUMENT: a NULL, a profile without light. *pyramid is untouched then. */
 MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error);
 
@@ -652,7 +654,7 @@ typedef struct ms_sss_back {
 /* The slow, good filter: every pixel gathers from points of the surface in space, at their true distances, with the round
    profile and the elevation, from the visible surface and, if given, the one behind it: the light of ears, leaves and
    fingers against the sun, which no filter of one layer has. Points farther than four pixels are taken together by twos,
-   fours and so on, so that cost grows with pixels and the logarithm of the radius: a few microseconds a pixel.
+   fours and so on, so that cost grows with pixels and the logarithm of the radius; some hundred reads a pixel and layer.
    frame     depth is needed; no profile; the rest as in ms_sss_filter
    back      NULL: the visible surface alone
    options   the size of a pixel, mm_per_unit, albedo_mode, fade, flat, parallel count; the others do nothing
