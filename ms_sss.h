@@ -3449,11 +3449,21 @@ enum {
     MS_SSS__BLOCK = 32, /* columns that are left out together where none takes part */
     MS_SSS__TILE = 512, /* columns of a tile: of one, the rows that taps along y read stay in the L2 cache */
     MS_SSS__SLAB = 128, /* rows that all steps finish before the next: what is between the steps stays in the cache */
-    MS_SSS__TASKS = 64, /* bands of rows at most */
-    MS_SSS__ROWS = 17,  /* row buffers of a task */
+    MS_SSS__TASKS = 16, /* bands of rows at most */
+    MS_SSS__ROWS = 42,  /* row buffers of a task */
+    MS_SSS__PAIRS = 8,  /* of taps that a sweep takes */
+    MS_SSS__MARGIN = 144, /* rows and columns around the picture that its taps may reach, and a group */
+    MS_SSS__STEP = 8,   /* rows that the second pass takes together */
+    MS_SSS__NONE = 0,   /* plans of a group: takes no part; kernels under half a pixel; lane by lane; */
+    MS_SSS__LEAVE = 1,
+    MS_SSS__ANY = 2,
+    MS_SSS__EVENLY = 3, /* the same two pixels beside each tap in all lanes; */
+    MS_SSS__ODDLY = 4,  /* the same three */
     MS_SSS__SIDE_MAX = 65536,
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
 };
+
+#define MS_SSS__AWAY 1e15f /* in a sweep: depth of what takes no part */
 
 /* (1 - (dz / (3.0746 sigma))^2)^4, which stands for exp(-dz^2 / (2 sigma^2)): within 0.013 of it everywhere. */
 #define MS_SSS__FALLOFF_END 3.0746
@@ -3484,6 +3494,10 @@ typedef struct ms_sss__pass {
     int exact; /* the Gaussian of dz^2; 0: (1 - dz^2)^4 */
     /* With slopes: depths are taken against the tangent plane, and light from below it counts more. */
     const float *slope[2]; /* planes as colour's */
+    const float *own[3];   /* of the row at hand: pixels a mm of the tangent plane, depth that it gains a pixel, cosine of the normal to the ray */
+    /* In the sweep: row[i], groups of the row i below; group, where the group lies in its row; first_pixel: where planes point. */
+    const float *const *row, *first_pixel;
+    ptrdiff_t group;
     float focal[2];     /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the farther pixel */
     float reach;        /* dz^2 of the kernel's radius: between neighbours a step in depth beyond is an edge */
     float upright;      /* 1 - flat */
@@ -3491,6 +3505,21 @@ typedef struct ms_sss__pass {
     float unit;         /* mm of dz 1 */
     float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
 } ms_sss__pass;
+
+/* Kernels of equal pairs in one sweep: the second pass follows the first in slabs of rows, which lie in a ring, in groups of
+   one vector each of red, green, blue and depth. Numbers that all lanes share stand 16 times. */
+typedef struct ms_sss__sweep {
+    struct ms_sss__job *job;
+    int pairs, shaped, reach, bands, band, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
+    float offset[2][MS_SSS__PAIRS][16]; /* mm; of the axes in their own pixels */
+    float nearness[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* 1 / offset; centre, pairs */
+    float *ring, *own, *window;
+    unsigned char *plan;
+    ptrdiff_t plan_row, window_stride;
+    int *slot;         /* of each row in the ring; 0: nothing takes part */
+    const float **row; /* the same as pointers, from MARGIN rows above the picture on */
+    float *least;      /* of each task, the least depth */
+} ms_sss__sweep;
 
 /* A row of a pyramid level, even and odd columns apart: colour, depth, share of the area that takes part. */
 typedef struct ms_sss__split {
@@ -3523,6 +3552,13 @@ typedef struct ms_sss__kernels {
     void (*shaped_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
     void (*shape)(const ms_sss__pass *p, const float *const depth[3], const float *const normal[3], int y, int begin, int end,
                   float *const slope[2]);
+    void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, int axis, float *const out[3]);
+    void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, float *depth, const float *size, int count, unsigned char *plan);
+    void (*sweep_row)(const ms_sss__sweep *s, const ms_sss__pass *p, const float *window, ptrdiff_t plane, const float *const own[3],
+                      const unsigned char *plan, int y, int count, float *to);
+    void (*sweep_slab)(const ms_sss__sweep *s, const ms_sss__pass *p, int begin, int end, int count, float *const (*to)[3], const int *stream);
+    float (*least)(const float *depth, int count);
+    int lanes;
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
@@ -3542,11 +3578,13 @@ static MS_SSS__INLINE ptrdiff_t ms_sss__column(const ms_sss__pass *p, int x)
     return ms_sss__clamp(x, -MS_SSS__LEFT, p->width);
 }
 
-/* Row y of a plane; the empty row above the first where y is outside or nothing near column x takes part. */
-static MS_SSS__INLINE ptrdiff_t ms_sss__row(const ms_sss__pass *p, int y, int x)
+/* Column x of the row i below y; of the empty row above the first where there is none or nothing near x takes part. */
+static MS_SSS__INLINE ptrdiff_t ms_sss__row(const ms_sss__pass *p, int y, int i, int x)
 {
-    if (y < 0 || y >= p->height || x < p->first[y] || x >= p->last[y]) return -p->stride;
-    return (ptrdiff_t)y * p->stride;
+    if (p->row) return p->row[i] + p->group - p->first_pixel;
+    y += i;
+    if (y < 0 || y >= p->height || x < p->first[y] || x >= p->last[y]) return x - p->stride;
+    return (ptrdiff_t)y * p->stride + x;
 }
 
 /* Which of 64 directions a pixel has: the R2 sequence (Roberts 2018) in 16-bit fixed point, the same on any machine. */
@@ -3789,6 +3827,9 @@ typedef struct ms_sss__job {
     ms_sss__fixed taps[2];
     ms_sss__pass pass;
     float direction[64][2];
+    float *planes;        /* the first */
+    int plane_count, stale; /* stale: the empty rows around the planes were written over */
+    unsigned char *sweep; /* workspace of a sweep */
 } ms_sss__job;
 
 static int ms_sss__round_up(int x, int step) { return (x + step - 1) / step * step; }
@@ -3984,6 +4025,18 @@ static void ms_sss__fixed_x(const ms_sss__job *job, const float *const in[3], co
     job->simd->convolve_valid(f, own, at, from, tap, taps, end - begin, depth + begin, to);
 }
 
+/* What a pass along an axis needs of the surface in columns [first, last) of row y. */
+static void ms_sss__own(const ms_sss__job *job, ms_sss__pass *pass, int axis, int y, int first, int last, int task)
+{
+    const ptrdiff_t row = (ptrdiff_t)y * job->stride;
+    const float *slope[2];
+    float *own[3];
+    int i;
+    for (i = 0; i < 2; ++i) slope[i] = job->slope[i] + row;
+    for (i = 0; i < 3; ++i) pass->own[i] = own[i] = ms_sss__buffer(job, task, 17 + i);
+    job->simd->tangents(pass, job->depth + row, slope, y, first, last, axis, own);
+}
+
 /* First pass: band of rows `task` into the middle planes. */
 static void ms_sss__first_pass(void *context, int task)
 {
@@ -4017,8 +4070,8 @@ static void ms_sss__first_pass(void *context, int task)
             else if (!job->shaped) job->simd->taps_x(&pass, y, first, last, out);
             else {
                 for (c = 0; c < 3; ++c) pass.colour[c] = job->source[c] + row;
-                for (c = 0; c < 2; ++c) pass.slope[c] = job->slope[c] + row;
                 pass.depth = job->depth + row;
+                ms_sss__own(job, &pass, 0, y, first, last, task);
                 job->simd->shaped_x(&pass, y, first, last, out);
             }
             continue;
@@ -4039,14 +4092,13 @@ static void ms_sss__first_pass(void *context, int task)
 /* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E,
    fades, multiplies by the albedo, adds the specular light, and writes the pixels that take part. tiny: a pixel whose
    kernel is under half a pixel may have been changed. */
-static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], int tiny)
+static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], const float *depth, int tiny)
 {
     const ms_sss_frame *f = &job->frame;
     const ms_sss_kernel *k = job->kernel;
     float *in_buffer[3], *own_buffer[3], *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
     const float *in[3], *albedo[3], *specular[3], *strength = NULL, *const *factor, *result[3];
     const int last_term = job->term + 1 == k->term_count;
-    const float *depth = job->depth + ms_sss__ring(job, y) + x;
     int c, i, need_own = tiny || job->gain < 1.0f || !job->whole[y];
     int solid_first = job->solid_first[y] > x ? job->solid_first[y] - x : 0;
     int solid_last = job->solid_last[y] < x + count ? job->solid_last[y] - x : count;
@@ -4171,8 +4223,11 @@ static void ms_sss__second_pass(void *context, int task)
                 to[c] = direct ? (float *)image->channel[c] + y * image->row_stride + first : ms_sss__buffer(job, task, c);
             if (job->fixed) ms_sss__fixed_row(job, y, to);
             else if (job->turned) (job->shaped ? job->simd->shaped_turned : job->simd->taps_turned)(&pass, y, first, last, to);
-            else (job->shaped ? job->simd->shaped_y : job->simd->taps_y)(&pass, y, first, last, to);
-            if (!direct) ms_sss__finish(job, task, y, first, last - first, to, 0);
+            else {
+                if (job->shaped) ms_sss__own(job, &pass, 1, y, first, last, task);
+                (job->shaped ? job->simd->shaped_y : job->simd->taps_y)(&pass, y, first, last, to);
+            }
+            if (!direct) ms_sss__finish(job, task, y, first, last - first, to, job->depth + ms_sss__ring(job, y) + first, 0);
         }
     }
 }
@@ -4192,6 +4247,256 @@ static void ms_sss__prepare_band(void *context, int task)
         }
         ms_sss__prepare(job, y, task, colour, job->depth + (ptrdiff_t)y * job->stride);
     }
+}
+
+/* --- the sweep --- */
+
+/* Rows of a band between which nothing has to stay for its neighbours lie in a ring of this many. */
+static int ms_sss__ring_rows(const ms_sss__sweep *s) { return 2 * s->reach + MS_SSS__STEP; }
+
+/* Where row y of band `task` is kept: rows that neighbouring bands need have their own place. */
+static int ms_sss__slot(const ms_sss__sweep *s, int task, int y)
+{
+    const int low = task ? task * s->band + 2 * s->reach : 0;
+    const int high = task + 1 < s->bands ? (task + 1) * s->band - 2 * s->reach : s->job->frame.height;
+    if (high - low < ms_sss__ring_rows(s) || y < low || y >= high) return 1 + y;
+    return 1 + low + (y - low) % ms_sss__ring_rows(s);
+}
+
+/* Second pass, composition and output of rows [begin, end), at most STEP. */
+static void ms_sss__sweep_out(const ms_sss__sweep *s, int task, int begin, int end)
+{
+    const ms_sss__job *job = s->job;
+    const ms_sss_image *image = &job->frame.output;
+    float *to[MS_SSS__STEP][3];
+    int stream[MS_SSS__STEP], direct[MS_SSS__STEP], y, c, x, i;
+    memset(stream, 0, sizeof stream);
+    for (y = begin; y < end; ++y) {
+        const int r = y - begin;
+        direct[r] = job->direct && job->whole[y] && job->padded == job->frame.width && ms_sss__solid(job, y, 0, job->padded);
+        stream[r] = direct[r];
+        for (c = 0; c < 3; ++c) {
+            to[r][c] = direct[r] ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(job, task, 17 + 3 * r + c);
+            if ((uintptr_t)to[r][c] % 64) stream[r] = 0;
+        }
+    }
+    job->simd->sweep_slab(s, &job->pass, begin, end, job->padded, (float *const(*)[3])to, stream);
+    for (y = begin; y < end; ++y) {
+        const int r = y - begin, first = job->first[y], last = job->last[y];
+        float *blur[3], *depth = ms_sss__buffer(job, task, 41);
+        if (direct[r] || first == last) continue;
+        for (c = 0; c < 3; ++c) blur[c] = to[r][c] + first;
+        for (x = first; x < last; x += s->lanes)
+            for (i = 0; i < s->lanes; ++i) {
+                const float z = s->row[y][4 * x + 3 * s->lanes + i];
+                depth[x + i] = z < MS_SSS__AWAY / 2 ? z : INFINITY;
+            }
+        ms_sss__finish(job, task, y, first, last - first, blur, depth + first, 0);
+    }
+}
+
+/* A row of what the first pass reads, into the window. Rows of other bands are read for their depths only. */
+static void ms_sss__sweep_admit(const ms_sss__sweep *s, int task, int y, int foreign, float *const plane[4])
+{
+    ms_sss__job other = *s->job;
+    int info[5], x;
+    if (y < 0 || y >= other.frame.height) {
+        for (x = 0; x < s->padded; ++x) plane[3][x] = MS_SSS__AWAY;
+        return;
+    }
+    if (foreign) {
+        other.unwritten = 0;
+        other.first = info - y;
+        other.last = info + 1 - y;
+        other.solid_first = info + 2 - y;
+        other.solid_last = info + 3 - y;
+        other.whole = info + 4 - y;
+    }
+    ms_sss__prepare(&other, y, task, plane, plane[3]);
+    for (x = 1; x <= MS_SSS__LEFT; ++x) plane[3][-x] = MS_SSS__AWAY;
+    for (x = 0; x < MS_SSS__RIGHT; ++x) plane[3][s->padded + x] = MS_SSS__AWAY;
+}
+
+/* First pass of the rows of band `task`, and the second of those that need no other band's. */
+static void ms_sss__sweep_band(void *context, int task)
+{
+    ms_sss__sweep *s = (ms_sss__sweep *)context;
+    const ms_sss__job *job = s->job;
+    const int height = job->frame.height, begin = task * s->band, end = task + 1 < s->bands ? begin + s->band : height;
+    const ptrdiff_t window = (ptrdiff_t)task * (12 * s->window_stride + 5 * s->padded);
+    float *plane[3][4], *slope[2], *own[3];
+    unsigned char *plan = s->plan + (height + 1 + task) * s->plan_row;
+    int y, r, c, x, done = task ? begin + s->reach : 0, admitted = begin - (s->shaped ? 1 : 0);
+    const int last_done = task + 1 < s->bands ? end - s->reach : height;
+    for (r = 0; r < 12; ++r) {
+        float *row = s->window + window + r * s->window_stride;
+        for (x = 0; x < s->window_stride; ++x) row[x] = r % 4 == 3 ? MS_SSS__AWAY : 0.0f;
+        plane[r / 4][r % 4] = row + MS_SSS__MARGIN;
+    }
+    for (r = 0; r < 5; ++r) *(r < 2 ? &slope[r] : &own[r - 2]) = s->window + window + 12 * s->window_stride + r * s->padded;
+    for (y = begin; y < end; ++y) {
+        float *const *mine = plane[(y + 3) % 3], *own_y[3];
+        int first, last;
+        for (; admitted <= y + (s->shaped ? 1 : 0); ++admitted)
+            ms_sss__sweep_admit(s, task, admitted, admitted < begin || admitted >= end, plane[(admitted + 3) % 3]);
+        first = job->first[y];
+        last = job->last[y];
+        s->slot[y] = first < last ? ms_sss__slot(s, task, y) : 0;
+        s->row[y] = s->ring + (ptrdiff_t)s->slot[y] * 4 * s->padded;
+        if (first < last) {
+            unsigned char *plan_y = s->plan + s->slot[y] * s->plan_row;
+            if (s->shaped) {
+                const float *depth[3], *normal[3];
+                for (r = 0; r < 3; ++r) {
+                    depth[r] = plane[(y + 2 + r) % 3][3];
+                    own_y[r] = s->own + ((ptrdiff_t)s->slot[y] * 3 + r) * s->padded;
+                }
+                if (job->frame.normal.channel[0]) {
+                    float *buffer[3];
+                    for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, c);
+                    ms_sss__load(&job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
+                    for (c = 0; c < 3; ++c) normal[c] -= first;
+                }
+                job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
+                job->simd->tangents(&job->pass, mine[3], (const float *const *)slope, y, first, last, 0, own);
+                job->simd->tangents(&job->pass, mine[3], (const float *const *)slope, y, first, last, 1, own_y);
+            }
+            job->simd->plan(s, &job->pass, 1, mine[3], s->shaped ? own_y[0] : NULL, s->padded, plan_y);
+            if (s->shaped || ms_sss__differ(job->pass.aspect[0], job->pass.aspect[1])) {
+                job->simd->plan(s, &job->pass, 0, mine[3], s->shaped ? own[0] : NULL, s->padded, plan);
+                plan_y = plan;
+            }
+            job->simd->sweep_row(s, &job->pass, mine[0], mine[1] - mine[0], (const float *const *)own, plan_y, y, s->padded,
+                                 s->ring + (ptrdiff_t)s->slot[y] * 4 * s->padded);
+        }
+        while (done < last_done && (y + 1 == end || y + 1 >= done + MS_SSS__STEP + s->reach)) {
+            const int stop = done + MS_SSS__STEP < last_done ? done + MS_SSS__STEP : last_done;
+            ms_sss__sweep_out(s, task, done, stop);
+            done = stop;
+        }
+    }
+}
+
+/* The second pass of the rows next to other bands. */
+static void ms_sss__sweep_rest(void *context, int task)
+{
+    ms_sss__sweep *s = (ms_sss__sweep *)context;
+    const int begin = task * s->band, end = task + 1 < s->bands ? begin + s->band : s->job->frame.height;
+    const int top = task ? begin + s->reach : begin, bottom = task + 1 < s->bands ? end - s->reach : end;
+    int y;
+    for (y = begin; y < end;) {
+        int stop = y + MS_SSS__STEP < end ? y + MS_SSS__STEP : end;
+        if (y >= top && y < bottom) { /* done already */
+            y = bottom;
+            continue;
+        }
+        if (y < top && top < bottom && stop > top) stop = top;
+        ms_sss__sweep_out(s, task, y, stop);
+        y = stop;
+    }
+}
+
+/* The least depth in a band of rows. */
+static void ms_sss__sweep_least(void *context, int task)
+{
+    ms_sss__sweep *s = (ms_sss__sweep *)context;
+    const ms_sss__job *job = s->job;
+    const int width = job->frame.width, end = task + 1 < s->bands ? (task + 1) * s->band : job->frame.height;
+    float *buffer[1];
+    const float *depth;
+    int y;
+    buffer[0] = ms_sss__buffer(job, task, 0);
+    s->least[task] = MS_SSS__AWAY;
+    for (y = task * s->band; y < end; ++y) {
+        float least;
+        ms_sss__load(&job->frame.depth, 1, width, y, 0, width, buffer, &depth);
+        least = job->simd->least(depth, width);
+        if (least < s->least[task]) s->least[task] = least;
+    }
+}
+
+static void ms_sss__splat(float to[16], double value)
+{
+    int i;
+    for (i = 0; i < 16; ++i) to[i] = (float)value;
+}
+
+/* Filters in one sweep where kernel and options allow it; 0: they do not. */
+static int ms_sss__swept(ms_sss__job *job)
+{
+    const ms_sss_kernel *k = job->kernel;
+    const ms_sss__pass *p = &job->pass;
+    const ms_sss_frame *f = &job->frame;
+    const int height = f->height, parallel = job->options.parallel.run != NULL;
+    double size = (double)p->size, across = 1;
+    ms_sss__sweep s;
+    unsigned char *at = job->sweep;
+    int i, c;
+    if (job->turned || job->fixed || !f->depth.channel[0] || job->options.depth_mode != MS_SSS_DEPTH_AWARE || p->exact || k->term_count > 1 ||
+        k->tap_count > 2 * MS_SSS__PAIRS + 1)
+        return 0;
+    for (c = 0; c < 3; ++c) {
+        if (p->mixed[c] || !(k->weight[0][0][c] > 1e-6f)) return 0;
+        if (parallel && f->input.channel[c] == f->output.channel[c]) return 0; /* bands read what others write */
+    }
+    memset(&s, 0, sizeof s);
+    s.job = job;
+    s.pairs = k->tap_count / 2;
+    s.shaped = job->shaped;
+    s.padded = job->padded;
+    s.lanes = job->simd->lanes;
+    s.plan_size = (s.pairs + 4) / 4 * 4;
+    for (c = 0; c < 3; ++c) ms_sss__splat(s.weight[0][c], (double)k->weight[0][0][c]);
+    for (i = 0; i < s.pairs; ++i) {
+        const double x = (double)k->offset_mm[2 * i + 2];
+        if (!(fabs(x) > 1e-20) || ms_sss__differ(k->offset_mm[2 * i + 1], -k->offset_mm[2 * i + 2])) return 0;
+        for (c = 0; c < 3; ++c) {
+            if (ms_sss__differ(k->weight[0][2 * i + 1][c], k->weight[0][2 * i + 2][c])) return 0;
+            ms_sss__splat(s.weight[i + 1][c], (double)k->weight[0][2 * i + 1][c]);
+        }
+        for (c = 0; c < 2; ++c) ms_sss__splat(s.offset[c][i], fabs(x) * (double)p->aspect[c]);
+        ms_sss__splat(s.nearness[i], 1 / fabs(x));
+        if (fabs(x) > across) across = fabs(x);
+    }
+    s.bands = parallel ? height / 32 : 1;
+    s.bands = s.bands < 1 ? 1 : s.bands > MS_SSS__TASKS ? MS_SSS__TASKS : s.bands;
+    s.band = height / s.bands;
+
+    s.plan_row = (ptrdiff_t)(s.padded / s.lanes) * s.plan_size;
+    s.window_stride = s.padded + 2 * MS_SSS__MARGIN;
+    s.least = (float *)(void *)at;
+    at += 64;
+    s.row = (const float **)(void *)at + MS_SSS__MARGIN;
+    at += (size_t)(height + 2 * MS_SSS__MARGIN) * sizeof(float *);
+    s.slot = (int *)(void *)at;
+    at += (size_t)height * sizeof(int);
+    s.window = (float *)(((uintptr_t)at + 63) & ~(uintptr_t)63);
+    at = (unsigned char *)(s.window + (ptrdiff_t)MS_SSS__TASKS * (12 * s.window_stride + 5 * s.padded));
+    s.plan = at;
+    s.ring = job->planes;
+    s.own = s.ring + (ptrdiff_t)(height + 1) * 4 * s.padded;
+
+    for (c = 0, across = 0; c < 2; ++c)
+        for (i = 0; i < s.pairs; ++i) across = (double)s.offset[c][i][0] > across ? (double)s.offset[c][i][0] : across;
+    if (p->perspective) {
+        float least = MS_SSS__AWAY;
+        ms__run(&job->options.parallel, s.bands, ms_sss__sweep_least, &s);
+        for (i = 0; i < s.bands; ++i) least = s.least[i] < least ? s.least[i] : least;
+        size /= (double)(least * job->depth_scale);
+        if (size > (double)p->size_max) size = (double)p->size_max;
+    }
+    if (s.shaped) /* a plane that leans towards the ray is seen enlarged */
+        size *= sqrt(1 + (double)(p->tangent * p->tangent) * ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1]));
+    if (!(size * across < MS_SSS__MARGIN - 20)) return 0;
+    s.reach = (int)(size * across) + 3;
+
+    for (i = 0; i < s.padded; i += s.lanes)
+        for (c = 0; c < 4 * s.lanes; ++c) s.ring[4 * i + c] = c >= 3 * s.lanes ? MS_SSS__AWAY : 0.0f;
+    for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s.row[i] = s.ring;
+    job->stale = 1;
+    ms__run(&job->options.parallel, s.bands, ms_sss__sweep_band, &s);
+    if (s.bands > 1) ms__run(&job->options.parallel, s.bands, ms_sss__sweep_rest, &s);
+    return 1;
 }
 
 /* Slopes of the prepared rows. */
@@ -4227,6 +4532,7 @@ static void ms_sss__shape_band(void *context, int task)
 /* Floats of the parts of the workspace, in the order in which they lie there. */
 typedef struct ms_sss__layout {
     int padded, block, planes;
+    size_t sweep, row, window; /* bytes for a sweep; of its plans a row, floats of a window's row */
     size_t stride, plane, total; /* total: bytes; SIZE_MAX: too many */
 } ms_sss__layout;
 
@@ -4252,7 +4558,12 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     floats = ms__size_mul(l.plane, (size_t)l.planes);
     floats = ms__size_add(floats, ms__size_mul(l.stride, (size_t)MS_SSS__TASKS * MS_SSS__ROWS + 1));
     ints = (size_t)height * 5;
-    l.total = ms__size_add(ms__size_add(ms__size_mul(floats, sizeof(float)), ints * sizeof(int)), 64);
+    l.row = (size_t)(l.padded / ms_sss__pick(options->simd)->lanes) * 12;
+    l.window = (size_t)l.padded + 2 * MS_SSS__MARGIN;
+    l.sweep = ms__size_add(ms__size_mul((size_t)height + 1, l.row),
+                           ((size_t)height + 2 * MS_SSS__MARGIN) * (sizeof(float *) + sizeof(int)) +
+                               MS_SSS__TASKS * ((12 * l.window + 5 * (size_t)l.padded + 1) * sizeof(float) + l.row) + 256);
+    l.total = ms__size_add(ms__size_add(ms__size_mul(floats, sizeof(float)), ints * sizeof(int)), ms__size_add(l.sweep, 64));
     return l;
 }
 
@@ -4549,6 +4860,19 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
     return ms_sss__plan(width, height, kernels, kernel_count, options).total;
 }
 
+/* The empty rows above and below the planes. */
+static void ms_sss__clear_around(ms_sss__job *job)
+{
+    const ptrdiff_t plane = job->stride * (job->frame.height + 2);
+    int i;
+    for (i = 0; i < job->plane_count; ++i) {
+        float *top = job->planes + MS_SSS__LEFT + i * plane;
+        ms_sss__clear(job, top, i == 3 ? INFINITY : 0.0f);
+        ms_sss__clear(job, top + plane - job->stride, i == 3 ? INFINITY : 0.0f);
+    }
+    job->stale = 0;
+}
+
 /* Checks everything and lays the planes out in the workspace; *end: the first float behind them. */
 static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size, size_t needed,
@@ -4607,10 +4931,11 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         else if (i < 7 && i < layout.planes) job->source[i - 4] = plane;
         if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
         if (ms_sss__may_shape(options) && i >= 7 && i < 9) job->slope[i - 7] = plane;
-        ms_sss__clear(job, plane - layout.stride, i == 3 ? INFINITY : 0.0f);
-        ms_sss__clear(job, plane + layout.stride * (size_t)h, i == 3 ? INFINITY : 0.0f);
         at += layout.plane;
     }
+    job->planes = job->middle[0] - MS_SSS__LEFT - layout.stride;
+    job->plane_count = layout.planes;
+    ms_sss__clear_around(job);
     job->fresh = at + MS_SSS__LEFT;
     ms_sss__clear(job, job->fresh, INFINITY);
     for (i = 0; i < w; ++i) job->fresh[i] = 0.0f;
@@ -4622,7 +4947,8 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     job->solid_first = job->last + h;
     job->solid_last = job->solid_first + h;
     job->whole = job->solid_last + h;
-    *end = (float *)(job->whole + h);
+    job->sweep = (unsigned char *)(((uintptr_t)(job->whole + h) + 63) & ~(uintptr_t)63);
+    *end = (float *)(void *)(job->sweep + (layout.sweep & ~(size_t)63) - 64);
     for (i = 0; i < 64; ++i) {
         const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
         job->direction[i][0] = (float)cos(angle);
@@ -4659,6 +4985,8 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
         if (!(job.gain > 0)) job.idle = 1;
         for (term = 0; term < (job.idle ? 1 : kernels[i].term_count); ++term) {
             ms_sss__set_term(&job, term);
+            if (!job.idle && ms_sss__swept(&job)) continue;
+            if (job.stale) ms_sss__clear_around(&job);
             if (job.whole_first && term == 0) ms_sss__run(&job, 0, frame->height, ms_sss__prepare_band);
             if (job.shaped && !job.idle && term == 0) ms_sss__run(&job, 0, frame->height, ms_sss__shape_band);
             ms_sss__both_passes(&job);
@@ -5010,7 +5338,7 @@ static void ms_sss__tower_grow(void *context, int task)
                 job->simd->merge(out[0][c], out[1][c], half, blur[c]);
                 blur[c] += first;
             }
-            ms_sss__finish(job, task, y, first, job->last[y] - first, blur, tiny);
+            ms_sss__finish(job, task, y, first, job->last[y] - first, blur, job->depth + ms_sss__ring(job, y) + first, tiny);
         }
     }
 }
@@ -6372,6 +6700,7 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #define MS_SSS__JOIN_(name, level) ms_sss__##name##_##level
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
 #define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
+#define MS_SSS__CHUNK (MS_SSS__LANES == 8 ? 4 : 1) /* groups in flight */
 
 #if MS_SSS__LANES == 16
 #define MS_SSS__V __m512
@@ -6384,6 +6713,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #define MS_SSS__MUL(a, b) _mm512_mul_ps(a, b)
 #define MS_SSS__DIV(a, b) _mm512_div_ps(a, b)
 #define MS_SSS__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define MS_SSS__LESSEN(a, b, c) _mm512_fnmadd_ps(a, b, c) /* c - a b */
+#define MS_SSS__STREAM(p, a) _mm512_stream_ps(p, a)
 #define MS_SSS__MIN(a, b) _mm512_maskz_min_ps(0xffff, a, b) /* maskz: GCC 12 warns about the plain ones in C++ */
 #define MS_SSS__MAX(a, b) _mm512_maskz_max_ps(0xffff, a, b)
 #define MS_SSS__SQRT(a) _mm512_maskz_sqrt_ps(0xffff, a)
@@ -6412,6 +6743,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #define MS_SSS__MUL(a, b) _mm256_mul_ps(a, b)
 #define MS_SSS__DIV(a, b) _mm256_div_ps(a, b)
 #define MS_SSS__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define MS_SSS__LESSEN(a, b, c) _mm256_fnmadd_ps(a, b, c)
+#define MS_SSS__STREAM(p, a) _mm256_stream_ps(p, a)
 #define MS_SSS__MIN(a, b) _mm256_min_ps(a, b)
 #define MS_SSS__MAX(a, b) _mm256_max_ps(a, b)
 #define MS_SSS__SQRT(a) _mm256_sqrt_ps(a)
@@ -6440,6 +6773,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #define MS_SSS__MUL(a, b) _mm_mul_ps(a, b)
 #define MS_SSS__DIV(a, b) _mm_div_ps(a, b)
 #define MS_SSS__MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define MS_SSS__LESSEN(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
+#define MS_SSS__STREAM(p, a) _mm_stream_ps(p, a)
 #define MS_SSS__MIN(a, b) _mm_min_ps(a, b)
 #define MS_SSS__MAX(a, b) _mm_max_ps(a, b)
 #define MS_SSS__SQRT(a) _mm_sqrt_ps(a)
@@ -6467,6 +6802,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #define MS_SSS__MUL(a, b) vmulq_f32(a, b)
 #define MS_SSS__DIV(a, b) vdivq_f32(a, b)
 #define MS_SSS__MADD(a, b, c) vfmaq_f32(c, a, b)
+#define MS_SSS__LESSEN(a, b, c) vfmsq_f32(c, a, b)
+#define MS_SSS__STREAM(p, a) vst1q_f32(p, a)
 #define MS_SSS__MIN(a, b) vminq_f32(a, b)
 #define MS_SSS__MAX(a, b) vmaxq_f32(a, b)
 #define MS_SSS__SQRT(a) vsqrtq_f32(a)
@@ -6495,6 +6832,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #define MS_SSS__MUL(a, b) ((a) * (b))
 #define MS_SSS__DIV(a, b) ((a) / (b))
 #define MS_SSS__MADD(a, b, c) ((a) * (b) + (c))
+#define MS_SSS__LESSEN(a, b, c) ((c) - (a) * (b))
+#define MS_SSS__STREAM(p, a) (*(p) = (a))
 #define MS_SSS__MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MS_SSS__MAX(a, b) ((a) > (b) ? (a) : (b))
 #define MS_SSS__SQRT(a) sqrtf(a)
@@ -6677,6 +7016,23 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(ray)(const ms_sss__pass *p, int x)
     return MS_SSS__LOAD(at);
 }
 
+/* For pixels whose kernel has `size` pixels a mm and whose surface has slopes sx, sy: out[0], pixels a mm of the tangent plane
+   along (dx, dy); out[1], depth that the plane gains a pixel there; out[2], cosine of the normal to the ray, in mm of dz 1. */
+static MS_SSS__INLINE void MS_SSS__NAME(tangent)(const ms_sss__pass *p, MS_SSS__V dx, MS_SSS__V dy, int x, int y, MS_SSS__V z, MS_SSS__V size,
+                                                 MS_SSS__V sx, MS_SSS__V sy, MS_SSS__V out[3])
+{
+    const MS_SSS__V one = MS_SSS__SET(1.0f), rx = MS_SSS__NAME(ray)(p, x), ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
+    const MS_SSS__V along = MS_SSS__MADD(dx, sx, MS_SSS__MUL(dy, sy)), ray = MS_SSS__MADD(dx, rx, MS_SSS__MUL(dy, ry));
+    MS_SSS__V square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)), axis;
+    square = MS_SSS__MADD(along, MS_SSS__MADD(along, square, MS_SSS__ADD(ray, ray)), one);
+    out[0] = MS_SSS__DIV(size, MS_SSS__SQRT(square));
+    out[1] = MS_SSS__MADD(dx, MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0])), MS_SSS__MUL(dy, MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]))));
+    if (p->perspective) out[1] = MS_SSS__MUL(out[1], z);
+    axis = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, one));
+    square = MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(axis, axis)));
+    out[2] = MS_SSS__DIV(MS_SSS__SET(p->unit), MS_SSS__SQRT(square));
+}
+
 /* One pass along x (axes 1), y (axes 2) or any direction (axes 3) for pixels [begin, end) of row y, each with its own
    kernel size: out = sum_k w_k E(x + o_k) f_k, restored; shaped: on the tangent plane, lifted by the elevation. Neighbours mostly share the integer part of a tap's position:
    each distinct one is handled once for all lanes that have it, with contiguous loads. */
@@ -6684,14 +7040,14 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
                                               float *const out[3])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
-    const ptrdiff_t row = axes == 1 ? 0 : (ptrdiff_t)y * p->stride;
+    const ptrdiff_t row = axes == 1 || p->row ? 0 : (ptrdiff_t)y * p->stride;
     int x, k;
     for (x = begin; x < end; x += MS_SSS__LANES) {
         MS_SSS__V z = MS_SSS__LOAD(p->depth + row + x), size, dx = one, dy = one;
         MS_SSS__V own_r, own_g, own_b, r, g, b, nr, ng, nb;
         MS_SSS__V mr, mg, mb; /* as nr, ng, nb, lifted */
         MS_SSS__V plane = zero, plane_x = zero, plane_y = zero, facing = zero, rise = zero; /* plane: a column, a row; rise: a mm of the taps */
-        MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(INFINITY)), large;
+        MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)), large;
         unsigned pending;
         if (!MS_SSS__BITS(part)) {
             MS_SSS__STORE(out[0] + x - begin, zero);
@@ -6723,25 +7079,22 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
             dx = MS_SSS__LOAD(turn_x);
             dy = MS_SSS__LOAD(turn_y);
         }
-        if (shaped) { /* the step along the axis that covers a unit of the tangent plane, and what depth changes on the way */
-            const MS_SSS__V sx = MS_SSS__LOAD(p->slope[0] + row + x), sy = MS_SSS__LOAD(p->slope[1] + row + x);
-            const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x), ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
-            const MS_SSS__V along = axes == 1 ? sx : axes == 2 ? sy : MS_SSS__MADD(dx, sx, MS_SSS__MUL(dy, sy));
-            const MS_SSS__V ray = axes == 1 ? rx : axes == 2 ? ry : MS_SSS__MADD(dx, rx, MS_SSS__MUL(dy, ry));
-            MS_SSS__V square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one));
-            square = MS_SSS__MADD(along, MS_SSS__MADD(along, square, MS_SSS__ADD(ray, ray)), one);
-            size = MS_SSS__DIV(size, MS_SSS__SQRT(square));
-            plane_x = MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0]));
-            plane_y = MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]));
-            if (p->perspective) {
-                plane_x = MS_SSS__MUL(plane_x, z);
-                plane_y = MS_SSS__MUL(plane_y, z);
-                rise = MS_SSS__MUL(MS_SSS__MUL(along, MS_SSS__MUL(size, z)), MS_SSS__SET(1 / p->focal[0]));
+        if (shaped) {
+            if (axes == 3) {
+                const MS_SSS__V sx = MS_SSS__LOAD(p->slope[0] + row + x), sy = MS_SSS__LOAD(p->slope[1] + row + x);
+                MS_SSS__V own[3];
+                plane_x = MS_SSS__MUL(MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0])), p->perspective ? z : one);
+                plane_y = MS_SSS__MUL(MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1])), p->perspective ? z : one);
+                MS_SSS__NAME(tangent)(p, dx, dy, x, y, z, size, sx, sy, own);
+                size = own[0];
+                plane = own[1];
+                facing = own[2];
+            } else {
+                size = MS_SSS__LOAD(p->own[0] + x);
+                plane = MS_SSS__LOAD(p->own[1] + x);
+                facing = MS_SSS__LOAD(p->own[2] + x);
             }
-            plane = axes == 2 ? plane_y : plane_x;
-            square = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, one));
-            square = MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(square, square)));
-            facing = MS_SSS__DIV(MS_SSS__SET(p->unit), MS_SSS__SQRT(square)); /* cosine to the ray, in mm of dz 1 */
+            rise = MS_SSS__MUL(plane, MS_SSS__MUL(size, MS_SSS__SET(axes < 3 ? p->aspect[axes - 1] : 1.0f)));
         }
         dx = MS_SSS__MUL(MS_SSS__MUL(dx, size), MS_SSS__SET(p->aspect[0]));
         dy = MS_SSS__MUL(MS_SSS__MUL(dy, size), MS_SSS__SET(p->aspect[1]));
@@ -6787,8 +7140,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
                     MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i), z0, h0, &s);
                     MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i + 1), z1, h1, &s);
                 } else if (axes == 2) {
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y + i, x) + x, z0, h0, &s);
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y + i + 1, x) + x, z1, h1, &s);
+                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y, i, x), z0, h0, &s);
+                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y, i + 1, x), z1, h1, &s);
                 } else {
                     const ptrdiff_t c0 = ms_sss__column(p, x + i), c1 = ms_sss__column(p, x + i + 1);
                     const int j = (int)at_y[lane];
@@ -6901,6 +7254,315 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
         MS_SSS__STORE(slope[0] + x, sx);
         MS_SSS__STORE(slope[1] + x, sy);
     }
+}
+
+/* The tangents of row y along x (out[0..2]) and y (out[3..5]). depth: planes of kernels of one size in perspective or not. */
+static void MS_SSS__NAME(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, int axis,
+                                   float *const out[3])
+{
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
+    int x;
+    for (x = begin; x < end; x += MS_SSS__LANES) {
+        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__LOAD(depth + x), MS_SSS__SET(MS_SSS__AWAY));
+        MS_SSS__V size = MS_SSS__SET(p->size), own[3];
+        if (p->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(p->size_max));
+        MS_SSS__NAME(tangent)(p, axis ? zero : one, axis ? one : zero, x, y, z, size, MS_SSS__LOAD(slope[0] + x), MS_SSS__LOAD(slope[1] + x), own);
+        MS_SSS__STORE(out[0] + x, own[0]);
+        MS_SSS__STORE(out[1] + x, own[1]);
+        MS_SSS__STORE(out[2] + x, own[2]);
+    }
+}
+
+/* --- the sweep --- */
+
+/* What the groups of a row need along an axis: where all lanes have kernels, each pair's whole part, the same in all lanes
+   (EVEN) or one of two (ODD). size: NULL: from depth. Depths of what takes no part become finite. */
+static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, float *depth, const float *size, int count, unsigned char *plan)
+{
+    const unsigned all = (MS_SSS__LANES == 16 ? 0xffffu : MS_SSS__LANES == 8 ? 0xffu : MS_SSS__LANES == 4 ? 0xfu : 1u);
+    int x, k, lane;
+    for (x = 0; x < count; x += MS_SSS__LANES, plan += s->plan_size) {
+        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__LOAD(depth + x), MS_SSS__SET(MS_SSS__AWAY));
+        const MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2));
+        MS_SSS__V own = MS_SSS__SET(p->size);
+        unsigned need;
+        MS_SSS__STORE(depth + x, z);
+        plan[0] = MS_SSS__NONE;
+        if (!MS_SSS__BITS(part)) continue;
+        if (p->perspective) own = MS_SSS__MIN(MS_SSS__DIV(own, z), MS_SSS__SET(p->size_max));
+        need = MS_SSS__BITS(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__SET(p->size_min), own)));
+        plan[0] = need ? MS_SSS__ANY : MS_SSS__LEAVE;
+        if (need != all) continue;
+        if (size) own = MS_SSS__LOAD(size + x);
+        plan[0] = MS_SSS__EVENLY;
+        for (k = 0; k < s->pairs && plan[0] != MS_SSS__ANY; ++k) {
+            const MS_SSS__V whole = MS_SSS__TRUNC(MS_SSS__MUL(own, MS_SSS__LOAD(s->offset[axis][k])));
+            float at[MS_SSS__LANES], least;
+            MS_SSS__STORE(at, whole);
+            least = at[0];
+            if (MS_SSS__BITS(MS_SSS__SAME(whole, MS_SSS__SET(least))) != all) {
+                for (lane = 1; lane < MS_SSS__LANES; ++lane) least = at[lane] < least ? at[lane] : least;
+                plan[0] = MS_SSS__BITS(MS_SSS__LESS(whole, MS_SSS__SET(least + 1.5f))) == all ? MS_SSS__ODDLY : MS_SSS__ANY;
+            }
+            plan[k + 1] = (unsigned char)(int)least;
+        }
+    }
+}
+
+/* The least positive depth, or AWAY. */
+static float MS_SSS__NAME(least)(const float *depth, int count)
+{
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), away = MS_SSS__SET(MS_SSS__AWAY);
+    MS_SSS__V least = away;
+    float lane[MS_SSS__LANES];
+    int x;
+    for (x = 0; x + MS_SSS__LANES <= count; x += MS_SSS__LANES) {
+        const MS_SSS__V z = MS_SSS__LOAD(depth + x);
+        least = MS_SSS__MIN(least, MS_SSS__SELECT(MS_SSS__LESS(zero, z), z, away));
+    }
+    MS_SSS__STORE(lane, least);
+    for (; x < count; ++x)
+        if (depth[x] > 0 && depth[x] < lane[0]) lane[0] = depth[x];
+    for (x = 1; x < MS_SSS__LANES; ++x)
+        if (lane[x] < lane[0]) lane[0] = lane[x];
+    return lane[0];
+}
+
+/* (1 - d^2)^4 within 1, else 0 */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(falloff)(MS_SSS__V d)
+{
+    MS_SSS__V f = MS_SSS__MAX(MS_SSS__LESSEN(d, d, MS_SSS__SET(1.0f)), MS_SSS__SET(0.0f));
+    f = MS_SSS__MUL(f, f);
+    return MS_SSS__MUL(f, f);
+}
+
+/* Where a chunk's groups lie. Along x: from, planes `plane` floats apart. Along y: row[i], groups `plane` times four long. */
+typedef struct MS_SSS__NAME(place) {
+    const float *from, *const *row;
+    ptrdiff_t at, plane;
+} MS_SSS__NAME(place);
+
+static MS_SSS__INLINE const float *MS_SSS__NAME(there)(const int axis, const MS_SSS__NAME(place) *l, int i)
+{
+    return axis == 0 ? l->from + i : l->row[i] + l->at;
+}
+
+/* n groups, `step` floats apart: first what the taps weigh, then the sums, since the chains of one group are long. Pixels i,
+   i + 1 (and i + 2, where lanes of a group differ) of a pair and -i, -i - 1 (-i - 2) opposite. */
+static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_sss__pass *p, const int axis, const int shaped, const int odd,
+                                               const int three, MS_SSS__NAME(place) l, ptrdiff_t step, const float *const own[3],
+                                               const unsigned char *plan, int n, MS_SSS__V (*out)[3])
+{
+    const int pairs = three ? 3 : s->pairs, each = odd ? 3 : 2;
+    const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f);
+    MS_SSS__V h[MS_SSS__CHUNK][MS_SSS__PAIRS][6], sum[MS_SSS__CHUNK][MS_SSS__PAIRS][2], sine[MS_SSS__CHUNK][MS_SSS__PAIRS][2];
+    int g, k, j, side;
+    for (g = 0; g < n; ++g) {
+        const unsigned char *whole = plan + g * s->plan_size;
+        MS_SSS__NAME(place) here = l;
+        MS_SSS__V z, size, rise = zero, facing = zero, inverse = zero;
+        if (whole[0] != (odd ? MS_SSS__ODDLY : MS_SSS__EVENLY)) continue;
+        here.from += g * step;
+        here.at += g * step;
+        z = MS_SSS__LOAD(MS_SSS__NAME(there)(axis, &here, 0) + 3 * l.plane);
+        if (shaped) {
+            size = MS_SSS__LOAD(own[0] + g * MS_SSS__LANES);
+            rise = MS_SSS__LOAD(own[1] + g * MS_SSS__LANES);
+            facing = MS_SSS__LOAD(own[2] + g * MS_SSS__LANES);
+            if (p->perspective) inverse = MS_SSS__DIV(one, z);
+        } else {
+            size = MS_SSS__SET(p->size);
+            if (p->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(p->size_max));
+        }
+        for (k = 0; k < pairs; ++k) {
+            const int i = whole[k + 1];
+            const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[axis][k])), base = MS_SSS__SET((float)i), r = MS_SSS__SUB(t, base);
+            MS_SSS__V share[3], middle = z;
+            if (odd) {
+                share[0] = MS_SSS__MAX(MS_SSS__SUB(one, r), zero);
+                share[2] = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
+                share[1] = MS_SSS__SUB(one, MS_SSS__ADD(share[0], share[2]));
+            } else {
+                share[0] = MS_SSS__SUB(one, r);
+                share[1] = share[2] = r;
+            }
+            if (shaped && p->perspective) {
+                const MS_SSS__V bend = MS_SSS__MUL(rise, t);
+                middle = MS_SSS__MADD(MS_SSS__MUL(bend, bend), inverse, z);
+            }
+            for (side = 0; side < 2; ++side) {
+                MS_SSS__V below = zero, all = zero, plane = middle;
+                if (shaped) plane = side ? MS_SSS__LESSEN(rise, base, middle) : MS_SSS__MADD(rise, base, middle);
+                for (j = 0; j < each; ++j) {
+                    const float *at = MS_SSS__NAME(there)(axis, &here, side ? -i - j : i + j);
+                    const MS_SSS__V dz = MS_SSS__SUB(MS_SSS__LOAD(at + 3 * l.plane), plane), f = MS_SSS__MUL(share[j], MS_SSS__NAME(falloff)(dz));
+                    h[g][k][3 * side + j] = f;
+                    all = j ? MS_SSS__ADD(all, f) : f;
+                    if (shaped) {
+                        below = j ? MS_SSS__MADD(f, dz, below) : MS_SSS__MUL(f, dz);
+                        if (j + 1 < each) plane = side ? MS_SSS__SUB(plane, rise) : MS_SSS__ADD(plane, rise);
+                    }
+                }
+                sum[g][k][side] = all;
+                if (shaped)
+                    sine[g][k][side] = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(below, MS_SSS__MUL(facing, MS_SSS__LOAD(s->nearness[k]))), one), MS_SSS__SET(p->least));
+            }
+        }
+    }
+    for (g = 0; g < n; ++g) {
+        const unsigned char *whole = plan + g * s->plan_size;
+        MS_SSS__NAME(place) here = l;
+        MS_SSS__V r[3], norm[3], lifted[3];
+        const float *at;
+        int c;
+        if (whole[0] != (odd ? MS_SSS__ODDLY : MS_SSS__EVENLY)) continue;
+        here.from += g * step;
+        here.at += g * step;
+        at = MS_SSS__NAME(there)(axis, &here, 0);
+        for (c = 0; c < 3; ++c) {
+            norm[c] = lifted[c] = MS_SSS__LOAD(s->weight[0][c]);
+            r[c] = MS_SSS__MUL(norm[c], MS_SSS__LOAD(at + c * l.plane));
+        }
+        for (k = 0; k < pairs; ++k) {
+            const int i = whole[k + 1];
+            const float *a0 = MS_SSS__NAME(there)(axis, &here, i), *a1 = MS_SSS__NAME(there)(axis, &here, i + 1);
+            const float *b0 = MS_SSS__NAME(there)(axis, &here, -i), *b1 = MS_SSS__NAME(there)(axis, &here, -i - 1);
+            const float *a2 = odd ? MS_SSS__NAME(there)(axis, &here, i + 2) : a1, *b2 = odd ? MS_SSS__NAME(there)(axis, &here, -i - 2) : b1;
+            const MS_SSS__V *q = h[g][k];
+            for (c = 0; c < 3; ++c) {
+                const MS_SSS__V w = MS_SSS__LOAD(s->weight[k + 1][c]);
+                MS_SSS__V u = MS_SSS__MADD(q[1], MS_SSS__LOAD(a1 + c * l.plane), MS_SSS__MUL(q[0], MS_SSS__LOAD(a0 + c * l.plane))), v;
+                if (odd) u = MS_SSS__MADD(q[2], MS_SSS__LOAD(a2 + c * l.plane), u);
+                v = shaped ? MS_SSS__MUL(q[3], MS_SSS__LOAD(b0 + c * l.plane)) : MS_SSS__MADD(q[3], MS_SSS__LOAD(b0 + c * l.plane), u);
+                v = MS_SSS__MADD(q[4], MS_SSS__LOAD(b1 + c * l.plane), v);
+                if (odd) v = MS_SSS__MADD(q[5], MS_SSS__LOAD(b2 + c * l.plane), v);
+                norm[c] = MS_SSS__MADD(w, MS_SSS__ADD(sum[g][k][0], sum[g][k][1]), norm[c]);
+                if (shaped) {
+                    const MS_SSS__V lift = MS_SSS__NAME(lift)(p, c, sine[g][k][0]), drop = MS_SSS__NAME(lift)(p, c, sine[g][k][1]);
+                    v = MS_SSS__MADD(lift, u, MS_SSS__MUL(drop, v));
+                    lifted[c] = MS_SSS__MADD(w, MS_SSS__MADD(lift, sum[g][k][0], MS_SSS__MUL(drop, sum[g][k][1])), lifted[c]);
+                }
+                r[c] = MS_SSS__MADD(w, v, r[c]);
+            }
+        }
+        for (c = 0; c < 3; ++c) {
+            if (shaped) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(lifted[c], MS_SSS__SET(p->root[c])));
+            out[g][c] = MS_SSS__DIV(MS_SSS__MUL(r[c], MS_SSS__SET(p->total[c])), norm[c]);
+        }
+    }
+}
+
+/* The groups that are left: of which no lane has a kernel, lanes differ by one, or by more. */
+static MS_SSS__INLINE void MS_SSS__NAME(others)(const ms_sss__sweep *s, const ms_sss__pass *p, const int axis, const int shaped,
+                                                MS_SSS__NAME(place) l, ptrdiff_t step, const float *const own[3], const unsigned char *plan, int n,
+                                                int x, int y, MS_SSS__V (*out)[3])
+{
+    int g, c, i;
+    for (g = 0; g < n; ++g, plan += s->plan_size) {
+        MS_SSS__NAME(place) here = l;
+        const float *mine[3];
+        here.from += g * step;
+        here.at += g * step;
+        for (i = 0; i < 3; ++i) mine[i] = own[i] + g * MS_SSS__LANES;
+        if (plan[0] == MS_SSS__EVENLY) continue;
+        if (plan[0] == MS_SSS__ODDLY) {
+            MS_SSS__NAME(chunk)(s, p, axis, shaped, 1, 0, here, 0, mine, plan, 1, out + g);
+        } else if (plan[0] == MS_SSS__ANY) {
+            float buffer[3][MS_SSS__LANES], *to[3];
+            ms_sss__pass any = *p;
+            const float *at = MS_SSS__NAME(there)(axis, &here, 0);
+            const int column = x + g * MS_SSS__LANES;
+            for (c = 0; c < 3; ++c) {
+                to[c] = buffer[c];
+                any.colour[c] = at + c * l.plane - column;
+                any.own[c] = mine[c] - column;
+            }
+            any.depth = at + 3 * l.plane - column;
+            any.row = l.row;
+            any.first_pixel = at - column;
+            any.group = here.at;
+            if (axis == 0 && shaped) MS_SSS__NAME(shaped_x)(&any, y, column, column + MS_SSS__LANES, to);
+            else if (axis == 0) MS_SSS__NAME(taps_x)(&any, y, column, column + MS_SSS__LANES, to);
+            else if (shaped) MS_SSS__NAME(shaped_y)(&any, y, column, column + MS_SSS__LANES, to);
+            else MS_SSS__NAME(taps_y)(&any, y, column, column + MS_SSS__LANES, to);
+            for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__LOAD(buffer[c]);
+        } else {
+            for (c = 0; c < 3; ++c)
+                out[g][c] = plan[0] == MS_SSS__NONE ? MS_SSS__SET(0.0f)
+                                                    : MS_SSS__MUL(MS_SSS__SET(p->total[c]), MS_SSS__LOAD(MS_SSS__NAME(there)(axis, &here, 0) + c * l.plane));
+        }
+    }
+}
+
+/* First pass of a row: window[0] is its red, the next planes `plane` floats apart; to: groups of red, green, blue, depth. */
+static MS_SSS__INLINE void MS_SSS__NAME(sweep_x)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const int three,
+                                                 const float *window, ptrdiff_t plane, const float *const own[3], const unsigned char *plan,
+                                                 int y, int count, float *to)
+{
+    int x, g, c;
+    for (x = 0; x < count; x += MS_SSS__CHUNK * MS_SSS__LANES, plan += MS_SSS__CHUNK * s->plan_size) {
+        const int n = (count - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (count - x) / MS_SSS__LANES : MS_SSS__CHUNK;
+        const float *mine[3];
+        MS_SSS__V out[MS_SSS__CHUNK][3];
+        MS_SSS__NAME(place) l;
+        l.from = window + x;
+        l.row = NULL;
+        l.at = 0;
+        l.plane = plane;
+        for (c = 0; c < 3; ++c) mine[c] = own[c] + x;
+        MS_SSS__NAME(chunk)(s, p, 0, shaped, 0, three, l, MS_SSS__LANES, mine, plan, n, out);
+        MS_SSS__NAME(others)(s, p, 0, shaped, l, MS_SSS__LANES, mine, plan, n, x, y, out);
+        for (g = 0; g < n; ++g, to += 4 * MS_SSS__LANES) {
+            for (c = 0; c < 3; ++c) MS_SSS__STORE(to + c * MS_SSS__LANES, out[g][c]);
+            MS_SSS__STORE(to + 3 * MS_SSS__LANES, MS_SSS__LOAD(window + 3 * plane + x + g * MS_SSS__LANES));
+        }
+    }
+}
+
+/* Second pass of rows [begin, end), chunk by chunk so that what they share stays in the cache; to[row - begin][channel]. */
+static MS_SSS__INLINE void MS_SSS__NAME(sweep_y)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const int three, int begin,
+                                                 int end, int count, float *const (*to)[3], const int *stream)
+{
+    int x, y, g, c;
+    for (x = 0; x < count; x += MS_SSS__CHUNK * MS_SSS__LANES)
+        for (y = begin; y < end; ++y) {
+            const int n = (count - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (count - x) / MS_SSS__LANES : MS_SSS__CHUNK;
+            const unsigned char *plan = s->plan + (ptrdiff_t)s->slot[y] * s->plan_row + x / MS_SSS__LANES * s->plan_size;
+            const float *mine[3];
+            MS_SSS__V out[MS_SSS__CHUNK][3];
+            MS_SSS__NAME(place) l;
+            if (!s->slot[y]) continue;
+            l.from = NULL;
+            l.row = s->row + y;
+            l.at = 4 * (ptrdiff_t)x;
+            l.plane = MS_SSS__LANES;
+            for (c = 0; c < 3; ++c) mine[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded + x;
+            MS_SSS__NAME(chunk)(s, p, 1, shaped, 0, three, l, 4 * MS_SSS__LANES, mine, plan, n, out);
+            MS_SSS__NAME(others)(s, p, 1, shaped, l, 4 * MS_SSS__LANES, mine, plan, n, x, y, out);
+            for (g = 0; g < n; ++g)
+                for (c = 0; c < 3; ++c) {
+                    float *at = to[y - begin][c] + x + g * MS_SSS__LANES;
+                    if (stream[y - begin]) MS_SSS__STREAM(at, out[g][c]);
+                    else MS_SSS__STORE(at, out[g][c]);
+                }
+        }
+}
+
+static void MS_SSS__NAME(sweep_row)(const ms_sss__sweep *s, const ms_sss__pass *p, const float *window, ptrdiff_t plane, const float *const own[3],
+                                    const unsigned char *plan, int y, int count, float *to)
+{
+    if (s->shaped && s->pairs == 3) MS_SSS__NAME(sweep_x)(s, p, 1, 1, window, plane, own, plan, y, count, to);
+    else if (s->shaped) MS_SSS__NAME(sweep_x)(s, p, 1, 0, window, plane, own, plan, y, count, to);
+    else if (s->pairs == 3) MS_SSS__NAME(sweep_x)(s, p, 0, 1, window, plane, own, plan, y, count, to);
+    else MS_SSS__NAME(sweep_x)(s, p, 0, 0, window, plane, own, plan, y, count, to);
+}
+
+static void MS_SSS__NAME(sweep_slab)(const ms_sss__sweep *s, const ms_sss__pass *p, int begin, int end, int count, float *const (*to)[3], const int *stream)
+{
+    if (s->shaped && s->pairs == 3) MS_SSS__NAME(sweep_y)(s, p, 1, 1, begin, end, count, to, stream);
+    else if (s->shaped) MS_SSS__NAME(sweep_y)(s, p, 1, 0, begin, end, count, to, stream);
+    else if (s->pairs == 3) MS_SSS__NAME(sweep_y)(s, p, 0, 1, begin, end, count, to, stream);
+    else MS_SSS__NAME(sweep_y)(s, p, 0, 0, begin, end, count, to, stream);
 }
 
 /* out = a x + b y */
@@ -7146,13 +7808,15 @@ static void MS_SSS__NAME(merge)(const float *even, const float *odd, int count, 
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
     MS_SSS__NAME(gate),    MS_SSS__NAME(admit),  MS_SSS__NAME(convolve),    MS_SSS__NAME(convolve_valid),
     MS_SSS__NAME(taps_x),  MS_SSS__NAME(taps_y), MS_SSS__NAME(taps_turned), MS_SSS__NAME(shaped_x),
-    MS_SSS__NAME(shaped_y), MS_SSS__NAME(shaped_turned), MS_SSS__NAME(shape), MS_SSS__NAME(combine),
+    MS_SSS__NAME(shaped_y), MS_SSS__NAME(shaped_turned), MS_SSS__NAME(shape), MS_SSS__NAME(tangents),
+    MS_SSS__NAME(plan), MS_SSS__NAME(sweep_row), MS_SSS__NAME(sweep_slab), MS_SSS__NAME(least), MS_SSS__LANES, MS_SSS__NAME(combine),
     MS_SSS__NAME(fade),    MS_SSS__NAME(shrink), MS_SSS__NAME(soften),
     MS_SSS__NAME(grow),    MS_SSS__NAME(split),  MS_SSS__NAME(merge)};
 
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN
 #undef MS_SSS__NAME
+#undef MS_SSS__CHUNK
 #undef MS_SSS__V
 #undef MS_SSS__MASK
 #undef MS_SSS__LOAD
@@ -7163,6 +7827,8 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__MUL
 #undef MS_SSS__DIV
 #undef MS_SSS__MADD
+#undef MS_SSS__LESSEN
+#undef MS_SSS__STREAM
 #undef MS_SSS__MIN
 #undef MS_SSS__MAX
 #undef MS_SSS__SQRT

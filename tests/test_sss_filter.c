@@ -304,7 +304,7 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                 const double along = dx * surface[i].slope[0] + dy * surface[i].slope[1], ray = dx * surface[i].ray[0] + dy * surface[i].ray[1];
                 const double square = 1 + surface[i].ray[0] * surface[i].ray[0] + surface[i].ray[1] * surface[i].ray[1];
                 for (c = 0; c < 2; ++c) size[c] /= sqrt(1 + 2 * ray * along + along * along * square);
-                if (p->o.fov_degrees > 0) rise = along * size[1] / (h / (2 * tan((double)p->o.fov_degrees * 3.14159265358979323846 / 360))); /* of depth itself a mm */
+                if (p->o.fov_degrees > 0) rise = along * size[second || p->o.rotation != 0 || p->o.jitter > 0] / (h / (2 * tan((double)p->o.fov_degrees * 3.14159265358979323846 / 360))); /* of depth itself a mm */
                 for (c = 0; c < 3; ++c)
                     if ((double)kernel->elevation_axis[c] * least < -4) least = -4 / (double)kernel->elevation_axis[c];
             }
