@@ -6701,6 +6701,11 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
 #define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
 #define MS_SSS__CHUNK (MS_SSS__LANES == 8 ? 4 : 1) /* groups in flight */
+#if defined(__GNUC__) && !defined(__clang__)
+#define MS_SSS__UNROLL _Pragma("GCC unroll 8")
+#else
+#define MS_SSS__UNROLL
+#endif
 
 #if MS_SSS__LANES == 16
 #define MS_SSS__V __m512
@@ -7374,6 +7379,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
             size = MS_SSS__SET(p->size);
             if (p->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(p->size_max));
         }
+        MS_SSS__UNROLL
         for (k = 0; k < pairs; ++k) {
             const int i = whole[k + 1];
             const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[axis][k])), base = MS_SSS__SET((float)i), r = MS_SSS__SUB(t, base);
@@ -7390,9 +7396,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
                 const MS_SSS__V bend = MS_SSS__MUL(rise, t);
                 middle = MS_SSS__MADD(MS_SSS__MUL(bend, bend), inverse, z);
             }
+            MS_SSS__UNROLL
             for (side = 0; side < 2; ++side) {
                 MS_SSS__V below = zero, all = zero, plane = middle;
                 if (shaped) plane = side ? MS_SSS__LESSEN(rise, base, middle) : MS_SSS__MADD(rise, base, middle);
+                MS_SSS__UNROLL
                 for (j = 0; j < each; ++j) {
                     const float *at = MS_SSS__NAME(there)(axis, &here, side ? -i - j : i + j);
                     const MS_SSS__V dz = MS_SSS__SUB(MS_SSS__LOAD(at + 3 * l.plane), plane), f = MS_SSS__MUL(share[j], MS_SSS__NAME(falloff)(dz));
@@ -7419,16 +7427,19 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
         here.from += g * step;
         here.at += g * step;
         at = MS_SSS__NAME(there)(axis, &here, 0);
+        MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
             norm[c] = lifted[c] = MS_SSS__LOAD(s->weight[0][c]);
             r[c] = MS_SSS__MUL(norm[c], MS_SSS__LOAD(at + c * l.plane));
         }
+        MS_SSS__UNROLL
         for (k = 0; k < pairs; ++k) {
             const int i = whole[k + 1];
             const float *a0 = MS_SSS__NAME(there)(axis, &here, i), *a1 = MS_SSS__NAME(there)(axis, &here, i + 1);
             const float *b0 = MS_SSS__NAME(there)(axis, &here, -i), *b1 = MS_SSS__NAME(there)(axis, &here, -i - 1);
             const float *a2 = odd ? MS_SSS__NAME(there)(axis, &here, i + 2) : a1, *b2 = odd ? MS_SSS__NAME(there)(axis, &here, -i - 2) : b1;
             const MS_SSS__V *q = h[g][k];
+            MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) {
                 const MS_SSS__V w = MS_SSS__LOAD(s->weight[k + 1][c]);
                 MS_SSS__V u = MS_SSS__MADD(q[1], MS_SSS__LOAD(a1 + c * l.plane), MS_SSS__MUL(q[0], MS_SSS__LOAD(a0 + c * l.plane))), v;
@@ -7445,6 +7456,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
                 r[c] = MS_SSS__MADD(w, v, r[c]);
             }
         }
+        MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
             if (shaped) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(lifted[c], MS_SSS__SET(p->root[c])));
             out[g][c] = MS_SSS__DIV(MS_SSS__MUL(r[c], MS_SSS__SET(p->total[c])), norm[c]);
@@ -7817,6 +7829,7 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__JOIN
 #undef MS_SSS__NAME
 #undef MS_SSS__CHUNK
+#undef MS_SSS__UNROLL
 #undef MS_SSS__V
 #undef MS_SSS__MASK
 #undef MS_SSS__LOAD
