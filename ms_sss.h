@@ -7362,6 +7362,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
     const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f);
     MS_SSS__V h[MS_SSS__CHUNK][MS_SSS__PAIRS][6], sum[MS_SSS__CHUNK][MS_SSS__PAIRS][2], sine[MS_SSS__CHUNK][MS_SSS__PAIRS][2];
     int g, k, j, side;
+    for (g = 0; g < MS_SSS__CHUNK; ++g) /* compilers cannot see that the sums read only what was set */
+        for (k = 0; k < (three ? 3 : MS_SSS__PAIRS); ++k) {
+            for (j = 0; j < 6; ++j) h[g][k][j] = zero;
+            for (side = 0; side < 2; ++side) sum[g][k][side] = sine[g][k][side] = zero;
+        }
     for (g = 0; g < n; ++g) {
         const unsigned char *whole = plan + g * s->plan_size;
         MS_SSS__NAME(place) here = l;
