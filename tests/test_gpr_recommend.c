@@ -485,6 +485,31 @@ static void test_wishes(void)
     taste_free(&t);
 }
 
+/* Parameters that come in steps: subset simulation gives every value as often as rejection does, whether it matters or not. */
+static void test_steps(void)
+{
+    enum { M = 8, COUNT = 400 };
+    taste t = taste_make(5, 150, M, 0.15, NULL);
+    static double x[2][COUNT * M];
+    double steps[M], a[COUNT], b[COUNT];
+    int search, i, k;
+    for (k = 0; k < M; ++k) steps[k] = k % 2 ? 0.125 : 0.1; /* nine values, or eleven */
+    for (search = 0; search < 2; ++search) {
+        ms_gpr_recommend_options o = recommend_options();
+        o.search = search ? MS_GPR_SEARCH_SUBSET : MS_GPR_SEARCH_REJECTION;
+        o.steps = steps;
+        CHECK_INT(ms_gpr_recommend(t.gp, &o, COUNT, x[search], NULL, NULL, NULL, NULL), MS_OK);
+    }
+    for (k = 0; k < M; ++k) {
+        for (i = 0; i < COUNT; ++i) { /* ties broken alike */
+            a[i] = x[0][i * M + k] + 1e-6 * i / (int)COUNT;
+            b[i] = x[1][i * M + k] + 1e-6 * i / (int)COUNT;
+        }
+        CHECK_LE(two_sample(a, COUNT, b, COUNT), two_sample_limit(COUNT, COUNT));
+    }
+    taste_free(&t);
+}
+
 /* Four classes in four of twelve dimensions, some broad and some narrow: each keeps the share of the region that it has, as uniform
    candidates tell, wherever the threshold lies. */
 static void test_shares(void)
@@ -1510,6 +1535,7 @@ static const test_case cases[] = {
     {"recommend box", test_box},
     {"recommend natural box", test_natural_box},
     {"recommend wishes", test_wishes},
+    {"recommend steps", test_steps},
     {"recommend shares", test_shares},
     {"recommend every tau", test_every_tau},
     {"recommend threads", test_threads},
