@@ -1914,7 +1914,7 @@ static void ms_mcml__time_results(const ms_mcml *m, ms_mcml_result *out)
 {
     const int nr = m->grid.nr, nt = m->grid.nt;
     const int64_t *bin = m->sum + m->at.time;
-    const double n = (double)m->photons, scale = (1 - m->specular) / m->grid.dt_ps;
+    const double n = (double)m->photons, scale = nt > 0 ? (1 - m->specular) / m->grid.dt_ps : 0;
     int ir, it;
     for (it = 0; it < nt; ++it) {
         double s = 0, q = 0;
@@ -3340,6 +3340,8 @@ typedef struct ms_mcml__stratum {
     int shapes, table;                    /* table: of its first shape */
 } ms_mcml__stratum;
 
+typedef double ms_mcml__pair[2][MS_MCML__RAYS]; /* complex, of the rays side by side */
+
 /* Low-order preconditioner: u even, v odd moments. */
 typedef struct ms_mcml__smoother {
     int even, odd, nodes, pairs;
@@ -3369,6 +3371,7 @@ typedef struct ms_mcml__flights {
     double *theta;          /* [blocks][layers][terms][RAYS] */
     double *table;          /* [blocks][azimuths][shapes][4][6][2][RAYS] */
     double *work, *moments, *vectors; /* moments: [terms][nodes] three times */
+    double *chain;                    /* [7][STRATA] pairs */
     double *memory;
     size_t size;
     ms_mcml__smoother smoother;
@@ -3699,7 +3702,8 @@ static void ms_mcml__fly(const ms_mcml__flights *s, const double *d, int beam, d
         for (a = 0; a < s->azimuths; ++a) {
             const double *around = s->around + (size_t)(b * s->azimuths + a) * sheets * R;
             const double *turn = s->turn + (b * s->azimuths + a) * R, *cosine = s->cosine + (b * s->azimuths + a) * R;
-            double carry[MS_MCML__STRATA][2][R], d_out[MS_MCML__STRATA][2][R], u_out[MS_MCML__STRATA][2][R], rho[MS_MCML__STRATA][2][R], v[MS_MCML__STRATA][2][R], rb[MS_MCML__STRATA][2][R], vb[MS_MCML__STRATA][2][R];
+            ms_mcml__pair *carry = (ms_mcml__pair *)(void *)s->chain, *d_out = carry + MS_MCML__STRATA, *u_out = d_out + MS_MCML__STRATA;
+            ms_mcml__pair *rho = u_out + MS_MCML__STRATA, *v = rho + MS_MCML__STRATA, *rb = v + MS_MCML__STRATA, *vb = rb + MS_MCML__STRATA;
             double in[2][R];
             for (layer = 0; layer < s->layers; ++layer) { /* flights within each layer */
                 const ms_mcml__stratum *y = &s->layer[layer];
@@ -4259,7 +4263,7 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
 {
     enum { R = MS_MCML__RAYS, LM = MS_MCML__ORDER_MAX };
     const size_t az = most > 0 ? MS_MCML__AZIMUTHS : 1, sheets = (size_t)most + 1;
-    size_t blocks, terms, nz, at[14], count = 0;
+    size_t blocks, terms, nz, at[14], count = 0; /* doubles of each array */
     ms_mcml__flights *s = (ms_mcml__flights *)ms__alloc(&o->allocator, sizeof *s);
     double h[MS_MCML__PANELS_MAX + 8], all[MS_MCML__STRATA + 2], depth = 0, thickest = 0;
     int i, j, p, n = 0;
@@ -4354,7 +4358,8 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
     at[10] = (MS_MCML__SPAN + 1) * (terms * nz + MS_MCML__SPAN) + 2 * MS_MCML__SPAN;
     at[11] = nz * 2 * MS_MCML__EVEN_MAX * MS_MCML__EVEN_MAX;
     at[12] = nz * MS_MCML__EVEN_MAX + MS_MCML__EVEN_MAX;
-    for (i = 0; i < 13; ++i) count += at[i];
+    at[13] = 7 * MS_MCML__STRATA * 2 * R;
+    for (i = 0; i < 14; ++i) count += at[i];
     s->size = ms__size_mul(count, sizeof(double));
     s->memory = (double *)ms__alloc(&o->allocator, s->size);
     if (s->memory == NULL) {
@@ -4376,6 +4381,7 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
     s->vectors = s->moments + at[9];
     s->smoother.block = s->vectors + at[10];
     s->smoother.right = s->smoother.block + at[11];
+    s->chain = s->smoother.right + at[12];
     ms_mcml__beams(s);
     *out = s;
     return MS_OK;
@@ -5529,9 +5535,10 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
         if (status) return status;
     }
     for (i = 0; i < channels && !o.tissues; ++i) {
-        double absorption = media[i].mu_a_per_mm / (media[i].mu_a_per_mm + media[i].mu_s_per_mm);
+        double absorption;
         status = ms_mcml__check_medium(&media[i], error);
         if (status) return status;
+        absorption = media[i].mu_a_per_mm / (media[i].mu_a_per_mm + media[i].mu_s_per_mm);
         layers |= (media[i].g < 0 || media[i].g > 0) && !o.similarity;
         anisotropic |= media[i].g < 0 || media[i].g > 0 || media[i].eta < media[0].eta || media[i].eta > media[0].eta;
         if (absorption < least) least = absorption;
