@@ -25,7 +25,7 @@ static member members[USERS];
 
 static void table_of_searches(void)
 {
-    static const char *const name[SEARCHES] = {"auto", "rejection", "subset simulation", "hill climbing (thesis)"};
+    static const char *const name[SEARCHES] = {"auto", "rejection", "subset simulation", "hill climbing (thesis), a prediction at a time"};
     static double time[SEARCHES][TAUS], tau[TAUS], worst[SEARCHES][TAUS];
     static plot p;
     int search, t, i, k, j;
