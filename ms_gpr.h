@@ -57,8 +57,9 @@
    A likelihood with gradient takes n^3 / 2 + n^2 m multiply-adds, and a fit some 20 of them on all scores and 150 on a third; a mean n m,
    with its variance n^2 / 2 more. 300 recommendations take 30 to 150 thousand means, more the rarer they are. Figures and what fits are
    worth: tests/bench/RESULTS.md, made by `make bench`. Active galleries are worth the most: after 80 to 100 scores of theirs
-   recommendations are as good as after 250 uniform ones (clearly separate classes apart: a few more of them are missed). Users who like several classes of material ask for more than one length a
-   dimension can say, and those who like one material in fifty for the luck of finding the first.
+   recommendations are as good as after 250 uniform ones, but one in five of several separate classes is missed where those
+   miss one in ten. Users who like several classes ask for more than one length a dimension can say, and those who like one
+   material in fifty for the luck of finding the first.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------

@@ -390,9 +390,11 @@ static void test_threads(void)
 /* Without a box: the units that columns come in, whole ranges where those are round, the value of what is locked. */
 static void test_natural_box(void)
 {
-    enum { N = 60, M = 7, COUNT = 200 };
-    static const double low[M] = {0, -1, 0, 0, -5, 1, 42}, high[M] = {1, 1, 100, 255, 5, 2, 42}; /* what columns are drawn from */
+    enum { N = 60, M = 9, COUNT = 200, EVEN = 500 };
+    static const double low[M] = {0, -1, 0, 0, -5, 1, 42, 0, -180}, high[M] = {1, 1, 100, 255, 5, 2, 42, 360, 180}; /* drawn from */
+    static double even[EVEN * M];
     double x[N * M], y[N], r[COUNT * M], least, most;
+    ms_gpr_gallery_options g;
     uint64_t state = 13;
     ms_gpr *gp;
     int i, k;
@@ -410,6 +412,17 @@ static void test_natural_box(void)
         CHECK(least >= low[k] && most <= high[k]);
         if (k != 2 && k != 4) CHECK_NEAR(most - least, high[k] - low[k], 0.1 * (high[k] - low[k])); /* of 200: 5% at each end, chance e^-10 */
         CHECK(most >= high[k] - 0.1 * (high[k] - low[k]));
+    }
+    memset(&g, 0, sizeof g);
+    g.kind = MS_GPR_GALLERY_SPREAD; /* one in every 500th of the range: the ends are seen to that */
+    CHECK_INT(ms_gpr_gallery(gp, &g, EVEN, even, NULL), MS_OK);
+    for (k = 0; k < M; ++k) {
+        for (i = 0, least = 1e300, most = -1e300; i < EVEN; ++i) {
+            least = fmin(least, even[i * M + k]);
+            most = fmax(most, even[i * M + k]);
+        }
+        CHECK_NEAR(least, low[k], (high[k] - low[k]) / (int)EVEN);
+        CHECK_NEAR(most, high[k], (high[k] - low[k]) / (int)EVEN);
     }
     ms_gpr_destroy(gp);
 }
@@ -1423,6 +1436,53 @@ static void test_grid_value(void)
     CHECK_NEAR(ms_gpr_grid_value(&g, map, (double)NAN, (double)NAN), map[0], 1e-14);
 }
 
+/* NULL where nothing says what it means: a status and the argument's name, or nothing. */
+static void test_null(void)
+{
+    plane_of_taste p = plane_make(4);
+    double map[16], lambda = 0.5, at[2] = {0, 0}, x[12];
+    ms_gpr_latent *other;
+    ms_gpr_similarity s, empty;
+    ms_gpr_variant v;
+    ms_error error;
+    memset(&s, 0, sizeof s);
+    memset(&empty, 0, sizeof empty);
+    s.x = p.liked;
+#define REFUSES(call, name) CHECK_INT(call, MS_INVALID_ARGUMENT); CHECK(strcmp(error.message, name " is NULL") == 0)
+    REFUSES(ms_gpr_recommend(NULL, NULL, 1, x, NULL, NULL, NULL, &error), "gp");
+    REFUSES(ms_gpr_recommend(p.t.gp, NULL, 1, NULL, NULL, NULL, NULL, &error), "x");
+    REFUSES(ms_gpr_gallery(NULL, NULL, 1, x, &error), "gp");
+    REFUSES(ms_gpr_gallery(p.t.gp, NULL, 1, NULL, &error), "x");
+    REFUSES(ms_gpr_latent_fit(NULL, 5, 2, NULL, &other, NULL, &error), "x");
+    REFUSES(ms_gpr_latent_fit(p.liked, 5, 2, NULL, NULL, NULL, &error), "out");
+    REFUSES(ms_gpr_latent_create(p.liked, 5, 2, NULL, at, NULL, &other, &error), "latent");
+    REFUSES(ms_gpr_latent_create(p.liked, 5, 2, p.liked, NULL, NULL, &other, &error), "theta");
+    REFUSES(ms_gpr_latent_likelihood(NULL, map, NULL, NULL, &error), "plane");
+    REFUSES(ms_gpr_latent_map(NULL, at, 1, x, NULL, &error), "plane");
+    REFUSES(ms_gpr_latent_map(p.plane, NULL, 1, x, NULL, &error), "latent");
+    REFUSES(ms_gpr_latent_find(NULL, x, at, NULL, NULL, &error), "plane");
+    REFUSES(ms_gpr_latent_find(p.plane, NULL, at, NULL, NULL, &error), "x");
+    REFUSES(ms_gpr_latent_find(p.plane, p.liked, NULL, NULL, NULL, &error), "latent");
+    REFUSES(ms_gpr_map_preference(NULL, p.t.gp, &p.grid, map, NULL, &error), "plane");
+    REFUSES(ms_gpr_map_preference(p.plane, NULL, &p.grid, map, NULL, &error), "gp");
+    REFUSES(ms_gpr_map_preference(p.plane, p.t.gp, NULL, map, NULL, &error), "grid");
+    REFUSES(ms_gpr_map_confidence(p.plane, &p.grid, NULL, &error), "confidence");
+    REFUSES(ms_gpr_map_similarity(p.plane, NULL, &p.grid, map, &error), "similarity");
+    REFUSES(ms_gpr_map_similarity(p.plane, &empty, &p.grid, map, &error), "similarity->x");
+    REFUSES(ms_gpr_map_similarity(p.plane, &s, &p.grid, NULL, &error), "map");
+    REFUSES(ms_gpr_variants(p.plane, NULL, &s, &p.grid, &lambda, 1, 0, &v, NULL, &error), "gp");
+    REFUSES(ms_gpr_variants(p.plane, p.t.gp, &s, &p.grid, NULL, 1, 0, &v, NULL, &error), "lambda");
+    REFUSES(ms_gpr_variants(p.plane, p.t.gp, &s, &p.grid, &lambda, 1, 0, NULL, NULL, &error), "variant");
+#undef REFUSES
+    CHECK(ms_gpr_latent_count(NULL) == 0 && ms_gpr_latent_points(NULL) == NULL && ms_gpr_latent_theta(NULL) == NULL);
+    CHECK_NEAR(ms_gpr_latent_jitter(NULL) + ms_gpr_grid_value(NULL, map, 0, 0) + ms_gpr_grid_value(&p.grid, NULL, 0, 0), 0, 0);
+    CHECK_INT(ms_gpr_grid_around(NULL, 5).columns, 0);
+    ms_gpr_grid_point(NULL, 0, 0, at);
+    ms_gpr_map_product(&p.grid, NULL, &p.grid, map, map);
+    ms_gpr_latent_destroy(NULL);
+    plane_free(&p);
+}
+
 static void test_map_refusals(void)
 {
     plane_of_taste p = plane_make(4);
@@ -1558,6 +1618,7 @@ static const test_case cases[] = {
     {"maps", test_maps},
     {"maps bilinear", test_grid_value},
     {"maps refusals", test_map_refusals},
+    {"null", test_null},
     {"variants", test_variants},
 };
 
