@@ -75,6 +75,16 @@
    Sources: Wang, Jacques, Zheng 1995 (MCML) and 1997 (CONV); Blackman, Vigna 2018 (xoshiro128+, seeded by Philox); Duff et
    al. 2017 (basis).
 
+   LAYERS WITHOUT NOISE
+
+   ms_mcml_layered_solve: up to 16 layers, any phase function by its Legendre moments, R and T over radius, totals, depth. For
+   each spatial frequency the moments of the source on panels in depth, exact flights between them along rays through every
+   layer and back (Fresnel at each boundary), GMRES; single scattering of the top layer in space with the whole phase
+   function. Time grows with the square of the order, which g asks for (3 moments at 0.3, 7 at 0.8, 15 at 0.9), and with the
+   panels, which follow optical depth. Each ring has an error beside it; what cannot be held is MS_NOT_CONVERGED.
+   Limits: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear layers, transmission within a mean free
+   path of the axis and below 3e-3 of its energy. One thread.
+
    DIFFUSION PROFILES (materials, half-space solver, white Monte Carlo)
 
    ms_mcml_profile_make turns mu_a, mu_s, eta of any number of channels into R_d(r): averages over rings that the caller
