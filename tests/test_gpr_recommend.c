@@ -889,7 +889,7 @@ static void test_gallery_active(void)
                 CHECK_INT(ms_gpr_gallery(gp, &g, ROUND, x + n * M, NULL), MS_OK);
                 for (k = 0; n == 0 && way == 0 && k < M; ++k) { /* one in every tenth */
                     int part[ROUND] = {0}, q;
-                    for (q = 0; q < ROUND; ++q) ++part[(int)(ROUND * x[q * M + k])];
+                    for (q = 0; q < ROUND; ++q) ++part[(int)((int)ROUND * x[q * M + k])];
                     for (q = 0; q < ROUND; ++q) CHECK_INT(part[q], 1);
                 }
                 if (n > 0) CHECK(memcmp(x + n * M, x + (n - ROUND) * M, ROUND * M * sizeof *x) != 0);
