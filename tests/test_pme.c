@@ -1352,6 +1352,41 @@ static void test_many_bounds(void)
     }
 }
 
+/* The step's own problem, from every first guess of the set: all free, all held low, all high. What was held wrongly is let go. */
+static void test_active_set(void)
+{
+    enum { M = 12 };
+    int guess, i, j, round;
+    uint64_t state = test_seed + 9;
+    for (round = 0; round < 20; ++round) {
+        double a[M * (M + 1)], work[M * (M + 1)], low[M], high[M], d[3][M], z[2 * M];
+        int set[M], order[M];
+        for (i = 0; i < M; ++i) {
+            for (j = 0; j <= M; ++j) a[i * (M + 1) + j] = j < i ? 0 : test_normal(&state) + (i == j ? 3 : 0);
+            low[i] = -0.3 * test_uniform(&state);
+            high[i] = 0.3 * test_uniform(&state);
+        }
+        for (guess = 0; guess < 3; ++guess) {
+            for (j = 0; j < M; ++j) set[j] = guess == 2 ? -1 : guess;
+            memcpy(work, a, sizeof a);
+            ms_pme__bounded_least_squares(work, M, low, high, d[guess], set, order, z);
+            for (j = 0; j < M; ++j) {
+                double g = 0;
+                for (i = 0; i < M; ++i) {
+                    double r = -a[i * (M + 1) + M];
+                    int k;
+                    for (k = 0; k < M; ++k) r += a[i * (M + 1) + k] * d[guess][k];
+                    g += a[i * (M + 1) + j] * r;
+                }
+                if (d[guess][j] <= low[j]) CHECK(g > -1e-10);
+                else if (d[guess][j] >= high[j]) CHECK(g < 1e-10);
+                else CHECK_NEAR(g, 0, 1e-10); /* sums of some hundred products of size 10 */
+                CHECK_NEAR(d[guess][j], d[0][j], 1e-10); /* the answer is the only one */
+            }
+        }
+    }
+}
+
 static ms_status sleeping(void *user, const double *x, double *f)
 {
     struct timespec t;
@@ -1662,7 +1697,8 @@ static const test_case cases[] = {
     {"sensitivity", test_sensitivity},            {"repeatable", test_repeatable},
     {"allocation failures", test_allocation},     {"projected gradient", test_projected_gradient},
     {"gradient callback", test_gradient_callback}, {"sizes of residuals", test_sizes},
-    {"many bounds", test_many_bounds},            {"wall clock", test_wall_clock},
+    {"many bounds", test_many_bounds},            {"active set", test_active_set},
+                {"wall clock", test_wall_clock},
     {"traps", test_traps},                        {"sensitivity, arguments", test_sensitivity_arguments},
     {"messages of options", test_option_messages}, {"control", test_control},
     {"reweigh", test_reweigh},                    {"stack", test_stack_use}};
