@@ -530,6 +530,8 @@ typedef struct ms_sss_frame {
     ptrdiff_t profile_pixel_stride, profile_row_stride; /* in elements; 0: 1, and tightly packed */
     ms_sss_image normal;     /* optional: the surface's normals, without bump maps, of any length, in view space: x to the right, y as
                                 rows grow, z towards the camera; none: from depth, see `flat` */
+    ms_sss_image through;    /* optional RGB: light that comes through thin parts (ms_sss_transmission, summed over the lamps); the output is the
+                                larger of both, before albedo and specular */
 } ms_sss_frame;
 
 /* How a tap whose surface lies dz in front of or behind the pixel counts. */
@@ -572,8 +574,8 @@ typedef struct ms_sss_filter_options {
 
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
-/* Bytes that ms_sss_filter needs for frames of this size: about 50 a pixel (flat 1: 20), 12 more with kernels of several terms,
-   12 more with rotation or jitter. Depends on width, height, kernels and options only; SIZE_MAX: more than this machine can address. */
+/* Bytes that ms_sss_filter needs for frames of this size: about 45 a pixel (flat 1: 25), 12 more with kernels of several terms,
+   flat 1 with rotation or jitter. Depends on width, height, kernels and options only; SIZE_MAX: more than this machine can address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                           const ms_sss_filter_options *options);
 
@@ -598,7 +600,8 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
      flat 1, a constant stays constant within 1e-6 and what the rounding of depth does to slopes. A kernel whose terms have weights of both signs gives what is missing to the pixel's own colour instead.
    - Where the kernel's radius is under half a pixel, and where strength is 0, the input is returned bit for bit (without
      albedo and specular). A radius above the larger side of the picture is reduced to it.
-   - Depth edges wider than the kernel's radius let nothing through.
+   - Depth edges wider than 3.1 sigma, flat 1: than the kernel's radius, let nothing through; beside a slope that is counted
+     against its continuation.
    Bit-equal for any thread count at one level; across levels within 2e-6 of the largest input near the pixel.
    Work is in proportion to the pixels that take part. No allocation. Calls may overlap if workspace and output differ.
    MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range (nothing written). Thesis 5.5, 5.8.2, 5.10;
@@ -4132,6 +4135,12 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
             job->simd->fade(&job->pass, strength, job->gain, depth, in[c], count, blur[c]);
         }
     }
+    if (f->through.channel[0]) {
+        ms_sss__load(&f->through, 3, f->width, y, x, count, specular_buffer, specular);
+        for (c = 0; c < 3; ++c)
+            for (i = 0; i < count; ++i)
+                if (specular[c][i] > blur[c][i]) blur[c][i] = specular[c][i];
+    }
     factor = ms_sss__albedo(job, 1, y, x, count, albedo_buffer, albedo);
     for (c = 0; factor && c < 3; ++c)
         for (i = 0; i < count; ++i) blur[c][i] *= factor[c][i];
@@ -4757,7 +4766,7 @@ static int ms_sss__direct(const ms_sss__job *job)
     const ms_sss_kernel *k = job->kernel;
     float total[3];
     int mixed[3], c;
-    if (k->term_count > 1 || f->albedo.channel[0] || f->specular.channel[0] || job->gain < 1 ||
+    if (k->term_count > 1 || f->albedo.channel[0] || f->specular.channel[0] || f->through.channel[0] || job->gain < 1 ||
         f->output.half || f->output.pixel_stride != 1)
         return 0;
     ms_sss__totals(k, 0, 0, total, mixed);
@@ -4900,7 +4909,8 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         (status = ms_sss__check_image(&f->strength, "strength", 1, 0, w, h, error)) != MS_OK ||
         (status = ms_sss__check_image(&f->albedo, "albedo", 3, 0, w, h, error)) != MS_OK ||
         (status = ms_sss__check_image(&f->specular, "specular", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->normal, "normal", 3, 0, w, h, error)) != MS_OK)
+        (status = ms_sss__check_image(&f->normal, "normal", 3, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->through, "through", 3, 0, w, h, error)) != MS_OK)
         return status;
     if (f->profile_pixel_stride == 0) f->profile_pixel_stride = 1;
     if (f->profile_row_stride == 0) f->profile_row_stride = f->profile_pixel_stride * w;

@@ -1257,6 +1257,41 @@ static void case_curved(void)
     test_scene_free(&s);
 }
 
+/* Light through thin parts: the larger of both, before albedo and specular. */
+static void case_through(void)
+{
+    test_scene s = test_scene_make(67, 41, test_seed);
+    const ms_sss_kernel k = test_kernel(7, 5.0, 0.0);
+    const int n = 67 * 41;
+    int kind, c, i, more = 0;
+    for (i = 0; i < n; i += 50) s.depth[i] = NAN;
+    for (kind = 0; kind < 3; ++kind) {
+        const ms_sss_filter_options o = test_options(kind);
+        float *without[3], *out[3];
+        ms_sss_frame f;
+        for (c = 0; c < 3; ++c) {
+            without[c] = test_floats(n);
+            out[c] = test_floats(n);
+        }
+        f = test_frame(&s, WITH_DEPTH, without);
+        test_run(&f, &k, 1, &o);
+        f = test_frame(&s, WITH_DEPTH | WITH_ALBEDO | WITH_SPECULAR, out);
+        f.through = ms_sss_planar(s.rgb[2], s.rgb[0], s.rgb[1], 0);
+        test_run(&f, &k, 1, &o);
+        for (c = 0; c < 3; ++c) {
+            for (i = 0; i < n; ++i) {
+                const float through = i % 50 ? s.rgb[(c + 2) % 3][i] : 0, light = through > without[c][i] ? through : without[c][i];
+                more += through > without[c][i];
+                CHECK_NEAR(out[c][i], light * s.albedo[c][i] + s.specular[c][i], 1e-6); /* two roundings of values under 3 */
+            }
+            free(without[c]);
+            free(out[c]);
+        }
+    }
+    CHECK(more > n);
+    test_scene_free(&s);
+}
+
 /* Shapes as rough as they come, bright light: reflectance times result is never above the brightest light. */
 static void case_bounded(void)
 {
@@ -1379,6 +1414,7 @@ static const test_case cases[] = {
     {"planes", case_planes},
     {"curved surfaces", case_curved},
     {"bounded", case_bounded},
+    {"light through thin parts", case_through},
     {"the same bits as ever", case_golden},
 };
 TEST_MAIN(cases)
