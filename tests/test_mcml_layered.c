@@ -365,12 +365,12 @@ static void rings_of_isotropic_half_spaces(void)
 /* Rings of all else against Monte Carlo, wide ones, so that its noise is small. */
 static void rings_of_layers(void)
 {
-    static const unsigned which[] = {1, 2, 3, 6, 12};
+    static const unsigned which[] = {1, 3, 6, 12, 2}; /* the last takes a second: in the long version */
     static const double edge[] = {0, 0.5, 1, 2, 3, 5, 8, 12, 20, 40};
     double chi2 = 0;
     int n = 0, side, i, k;
     unsigned q;
-    for (q = 0; q < sizeof which / sizeof *which; ++q) {
+    for (q = 0; q < (test_full ? 5u : 4u); ++q) {
         const ms_mcml_tissue t = tissue_of(which[q]);
         ms_mcml_options options = ms_mcml_defaults();
         ms_mcml_grid grid;
@@ -465,8 +465,10 @@ static void refusals(void)
     t.n_above = t.n_below = 1;
     t.layer_count = 1;
     t.layers = &layer;
-    CHECK_INT(ms_mcml_layered_solve(&t, NULL, &s, &error), MS_NOT_CONVERGED); /* says so, and how far it is */
-    CHECK(s.rd > 0 && (s.rd_error > 5e-5 || s.peak > 0.3) && error.message[0]);
+    memset(&o, 0, sizeof o);
+    o.totals_only = 1;
+    CHECK_INT(ms_mcml_layered_solve(&t, &o, &s, &error), MS_NOT_CONVERGED); /* says so, and how far it is */
+    CHECK(s.rd > 0 && s.rd_error > 5e-5 && error.message[0]);
     memset(&before, 7, sizeof before);
     s = before;
     memset(&o, 0, sizeof o);
