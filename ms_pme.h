@@ -1065,7 +1065,7 @@ static void ms_pme__turn(ms_pme__active *s, int row, int column)
 {
     int w = s->n + 1;
     double c, sine, *upper = s->a + row * w, *lower = upper + w, r = ms_pme__rotation(upper[column], lower[column], &c, &sine);
-    if (sine < 0 || sine > 0) ms_pme__rotate(upper, lower, c, sine, w);
+    if (c < 1) ms_pme__rotate(upper, lower, c, sine, w); /* also where it only turns signs: c = -1 */
     upper[column] = r;
     lower[column] = 0;
 }
@@ -1137,7 +1137,8 @@ static void ms_pme__bounded_least_squares(double *a, int n, const double *low, c
             state[j] = z[hit] < low[j] ? -1 : 1;
             d[j] = state[j] < 0 ? low[j] : high[j];
             ms_pme__leave(&s, hit);
-            if (j == released) break; /* rounding frees it again and again */
+            if (j == released && !(alpha > 1e-12)) break; /* rounding frees it again and again */
+            released = -1;
             continue;
         }
         for (j = s.free; j < n; ++j) { /* on the face: which bound holds against the descent? */
