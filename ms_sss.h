@@ -615,9 +615,9 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
 #define MS_SSS_PYRAMID_LEVELS 12 /* of a pyramid; level l is 2^l times smaller */
 #define MS_SSS_PYRAMID_SIZES 49  /* kernel radii of 1, 1.25, 1.5, 1.75, 2, 2.5 ... 4096 pixels */
 
-/* The round 2D kernel of a profile as a sum of pyramid levels, for radii from about 16 pixels on: the cost does not
-   depend on the radius. Each level counts as it is and blurred by (1, 2, 1) / 4 both ways; weights are >= 0 and add up to
-   1. */
+/* The round 2D kernel of a profile as a sum over the levels of a pyramid, for radii from about 16 pixels on: the cost does
+   not depend on the radius. [0][0] is the weight of a pixel's own light, [0][1] of its neighbours', [l][1] of what is
+   gathered from level l; all are >= 0 and add up to 1. */
 typedef struct ms_sss_pyramid {
     float radius_mm; /* that holds 99% of the light of the widest channel */
     float weight[MS_SSS_PYRAMID_SIZES][MS_SSS_PYRAMID_LEVELS][2][3]; /* [size][level][blurred][channel] */
@@ -629,18 +629,22 @@ typedef struct ms_sss_pyramid {
    MS_INVALID_ARGUMENT: a NULL, a profile without light. *pyramid is untouched then. */
 MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error);
 
-/* Bytes that ms_sss_pyramid_filter needs: about 100 a pixel. SIZE_MAX: sides out of range. */
+/* Bytes that ms_sss_pyramid_filter needs: about 52 a pixel. SIZE_MAX: sides out of range. */
 MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
-/* ms_sss_filter with the round kernel instead of a separable one: out = sum_l weight_l E_l over the levels E_l.
-   The depth weights are (1 - dz^2 / (16 sigma^2))^8, which stand for the Gaussian.
-   A pixel of a coarser level belongs to one surface, that of its best covered part; only light from within the depth
-   tolerance gets in, and from there only to pixels of the same surface: nothing crosses a depth edge wider than the
-   radius, masks and NaN are as in ms_sss_filter, a constant stays constant. Next to silhouettes, where a coarse pixel
-   stands for the other surface, the kernel gets narrower.
+/* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE light counts by its
+   distance in space and by the area of surface that a pixel shows, and is lifted by (1 + K sin(theta) / 4)^4, see ELEVATION:
+   every pixel gathers from 8 to 16 pixels of the next coarser level at exact distances, K sin(theta) entering by its mean
+   and variance, and passes its sums on to the finer level. A level's mean factor is at most 1 / reflectance, so that an even
+   light never comes out stronger than it went in. options.flat 1: as if all pixels faced the camera.
+   A pixel of a coarser level belongs to one surface, the nearest that covers it; only light from within reach of its
+   tangent plane gets in, and from there only to pixels of the same surface: nothing crosses a depth edge wider than the
+   radius, masks and NaN are as in ms_sss_filter. A constant stays constant where the surface is plane, to the rounding of
+   the depths. Gathers widen with slopes up to 48 degrees; steeper planes are blurred too little along the level line and
+   too much down the slope (by 0.05 of a wave's height at 60 degrees, 0.2 at 75).
    options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW, pixels_per_mm that differ,
              frame->profile
-   Bit-equal for any thread count at one level of instructions. No allocation. */
+   Six calls of options.parallel. Bit-equal for any thread count at one level of instructions. No allocation. */
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
                                            const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                            ms_error *error);
@@ -3524,19 +3528,27 @@ typedef struct ms_sss__sweep {
     float *least;      /* of each task, the least depth */
 } ms_sss__sweep;
 
-/* A row of a pyramid level, even and odd columns apart: colour, depth, share of the area that takes part. */
+/* A row of a pyramid level, even and odd columns apart: colour, d, share, changes of d. */
 typedef struct ms_sss__split {
-    const float *plane[2][5];
+    const float *plane[2][7];
 } ms_sss__split;
 
-/* What the sums of a pyramid level need. */
+#define MS_SSS__GATHER 3.0625f /* square of the radius of a gather, in pixels of the level that it reads: 1.75^2 */
+
+/* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective, else
+   depth; 0 where nothing takes part. Rows of a level: colour, d, share (surface there, in pixels of the level), the change
+   of d a pixel along x and y. */
 typedef struct ms_sss__growth {
     const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
-    int level, perspective;
-    float weight[2][3];     /* of this level where all pixels have one size */
-    float size, size_max;   /* the kernel's radius in pixels: min(size / depth, size_max) */
-    float cut;              /* dz^2 from which on nothing counts */
-    int lower;              /* the row is the lower of its coarser row's two */
+    int perspective, shaped, level; /* level: of the rows that are made by gather */
+    float weight[2][3];   /* of the level where all pixels have one size */
+    float size, size_max; /* the kernel's radius in pixels: min(size d, size_max) */
+    float step;           /* change of d a pixel at slope 1: times d in perspective */
+    float upright;        /* 1 - flat; 0: the depth counts for the size alone */
+    float reach;          /* distance from a tangent plane at which nothing is left, in radii */
+    float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
+    float quarter[3], most[3]; /* K / 4; 1 / reflectance */
+    float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
 } ms_sss__growth;
 
 typedef struct ms_sss__kernels {
@@ -3565,12 +3577,14 @@ typedef struct ms_sss__kernels {
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
-    void (*shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int count, float *const out[5]);
-    void (*soften)(const ms_sss__growth *s, const ms_sss__split row[3], int odd, int count, float *const out[4]);
-    int (*grow)(const ms_sss__growth *s, const float *const fine[5], const float *const soft[4],
-                const float *const *const coarse[3], int odd, int count, float *const out[6]);
+    void (*lie)(const ms_sss__growth *s, const float *const d[3], const float *const normal[3], int y, int first, int count, float *const out[3]);
+    void (*shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int first, int count, float *const out[7]);
+    int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *const *const coarse[4], int first, int count, int y,
+                  float *const out[6]);
+    int (*settle)(const ms_sss__growth *s, const ms_sss__split row[3], const float *const slope[3], const float *const sum[6], int first, int count,
+                  float *const out[3]);
+    void (*invert)(const ms_sss__growth *s, const float *depth, int count, float *d);
     void (*split)(const float *from, int count, float *even, float *odd);
-    void (*merge)(const float *even, const float *odd, int count, float *to);
 } ms_sss__kernels;
 
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
@@ -3656,15 +3670,17 @@ static MS_SSS__INLINE float ms_sss__index_size(int index)
     return size;
 }
 
-static MS_SSS__INLINE void ms_sss__weights_at(const ms_sss__growth *s, float size, float out[2][3])
+static const float ms_sss__ramp[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
+/* The three weights of a level for a radius in pixels, step floats apart. */
+static MS_SSS__INLINE void ms_sss__weights_at(const ms_sss__growth *s, float size, int level, int blurred, float *out, int step)
 {
     const int i = ms_sss__size_index(size);
-    const float from = ms_sss__index_size(i), step = ms_sss__index_size(i + 1) - from;
-    const float t = size < from ? 0 : size > from + step ? 1 : (size - from) / step;
-    int b, c;
-    for (b = 0; b < 2; ++b)
-        for (c = 0; c < 3; ++c)
-            out[b][c] = s->table[i][s->level][b][c] + t * (s->table[i + 1][s->level][b][c] - s->table[i][s->level][b][c]);
+    const float from = ms_sss__index_size(i), width = ms_sss__index_size(i + 1) - from;
+    const float t = size > from ? (size > from + width ? 1 : (size - from) / width) : 0;
+    int c;
+    for (c = 0; c < 3; ++c)
+        out[c * step] = s->table[i][level][blurred][c] + t * (s->table[i + 1][level][blurred][c] - s->table[i][level][blurred][c]);
 }
 
 #if defined(MS__X64)
@@ -5007,8 +5023,6 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
 
 /* ---------------------------------------------------------- PYRAMID CODE */
 
-enum { MS_SSS__ANGLES = 4 };
-
 /* Minimises x'A x / 2 - b'x for x >= 0, n <= 24: active sets (Lawson and Hanson 1974, Solving Least Squares Problems,
    chapter 23). */
 static void ms_sss__fit_positive(const double *A, const double *b, int n, double *x)
@@ -5053,12 +5067,21 @@ static void ms_sss__fit_positive(const double *A, const double *b, int n, double
     }
 }
 
-/* Transfer of a level along one axis: (1, 5, 10, 10, 5, 1) / 32 down l times and up again,
-   (sin(2^l k / 2) / (2^l sin(k / 2)))^10. */
-static double ms_sss__level_wave(int level, double k)
+/* Transfer of (1, 3, 3, 1) / 8 down or up by one level, along one axis. */
+static double ms_sss__step_wave(double k) { const double c = cos(k / 2); return c * c * c; }
+
+/* Of the gather from a level: taps (1 - r^2 / MS_SSS__GATHER)^2 at distances r of its pixels, a quarter pixel off their middle. */
+static double ms_sss__gather_wave(double kx, double ky)
 {
-    const double n = (double)(1 << level), s = k < 1e-9 ? 1 : sin(n * k / 2) / (n * sin(k / 2));
-    return pow(s * s, 5);
+    double sum = 0, n = 0;
+    int i;
+    for (i = 0; i < 16; ++i) {
+        const double x = i % 4 - 1.75, y = i / 4 - 1.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER;
+        if (!(t > 0)) continue;
+        sum += t * t * cos(kx * x) * cos(ky * y); /* the odd parts cancel between neighbours */
+        n += t * t;
+    }
+    return sum / n;
 }
 
 MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error)
@@ -5102,18 +5125,20 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
             memset(A, 0, sizeof A);
             memset(b, 0, sizeof b);
             for (i = 0; i <= 10 * STEPS + 1; ++i) { /* frequencies up to pi: a 1/f spectrum has equal power an octave */
-                for (j = 0; j < MS_SSS__ANGLES && total[c] > 0; ++j) {
+                if (total[c] > 0) { /* halfway between an axis and a diagonal: the levels are nearly round */
                     const double k = i ? 3.14159265358979 * pow(2.0, (double)(i - 1) / (double)STEPS - 10) : 0;
-                    const double angle = 0.785398163397448 * j / (double)(MS_SSS__ANGLES - 1);
                     const double at = i ? (log2(k * pixels) + (double)LOW) * (double)STEPS : -1, weight = i ? 1 : 1e3; /* energy first */
                     const int cell = at < 0 ? 0 : at < (double)(TABLE - 2) ? (int)at : TABLE - 2;
                     const double t = at < 0 ? 0 : at > (double)(TABLE - 1) ? 1 : at - cell, target = at < 0 ? 1 : T[cell] + t * (T[cell + 1] - T[cell]);
-                    const double kx = k * cos(angle), ky = k * sin(angle);
+                    const double kx = k * 0.923879532511287, ky = k * 0.38268343236509;
                     double wave[TERMS];
                     int m;
-                    for (l = 0; l < terms; ++l) {
-                        wave[l] = ms_sss__level_wave(l / 2, kx) * ms_sss__level_wave(l / 2, ky);
-                        if (l % 2) wave[l] *= (0.5 + 0.5 * cos(kx * (1 << l / 2))) * (0.5 + 0.5 * cos(ky * (1 << l / 2)));
+                    double both = 1; /* down to the level, and up from the finer one that gathers from it */
+                    for (l = 0; l < levels; ++l) {
+                        const double u = kx * (1 << l), v = ky * (1 << l), one = ms_sss__step_wave(u) * ms_sss__step_wave(v);
+                        wave[2 * l] = l == 0;
+                        wave[2 * l + 1] = l ? both * ms_sss__gather_wave(u, v) : (0.5 + 0.5 * cos(u)) * (0.5 + 0.5 * cos(v));
+                        both *= l ? one * ms_sss__step_wave(u / 2) * ms_sss__step_wave(v / 2) : one;
                     }
                     for (l = 0; l < terms; ++l) {
                         b[l] += weight * wave[l] * target;
@@ -5133,60 +5158,66 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
 
 /* --- the filter --- */
 
+/* Planes of a level: colour, d, share, sums of light, sums of weights, changes of d along x and y. */
+enum { MS_SSS__D = 3, MS_SSS__SHARE = 4, MS_SSS__SUMS = 5, MS_SSS__CHANGES = 11, MS_SSS__TOWER_PLANES = 13 };
+
 typedef struct ms_sss__level {
     int width, height;
-    ptrdiff_t half, whole;  /* floats from a row to the next of the planes for even or odd columns, and for all */
-    float *split[2][5];     /* colour, depth, share; the share of the finest level is not stored */
-    float *soft[2][4];      /* softened: colour, share */
-    float *sum[6], *depth;  /* of coarser levels: weighted colour, weight, depth */
+    ptrdiff_t stride;
+    float *plane[MS_SSS__TOWER_PLANES]; /* of the picture itself colour and d alone */
+    int *first, *last;                  /* columns of each row outside of which nothing takes part; multiples of 16 */
 } ms_sss__level;
 
 typedef struct ms_sss__tower {
-    ms_sss__job job; /* first: tasks get its address */
+    ms_sss__job job;      /* first: tasks get its address */
+    ms_sss_kernel kernel; /* that leaves its input alone: for the size on the screen, and for what comes after the sums */
     ms_sss__level level[MS_SSS_PYRAMID_LEVELS];
     int levels, at; /* at: of the run at hand */
     ms_sss__growth growth;
-    float *ones; /* a row of shares of 1 */
-    float *rows; /* row buffers of the tasks */
-    ptrdiff_t row;
+    float *rows;    /* row buffers of the tasks, half a row each */
+    ptrdiff_t half; /* floats of one */
 } ms_sss__tower;
 
-enum { MS_SSS__TOWER_ROWS = 14 };
+/* Row buffers of a task: four rows split, 7 planes each, and three whole rows; or seven whole rows and more. */
+enum { MS_SSS__TOWER_LIE = 56, MS_SSS__TOWER_ROWS = 62, MS_SSS__TOWER_ALONE = 3 /* levels from here on are too small to share */ };
+
+/* An odd number of cache lines, so that many rows side by side do not fall on the same few sets of the cache. */
+static ptrdiff_t ms_sss__tower_half(int width)
+{
+    const int floats = ms_sss__round_up(2 * MS_SSS__LEFT + MS_SSS__RIGHT + ms_sss__round_up(width, 32) / 2, 16);
+    return floats / 16 % 2 ? floats : floats + 16;
+}
 
 static float *ms_sss__tower_row(const ms_sss__tower *tower, int task, int row)
 {
-    return tower->rows + ((ptrdiff_t)task * MS_SSS__TOWER_ROWS + row) * tower->row + MS_SSS__LEFT;
+    return tower->rows + ((ptrdiff_t)task * MS_SSS__TOWER_ROWS + row) * tower->half + MS_SSS__LEFT;
 }
 
-/* Floats of the levels; base NULL: count only. */
+/* Bytes of the levels; base NULL: count only. */
 static size_t ms_sss__tower_levels(ms_sss__tower *tower, int width, int height, float *base)
 {
     size_t at = 0;
-    int l, i, side;
+    int l, i;
     for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
-        ms_sss__level *v = &tower->level[l];
-        v->width = width;
-        v->height = height;
-        v->half = MS_SSS__LEFT + ms_sss__round_up((width + 1) / 2, 16) + MS_SSS__RIGHT;
-        v->whole = MS_SSS__LEFT + ms_sss__round_up(width, 32) + MS_SSS__RIGHT;
-        for (side = 0; side < 2; ++side) {
-            for (i = 0; i < 5; ++i) {
-                v->split[side][i] = NULL;
-                if (l == 0 && i == 4) continue;
-                if (base) v->split[side][i] = base + at + MS_SSS__LEFT;
-                at = ms__size_add(at, ms__size_mul((size_t)v->half, (size_t)height));
+        const ptrdiff_t stride = MS_SSS__LEFT + ms_sss__round_up(width, width < 32 ? 16 : 32) + MS_SSS__RIGHT; /* as the job's */
+        const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2); /* an empty row above and below */
+        for (i = l == 0 ? (int)MS_SSS__D : 0; i < (l == 0 ? (int)MS_SSS__D + 1 : (int)MS_SSS__TOWER_PLANES); ++i) {
+            if (base) {
+                float *p = tower->level[l].plane[i] = base + at + stride + MS_SSS__LEFT;
+                memset(p - stride - MS_SSS__LEFT, 0, (size_t)stride * sizeof(float));
+                memset(p + stride * height - MS_SSS__LEFT, 0, (size_t)stride * sizeof(float));
             }
+            at = ms__size_add(at, plane);
         }
-        for (i = 0; i < 8; ++i) {
-            if (base) v->soft[i / 4][i % 4] = base + at + MS_SSS__LEFT;
-            at = ms__size_add(at, ms__size_mul((size_t)v->half, (size_t)height));
+        if (base) {
+            tower->level[l].width = width;
+            tower->level[l].height = height;
+            tower->level[l].stride = stride;
+            tower->level[l].first = (int *)(base + at);
+            tower->level[l].last = tower->level[l].first + height;
+            tower->levels = l + 1;
         }
-        for (i = 0; i < 7 && l > 0; ++i) {
-            if (base && i < 6) v->sum[i] = base + at + MS_SSS__LEFT;
-            if (base && i == 6) v->depth = base + at + MS_SSS__LEFT;
-            at = ms__size_add(at, ms__size_mul((size_t)v->whole, (size_t)height));
-        }
-        tower->levels = l + 1;
+        at = ms__size_add(at, 2 * (size_t)height);
         if (width <= 2 && height <= 2) break;
         width = (width + 1) / 2;
         height = (height + 1) / 2;
@@ -5194,112 +5225,140 @@ static size_t ms_sss__tower_levels(ms_sss__tower *tower, int width, int height, 
     return at;
 }
 
-/* Spreads a row over its even and odd halves, with what takes no part around it. */
-static void ms_sss__split_row(const ms_sss__tower *tower, const ms_sss__level *v, int y, int planes, const float *const from[5])
+/* Shares and changes of d of row y of the picture from column first on. */
+static void ms_sss__tower_lie(const ms_sss__tower *tower, int task, int y, int first, int last, float *const out[3])
 {
-    const int half = ms_sss__round_up((v->width + 1) / 2, 16), padded = (int)v->half - MS_SSS__LEFT;
-    int i, side, x;
-    for (i = 0; i < planes; ++i) {
-        float *to[2];
+    const ms_sss__job *job = &tower->job;
+    const ms_sss__level *v = &tower->level[0];
+    const float *d[3], *normal[3];
+    float *buffer[3];
+    const int given = job->frame.normal.channel[0] && tower->growth.upright > 0;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        d[i] = v->plane[MS_SSS__D] + (y + i - 1) * v->stride;
+        buffer[i] = ms_sss__buffer(job, task, i);
+    }
+    if (given) ms_sss__load(&job->frame.normal, 3, v->width, y, first, last - first, buffer, normal);
+    for (i = 0; i < 3 && given; ++i) normal[i] -= first;
+    job->simd->lie(&tower->growth, d, given ? normal : NULL, y, first, last, out);
+}
+
+/* Row y of level at, split into even and odd columns, in the slot-th set of buffers. */
+static void ms_sss__tower_split(const ms_sss__tower *tower, int task, int y, int slot, ms_sss__split *row)
+{
+    const ms_sss__level *v = &tower->level[tower->at];
+    const int half = ms_sss__round_up((v->width + 1) / 2, 16);
+    float *lie[3];
+    int i, side;
+    memset(row, 0, sizeof *row);
+    if (y < 0 || y >= v->height || v->first[y] >= v->last[y]) return;
+    for (i = 0; i < 3; ++i) lie[i] = ms_sss__tower_row(tower, task, MS_SSS__TOWER_LIE + 2 * i);
+    if (tower->at == 0) {
+        for (i = 0; i < 3; ++i) memset(lie[i], 0, (size_t)(2 * half) * sizeof(float));
+        ms_sss__tower_lie(tower, task, y, v->first[y], v->last[y], lie);
+    }
+    for (i = 0; i < 7; ++i) {
+        const int plane = i < 5 ? i : (int)MS_SSS__CHANGES + i - 5;
+        float *out[2];
         for (side = 0; side < 2; ++side) {
-            to[side] = v->split[side][i] + y * v->half;
-            for (x = -MS_SSS__LEFT; x < 0; ++x) to[side][x] = i == 3 ? INFINITY : 0.0f;
-            for (x = half; x < padded; ++x) to[side][x] = i == 3 ? INFINITY : 0.0f;
+            row->plane[side][i] = out[side] = ms_sss__tower_row(tower, task, slot * 14 + 2 * i + side);
+            memset(out[side] - MS_SSS__LEFT, 0, MS_SSS__LEFT * sizeof(float));
+            memset(out[side] + half, 0, 16 * sizeof(float));
         }
-        tower->job.simd->split(from[i], half, to[0], to[1]);
+        tower->job.simd->split(tower->at == 0 && i > 3 ? lie[i - 4] : v->plane[plane] + y * v->stride, half, out[0], out[1]);
     }
 }
 
-static void ms_sss__tower_split(const ms_sss__tower *tower, int y, ms_sss__split *row)
+/* Rows [begin, end) of level at + 1 from those of level at. */
+static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin, int end)
 {
-    const ms_sss__level *v = &tower->level[tower->at];
-    int i, side;
-    memset(row, 0, sizeof *row);
-    if (y < 0 || y >= v->height) return;
-    for (side = 0; side < 2; ++side)
-        for (i = 0; i < 5; ++i) row->plane[side][i] = v->split[side][i] ? v->split[side][i] + y * v->half : tower->ones;
+    const ms_sss__level *fine = &tower->level[tower->at], *v = fine + 1;
+    ms_sss__split row[4];
+    ms_sss__growth growth = tower->growth;
+    int y, i, c;
+    growth.step *= (float)(1 << tower->at);
+    growth.size /= (float)(1 << tower->at);
+    growth.size_max /= (float)(1 << tower->at);
+    for (y = begin; y < end; ++y) {
+        int first = v->width, last = 0;
+        for (i = 2 * y; i < 2 * y + 2 && i < fine->height; ++i) {
+            if (fine->first[i] >= fine->last[i]) continue;
+            if (fine->first[i] / 2 < first) first = fine->first[i] / 2;
+            if ((fine->last[i] + 1) / 2 > last) last = (fine->last[i] + 1) / 2;
+        }
+        first = first < last ? first / 16 * 16 : 0;
+        last = ms_sss__round_up(last, 16);
+        v->first[y] = first;
+        v->last[y] = last;
+        for (i = 0; i < 4; ++i) {
+            const int at = 2 * y - 1 + i;
+            if (y > begin && i < 2) row[i] = row[i + 2];
+            else ms_sss__tower_split(tower, task, at, at & 3, &row[i]);
+        }
+        for (c = 0; c < (int)MS_SSS__TOWER_PLANES; ++c) {
+            float *p = v->plane[c] + y * v->stride;
+            memset(p - MS_SSS__LEFT, 0, (size_t)(MS_SSS__LEFT + first) * sizeof(float));
+            memset(p + last, 0, (size_t)((int)v->stride - MS_SSS__LEFT - last) * sizeof(float));
+        }
+        if (first < last) {
+            float *out[7];
+            for (i = 0; i < 7; ++i) out[i] = v->plane[i < 5 ? i : (int)MS_SSS__CHANGES + i - 5] + y * v->stride;
+            tower->job.simd->shrink(&growth, row, first, last, out);
+            for (i = 0; i < 7; ++i)
+                for (c = v->width; c < last; ++c) out[i][c] = 0;
+        }
+    }
 }
 
-/* The finest level from the picture. */
+/* The rows of level 1 that a band of the picture makes without its neighbours. */
+static void ms_sss__tower_inside(const ms_sss__tower *tower, int begin, int end, int *first, int *last)
+{
+    *first = begin > 0 ? (begin + 3) / 2 : 0;
+    *last = end < tower->level[0].height ? (end - 2) / 2 : tower->levels > 1 ? tower->level[1].height : 0;
+    if (*last < *first) *last = *first;
+}
+
+/* The picture, and of level 1 what needs no other band. */
 static void ms_sss__tower_load(void *context, int task)
 {
     const ms_sss__tower *tower = (const ms_sss__tower *)context;
     const ms_sss__job *job = &tower->job;
+    const ms_sss__level *v = &tower->level[0];
     const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
     float *colour[3];
-    int y, c;
-    for (c = 0; c < 3; ++c) {
-        colour[c] = ms_sss__buffer(job, task, c);
-        ms_sss__clear(job, colour[c], 0.0f);
-    }
+    int y, c, first, last;
     for (y = begin; y < end; ++y) {
-        const float *from[5];
-        from[3] = job->depth + y * job->stride;
-        from[4] = NULL;
-        for (c = 0; c < 3; ++c) from[c] = colour[c];
-        ms_sss__prepare(job, y, task, colour, job->depth + y * job->stride);
-        for (c = 0; c < 3; ++c) { /* columns without any pixel that takes part hold an earlier row's colour */
-            memset(colour[c], 0, (size_t)job->first[y] * sizeof(float));
-            memset(colour[c] + job->last[y], 0, (size_t)(job->padded - job->last[y]) * sizeof(float));
-        }
-        ms_sss__split_row(tower, &tower->level[0], y, 4, from);
+        float *depth = job->depth + y * job->stride, *d = v->plane[MS_SSS__D] + y * v->stride;
+        for (c = 0; c < 3; ++c) colour[c] = v->plane[c] + y * v->stride;
+        ms_sss__prepare(job, y, task, colour, depth);
+        job->simd->invert(&tower->growth, depth, job->padded, d);
+        memset(d - MS_SSS__LEFT, 0, MS_SSS__LEFT * sizeof(float));
+        memset(d + job->padded, 0, MS_SSS__RIGHT * sizeof(float));
     }
+    if (job->idle || tower->levels < 2) return;
+    ms_sss__tower_inside(tower, begin, end, &first, &last);
+    ms_sss__tower_shrink(tower, task, first, last);
 }
 
-/* Level at softened. */
-static void ms_sss__tower_soften(void *context, int task)
+/* The rows of level 1 between bands. */
+static void ms_sss__tower_join(void *context, int task)
 {
     const ms_sss__tower *tower = (const ms_sss__tower *)context;
     const ms_sss__job *job = &tower->job;
-    const ms_sss__level *v = &tower->level[tower->at];
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const int half = ms_sss__round_up((v->width + 1) / 2, 16), padded = (int)v->half - MS_SSS__LEFT;
-    int y, i, side, x;
-    for (y = begin; y < end; ++y) {
-        ms_sss__split row[3];
-        for (i = 0; i < 3; ++i) ms_sss__tower_split(tower, y - 1 + i, &row[i]);
-        for (side = 0; side < 2; ++side) {
-            float *to[4];
-            for (i = 0; i < 4; ++i) {
-                to[i] = v->soft[side][i] + y * v->half;
-                for (x = -MS_SSS__LEFT; x < 0; ++x) to[i][x] = 0;
-                for (x = half; x < padded; ++x) to[i][x] = 0;
-            }
-            job->simd->soften(&tower->growth, row, side, half, to);
-        }
-    }
+    const int begin = job->begin + task * job->band, end = begin + job->band, after = end + job->band;
+    int first[2], last[2];
+    if (end >= job->end) return;
+    ms_sss__tower_inside(tower, begin, end, &first[0], &last[0]);
+    ms_sss__tower_inside(tower, end, after < job->end ? after : job->end, &first[1], &last[1]);
+    ms_sss__tower_shrink(tower, task, last[0], first[1]);
 }
 
-/* Level at + 1 from level at, softened: (1, 2, 1) then (1, 3, 3, 1) make (1, 5, 10, 10, 5, 1). */
-static void ms_sss__tower_shrink(void *context, int task)
+static void ms_sss__tower_down(void *context, int task)
 {
     const ms_sss__tower *tower = (const ms_sss__tower *)context;
-    const ms_sss__job *job = &tower->job;
-    const ms_sss__level *fine = &tower->level[tower->at], *v = fine + 1;
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y, i, c, side, x;
-    for (y = begin; y < end; ++y) {
-        ms_sss__split row[4];
-        float *out[5];
-        const float *from[5];
-        for (i = 0; i < 4; ++i) {
-            const int at = 2 * y - 1 + i;
-            ms_sss__tower_split(tower, at, &row[i]);
-            for (side = 0; side < 2 && at >= 0 && at < fine->height; ++side) {
-                for (c = 0; c < 3; ++c) row[i].plane[side][c] = fine->soft[side][c] + at * fine->half;
-                row[i].plane[side][4] = fine->soft[side][3] + at * fine->half;
-            }
-        }
-        for (i = 0; i < 5; ++i) from[i] = out[i] = ms_sss__tower_row(tower, task, i);
-        from[3] = out[3] = v->depth + y * v->whole;
-        job->simd->shrink(&tower->growth, row, ms_sss__round_up(v->width, 32), out);
-        for (x = -MS_SSS__LEFT; x < 0; ++x) out[3][x] = INFINITY;
-        for (x = ms_sss__round_up(v->width, 32); x < (int)v->whole - MS_SSS__LEFT; ++x) out[3][x] = INFINITY;
-        ms_sss__split_row(tower, v, y, 5, from);
-    }
+    const int begin = tower->job.begin + task * tower->job.band, end = begin + tower->job.band;
+    ms_sss__tower_shrink(tower, task, begin, end < tower->job.end ? end : tower->job.end);
 }
 
 /* The sums of level at from those of level at + 1; of the finest level the picture. */
@@ -5310,142 +5369,189 @@ static void ms_sss__tower_grow(void *context, int task)
     const ms_sss__level *v = &tower->level[tower->at], *coarse = v + 1;
     const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const int half = ms_sss__round_up((v->width + 1) / 2, 16);
-    int y, i, side, x, c;
+    int y, i, c;
     for (y = begin; y < end; ++y) {
-        ms_sss__growth growth = tower->growth;
-        ms_sss__split row;
-        const float *from[3][7], *soft[4];
-        const float *const *near_by[3] = {NULL, NULL, NULL};
-        float *out[2][6], *blur[3];
-        int tiny = 0;
-        if (tower->at == 0 && job->first[y] == job->last[y]) continue;
-        growth.lower = y % 2;
-        for (i = 0; i < 3 && tower->at + 1 < tower->levels; ++i) {
-            const int j = y / 2 + i - 1;
-            if (j < 0 || j >= coarse->height) continue;
-            for (c = 0; c < 6; ++c) from[i][c] = coarse->sum[c] + j * coarse->whole;
-            from[i][6] = coarse->depth + j * coarse->whole;
-            near_by[i] = from[i];
-        }
-        ms_sss__tower_split(tower, y, &row);
-        for (side = 0; side < 2; ++side) {
-            for (i = 0; i < 4; ++i) soft[i] = v->soft[side][i] + y * v->half;
-            for (i = 0; i < 6; ++i) out[side][i] = ms_sss__tower_row(tower, task, side * 6 + i);
-            tiny |= job->simd->grow(&growth, row.plane[side], soft, near_by, side, half, out[side]);
-        }
-        if (tower->at > 0) {
-            for (i = 0; i < 6; ++i) {
-                float *to = v->sum[i] + y * v->whole;
-                for (x = -MS_SSS__LEFT; x < 0; ++x) to[x] = 0;
-                job->simd->merge(out[0][i], out[1][i], half, to);
-                for (x = 2 * half; x < (int)v->whole - MS_SSS__LEFT; ++x) to[x] = 0;
-            }
+        const int first = v->first[y] / 32 * 32, last = ms_sss__round_up(v->last[y], 32);
+        const float *from[4][11], *own[3];
+        const float *const *near_by[4];
+        float *sum[6], *lie[3], *blur[3];
+        if (v->first[y] >= v->last[y]) continue;
+        for (i = 0; i < 6; ++i)
+            sum[i] = tower->at > 0 ? v->plane[MS_SSS__SUMS + i] + y * v->stride : ms_sss__tower_row(tower, task, 2 * i);
+        if (tower->at + 1 == tower->levels) {
+            for (i = 0; i < 6; ++i) memset(sum[i], 0, (size_t)last * sizeof(float));
         } else {
-            const int first = job->first[y];
-            for (c = 0; c < 3; ++c) {
-                blur[c] = ms_sss__buffer(job, task, c);
-                job->simd->merge(out[0][c], out[1][c], half, blur[c]);
-                blur[c] += first;
+            for (i = 0; i < 4; ++i) {
+                const int j = y / 2 - 2 + y % 2 + i;
+                near_by[i] = NULL;
+                if (j < 0 || j >= coarse->height || coarse->first[j] >= coarse->last[j]) continue;
+                for (c = 0; c < 11; ++c) from[i][c] = coarse->plane[c] + j * coarse->stride;
+                near_by[i] = from[i];
             }
-            ms_sss__finish(job, task, y, first, job->last[y] - first, blur, job->depth + ms_sss__ring(job, y) + first, tiny);
+            own[0] = v->plane[MS_SSS__D] + y * v->stride;
+            for (i = 1; i < 3; ++i) own[i] = tower->at > 0 ? v->plane[MS_SSS__CHANGES + i - 1] + y * v->stride : NULL;
+        }
+        for (i = 0; i < 3; ++i) lie[i] = ms_sss__tower_row(tower, task, 12 + 2 * i);
+        if (tower->at == 0) {
+            ms_sss__tower_lie(tower, task, y, v->first[y], v->last[y], lie);
+            for (i = 0; i < 3; ++i) { /* the gather works on 2 vectors at a time */
+                for (c = first; c < v->first[y]; ++c) lie[i][c] = 0;
+                for (c = v->last[y]; c < last; ++c) lie[i][c] = 0;
+            }
+            own[1] = lie[1];
+            own[2] = lie[2];
+        }
+        if (tower->at + 1 < tower->levels) job->simd->gather(&tower->growth, own, near_by, first / 2, last / 2, y, sum);
+        if (tower->at == 0) {
+            ms_sss__split row[3];
+            int tiny;
+            memset(row, 0, sizeof row);
+            for (i = 0; i < 3; ++i)
+                for (c = 0; c < 4; ++c) row[i].plane[0][c] = v->plane[c] + (y + i - 1) * v->stride;
+            for (c = 0; c < 3; ++c) blur[c] = ms_sss__buffer(job, task, c);
+            tiny = job->simd->settle(&tower->growth, row, (const float *const *)lie, (const float *const *)sum, v->first[y], v->last[y], blur);
+            for (c = 0; c < 3; ++c) blur[c] += v->first[y];
+            ms_sss__finish(job, task, y, v->first[y], v->last[y] - v->first[y], blur,
+                            job->depth + y * job->stride + v->first[y], tiny);
         }
     }
 }
 
-/* Level at softened and, from it, level at + 1; of the finest level first the picture. Each step follows the one before at
-   the few rows that it needs from there, which are then still in the cache. */
-static void ms_sss__tower_down(ms_sss__tower *tower)
+/* What the gather's taps add up to, and the means of powers of the distance between light that enters and leaves, of
+   which each stands somewhere in its pixel: variances of (1, 3, 3, 1) / 8 down to the level. */
+static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
 {
-    const ms_sss__level *fine = &tower->level[tower->at], *coarse = tower->at + 1 < tower->levels ? fine + 1 : NULL;
-    const int height = fine->height;
-    int loaded = 0, softened = 0, y;
-    for (y = 0; y < height; y += MS_SSS__SLAB) {
-        const int end = y + MS_SSS__SLAB < height ? y + MS_SSS__SLAB : height;
-        const int soft = end + 1 < height ? end + 1 : height, load = end + 2 < height ? end + 2 : height;
-        if (tower->at == 0) ms_sss__run(&tower->job, loaded, load, ms_sss__tower_load);
-        loaded = load;
-        ms_sss__run(&tower->job, softened, soft, ms_sss__tower_soften);
-        softened = soft;
-        if (coarse) ms_sss__run(&tower->job, y / 2, (end + 1) / 2, ms_sss__tower_shrink);
+    const double coarse = 0.5 * (1 - pow(4, -level - 1)), fine = 0.125 * (1 - pow(4, -level));
+    double n = 0, r1 = 0, r2 = 0, r4 = 0;
+    int i;
+    for (i = 0; i < 16; ++i) {
+        const double x = i % 4 - 1.75, y = i / 4 - 1.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER, w = t > 0 ? t * t : 0;
+        const double r = x * x + y * y + coarse - fine;
+        n += w;
+        r1 += w * sqrt(x * x + y * y + coarse);
+        r2 += w * r;
+        r4 += w * r * r;
     }
+    growth->level = level;
+    growth->norm = (float)(1 / n);
+    growth->mean = (float)(r1 / r2);
+    growth->spread = (float)(r2 / r4);
 }
 
-/* As the plan of a filter with one term, and the levels. */
-static ms_sss__layout ms_sss__tower_plan(ms_sss__tower *tower, int width, int height, size_t *floats)
+/* As the plan of a filter with one term and without slopes, the levels, and what is too large for the stack. */
+static size_t ms_sss__tower_plan(int width, int height, size_t *before)
 {
     ms_sss_filter_options options;
-    ms_sss_kernel one_term;
-    ms_sss__layout l;
+    size_t floats;
     memset(&options, 0, sizeof options);
-    one_term.term_count = 1;
-    l = ms_sss__plan(width, height, &one_term, 1, &options);
-    tower->row = MS_SSS__LEFT + ms_sss__round_up(width, 32) + MS_SSS__RIGHT;
-    *floats = ms__size_add(ms_sss__tower_levels(tower, width, height, NULL),
-                           ms__size_mul((size_t)tower->row, (size_t)MS_SSS__TASKS * (size_t)MS_SSS__TOWER_ROWS + 1));
-    l.total = ms__size_add(ms__size_add(l.total, ms__size_mul(*floats, sizeof(float))), 64);
-    return l;
+    options.flat = 1;
+    *before = ms_sss__plan(width, height, NULL, 0, &options).total;
+    floats = ms__size_mul((size_t)ms_sss__tower_half(width),
+                          (size_t)MS_SSS__TASKS * (size_t)MS_SSS__TOWER_ROWS);
+    floats = ms__size_add(floats, ms_sss__tower_levels(NULL, width, height, NULL));
+    return ms__size_add(ms__size_add(*before, ms__size_mul(floats, sizeof(float))), sizeof(ms_sss__tower) + 128);
 }
 
 MS_API size_t ms_sss_pyramid_workspace(int width, int height)
 {
-    ms_sss__tower tower;
-    size_t floats;
+    size_t before;
     if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX) return SIZE_MAX;
-    return ms_sss__tower_plan(&tower, width, height, &floats).total;
+    return ms_sss__tower_plan(width, height, &before);
 }
 
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
                                            const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                            ms_error *error)
 {
-    ms_sss__tower tower;
-    ms_sss__job *job = &tower.job;
-    ms_sss_kernel kernel; /* that leaves its input alone: for the size on the screen, and for what comes after the sums */
+    ms_sss__tower *tower;
+    ms_sss__job *job;
+    ms_sss__growth *growth;
+    ms_sss_filter_options upright;
     ms_status status;
-    size_t floats;
-    float *at;
-    int c, l, x;
+    size_t before, needed;
+    double sigma;
+    float *at, *end;
+    int c, l;
     if (!frame || !pyramid || !options)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, pyramid or options is NULL");
-    memset(&kernel, 0, sizeof kernel);
-    kernel.tap_count = kernel.term_count = 1;
-    kernel.radius_mm = pyramid->radius_mm;
-    for (c = 0; c < 3; ++c) kernel.weight[0][0][c] = kernel.scale[0][c] = 1;
-    status = ms_sss__begin(job, frame, &kernel, 1, options, workspace, workspace_size,
-                           ms_sss_pyramid_workspace(frame->width, frame->height), &at, error);
-    if (status != MS_OK) return status;
-    if (job->turned || options->uv_steps || options->depth_mode == MS_SSS_DEPTH_FOLLOW || frame->profile ||
+    needed = ms_sss_pyramid_workspace(frame->width, frame->height);
+    if (needed < SIZE_MAX && (!workspace || workspace_size < needed))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
+    if (needed == SIZE_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", frame->width, frame->height,
+                        (int)MS_SSS__SIDE_MAX);
+    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
+    if (ms_sss__differ(options->rotation, 0) || options->jitter > 0 || options->uv_steps ||
+        options->depth_mode == MS_SSS_DEPTH_FOLLOW || frame->profile ||
         (options->pixels_per_mm[1] > 0 && ms_sss__differ(options->pixels_per_mm[0], options->pixels_per_mm[1])))
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW");
-    job->shaped = 0;
-    ms_sss__tower_plan(&tower, frame->width, frame->height, &floats);
-    at = (float *)(((uintptr_t)at + 63) & ~(uintptr_t)63);
-    at += ms_sss__tower_levels(&tower, frame->width, frame->height, at);
-    tower.rows = at;
-    tower.ones = at + (ptrdiff_t)MS_SSS__TASKS * MS_SSS__TOWER_ROWS * tower.row + MS_SSS__LEFT;
-    for (x = -MS_SSS__LEFT; x < (int)tower.row - MS_SSS__LEFT; ++x) tower.ones[x] = 1;
+    ms_sss__tower_plan(frame->width, frame->height, &before);
+    at = (float *)(((uintptr_t)workspace + before + 63) & ~(uintptr_t)63);
+    tower = (ms_sss__tower *)(void *)at;
+    at = (float *)(((uintptr_t)(tower + 1) + 63) & ~(uintptr_t)63);
+    job = &tower->job;
+    growth = &tower->growth;
+    memset(&tower->kernel, 0, sizeof tower->kernel);
+    tower->kernel.tap_count = tower->kernel.term_count = 1;
+    tower->kernel.radius_mm = pyramid->radius_mm;
+    for (c = 0; c < 3; ++c) tower->kernel.weight[0][0][c] = tower->kernel.scale[0][c] = 1;
+    upright = *options;
+    upright.flat = 1; /* slopes are the pyramid's own affair */
+    status = ms_sss__begin(job, frame, &tower->kernel, 1, &upright, workspace, before, before, &end, error);
+    if (status != MS_OK) return status;
+    at += ms_sss__tower_levels(tower, frame->width, frame->height, at);
+    tower->level[0].first = job->first;
+    tower->level[0].last = job->last;
+    for (c = 0; c < 3; ++c) tower->level[0].plane[c] = job->middle[c];
+    tower->rows = at;
+    tower->half = ms_sss__tower_half(frame->width);
 
-    ms_sss__set_kernel(job, &kernel, 0);
+    tower->at = 0;
+    job->whole_first = 1; /* colours are 0 where nothing takes part */
+    ms_sss__set_kernel(job, &tower->kernel, 0);
     ms_sss__set_term(job, 0);
     if (!(job->gain > 0)) job->idle = 1;
-    tower.growth.table = pyramid->weight;
-    tower.growth.perspective = job->pass.perspective;
-    tower.growth.cut = job->pass.cut < 11.5f ? job->pass.cut : 11.5f; /* 8 / ln 2: there (1 - q ln 2 / 8)^8 reaches 0 */
-    tower.growth.size = job->pass.size * pyramid->radius_mm;
-    tower.growth.size_max = job->pass.size_max * pyramid->radius_mm;
-    if (job->idle) {
-        ms_sss__run(job, 0, frame->height, ms_sss__tower_load);
-        return MS_OK;
+    memset(growth, 0, sizeof *growth);
+    growth->table = pyramid->weight;
+    growth->perspective = job->pass.perspective;
+    growth->shaped = frame->depth.channel[0] != NULL && options->depth_mode == MS_SSS_DEPTH_AWARE;
+    growth->upright = growth->shaped ? 1 - options->flat : 0;
+    growth->size = job->pass.size * pyramid->radius_mm;
+    growth->size_max = job->pass.size_max * pyramid->radius_mm;
+    growth->step = 1 / job->pass.focal[0];
+    growth->middle[0] = 0.5f * (float)frame->width;
+    growth->middle[1] = 0.5f * (float)frame->height;
+    growth->tangent = growth->perspective ? growth->step : 0;
+    sigma = options->depth_sigma_mm > 0 ? (double)options->depth_sigma_mm
+                                        : (0.12 + 0.13 * (1 - (double)options->flat)) * (double)pyramid->radius_mm;
+    growth->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* where (1 - q)^4 has the Gaussian's width */
+    for (c = 0; c < 3; ++c) {
+        growth->quarter[c] = pyramid->elevation[c] * (growth->upright / 4);
+        growth->most[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
     }
-    for (tower.at = 0; tower.at < tower.levels; ++tower.at) ms_sss__tower_down(&tower);
-    for (l = tower.levels - 1; l >= 0; --l) {
-        tower.at = tower.growth.level = l;
-        ms_sss__weights_at(&tower.growth, tower.growth.size, tower.growth.weight);
-        ms_sss__run(job, 0, tower.level[l].height, ms_sss__tower_grow);
+    ms_sss__run(job, 0, frame->height, ms_sss__tower_load);
+    if (job->idle) return MS_OK;
+    if (tower->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__tower_join);
+    for (l = 1; l + 1 < tower->levels; ++l) {
+        tower->at = l;
+        if (l + 1 < MS_SSS__TOWER_ALONE) ms_sss__run(job, 0, tower->level[l + 1].height, ms_sss__tower_down);
+        else ms_sss__tower_shrink(tower, 0, 0, tower->level[l + 1].height);
+    }
+    for (l = tower->levels - 1; l >= 0; --l) {
+        tower->at = l;
+        ms_sss__tower_taps(growth, l);
+        if (l < MS_SSS__TOWER_ALONE) {
+            ms_sss__run(job, 0, tower->level[l].height, ms_sss__tower_grow);
+        } else {
+            job->begin = 0;
+            job->end = job->band = tower->level[l].height;
+            ms_sss__tower_grow(tower, 0);
+        }
     }
     return MS_OK;
 }
+
+#undef MS_SSS__GATHER
 
 /* ----------------------------------------------------------- GATHER CODE */
 
@@ -7623,199 +7729,397 @@ static void MS_SSS__NAME(fade)(const ms_sss__pass *p, const float *strength, flo
 
 /* ------------------------------------------------------- PYRAMID KERNELS */
 
-/* What the depth of a pixel dz away leaves of it, times h: (1 - q ln 2 / 8)^8 for 2^-q, which it equals within 0.04 and
-   which costs less. *some: lanes where that is anything; 0: do not use it. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(near_by)(const ms_sss__growth *s, MS_SSS__V dz, MS_SSS__V h, unsigned *some)
+/* d from depth (INFINITY: takes no part). */
+static void MS_SSS__NAME(invert)(const ms_sss__growth *s, const float *depth, int count, float *d)
 {
-    const MS_SSS__V q = MS_SSS__MUL(dz, dz);
-    const MS_SSS__MASK near_by = MS_SSS__LESS(q, MS_SSS__SET(s->cut));
-    MS_SSS__V f = MS_SSS__MADD(MS_SSS__SET(-0.086643398f), q, MS_SSS__SET(1.0f));
-    *some = MS_SSS__BITS(near_by);
-    if (!*some) return h;
-    f = MS_SSS__MUL(f, f);
-    f = MS_SSS__MUL(f, f);
-    f = MS_SSS__MUL(f, f);
-    return MS_SSS__SELECT(near_by, MS_SSS__MUL(h, f), MS_SSS__SET(0.0f));
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
+    int i;
+    for (i = 0; i < count; i += MS_SSS__LANES) {
+        const MS_SSS__V z = MS_SSS__LOAD(depth + i);
+        const MS_SSS__V value = s->perspective ? MS_SSS__DIV(MS_SSS__SET(-1.0f), z) : s->shaped ? z : MS_SSS__SET(1.0f);
+        MS_SSS__STORE(d + i, MS_SSS__SELECT(MS_SSS__LESS(z, infinity), value, zero));
+    }
 }
 
-/* One row of the next coarser level. Rows 2j - 1 to 2j + 2 of the finer one (NULL: outside) come split into even and odd
-   columns; each coarse pixel i gathers columns 2i - 1 to 2i + 2 with weights (1, 3, 3, 1) / 8 both ways, those that its
-   own depth lets in. Planes: colour, depth, share of the area that takes part. */
-static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int count, float *const out[5])
+/* Steps of d a pixel wide are this many pixels deep. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(deep)(const ms_sss__growth *s, MS_SSS__V d)
+{
+    if (!s->shaped) return MS_SSS__SET(0.0f);
+    return s->perspective ? MS_SSS__DIV(MS_SSS__SET(-1.0f / s->step), d) : MS_SSS__SET(1.0f / s->step);
+}
+
+/* Radius of the kernel in pixels on a surface that faces the camera. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(radius)(const ms_sss__growth *s, MS_SSS__V d)
+{
+    return MS_SSS__MIN(s->perspective ? MS_SSS__MUL(MS_SSS__SET(-s->size), d) : MS_SSS__SET(s->size), MS_SSS__SET(s->size_max));
+}
+
+/* How much larger the surface is than its picture: the length of (slope, 1 + slope . ray). */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(area)(MS_SSS__V sx, MS_SSS__V sy, MS_SSS__V rx, MS_SSS__V ry)
+{
+    const MS_SSS__V n = MS_SSS__MADD(sx, rx, MS_SSS__MADD(sy, ry, MS_SSS__SET(1.0f)));
+    return MS_SSS__SQRT(MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(n, n))));
+}
+
+/* The slope from the steps on both sides, those that the radius lets count: their mean where they turn little, else the one
+   of smaller magnitude. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(incline)(MS_SSS__V before, MS_SSS__V d, MS_SSS__V after, MS_SSS__V deep, MS_SSS__V radius)
+{
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f);
+    const MS_SSS__V a = MS_SSS__MUL(MS_SSS__SUB(d, before), deep), b = MS_SSS__MUL(MS_SSS__SUB(after, d), deep);
+    const MS_SSS__MASK is_a = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(before)), MS_SSS__LESS(MS_SSS__ABS(a), radius));
+    const MS_SSS__MASK is_b = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(after)), MS_SSS__LESS(MS_SSS__ABS(b), radius));
+    const MS_SSS__V a0 = MS_SSS__SELECT(is_a, a, zero), b0 = MS_SSS__SELECT(is_b, b, zero), sum = MS_SSS__ADD(a0, b0);
+    const MS_SSS__MASK even = MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MADD(MS_SSS__MUL(a, b), half, half));
+    const MS_SSS__V less = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), a,
+                                          MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a)), b, MS_SSS__MUL(half, sum)));
+    const MS_SSS__V both = MS_SSS__SELECT(even, MS_SSS__MUL(half, sum), less);
+    return MS_SSS__SELECT(MS_SSS__BOTH(is_a, is_b), both, sum);
+}
+
+/* Share and change of d along x and y of row y of the picture; d: the rows above, at and below; normal: the caller's or
+   NULL. */
+static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[3], const float *const normal[3], int y, int first,
+                              int count, float *const out[3])
+{
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), most = MS_SSS__SET(8.0f), infinity = MS_SSS__SET(INFINITY);
+    const MS_SSS__V ry = MS_SSS__SET(((float)y + 0.5f - s->middle[1]) * s->tangent);
+    int i;
+    for (i = first; i < count; i += MS_SSS__LANES) {
+        const MS_SSS__V own = MS_SSS__LOAD(d[1] + i);
+        const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(own));
+        const MS_SSS__V safe = MS_SSS__SELECT(part, own, MS_SSS__SET(-1.0f));
+        const MS_SSS__V deep = MS_SSS__NAME(deep)(s, safe), radius = MS_SSS__NAME(radius)(s, safe);
+        MS_SSS__V sx, sy, rx, step;
+        if (!(s->upright > 0) || !MS_SSS__BITS(part)) {
+            MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(part, one, zero));
+            MS_SSS__STORE(out[1] + i, zero);
+            MS_SSS__STORE(out[2] + i, zero);
+            continue;
+        }
+        rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__ramp), MS_SSS__SET(s->tangent), MS_SSS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
+        if (normal) { /* slopes beyond 8, and normals turned away, keep their direction */
+            const MS_SSS__V a = MS_SSS__LOAD(normal[0] + i), b = MS_SSS__LOAD(normal[1] + i), c = MS_SSS__LOAD(normal[2] + i);
+            const MS_SSS__V least = MS_SSS__MUL(MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)), MS_SSS__SET(0.125f));
+            const MS_SSS__V n = MS_SSS__MAX(MS_SSS__SUB(c, MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b))), least);
+            MS_SSS__MASK sound = MS_SSS__BOTH(MS_SSS__LESS(zero, n), MS_SSS__LESS(MS_SSS__ABS(a), infinity));
+            sound = MS_SSS__BOTH(sound, MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__ABS(b), infinity), MS_SSS__LESS(MS_SSS__ABS(c), infinity)));
+            sx = MS_SSS__SELECT(sound, MS_SSS__DIV(a, n), zero);
+            sy = MS_SSS__SELECT(sound, MS_SSS__DIV(b, n), zero);
+        } else {
+            sx = MS_SSS__NAME(incline)(MS_SSS__LOAD(d[1] + i - 1), own, MS_SSS__LOAD(d[1] + i + 1), deep, radius);
+            sy = MS_SSS__NAME(incline)(MS_SSS__LOAD(d[0] + i), own, MS_SSS__LOAD(d[2] + i), deep, radius);
+        }
+        sx = MS_SSS__MUL(MS_SSS__MIN(MS_SSS__MAX(sx, MS_SSS__SUB(zero, most)), most), MS_SSS__SET(s->upright));
+        sy = MS_SSS__MUL(MS_SSS__MIN(MS_SSS__MAX(sy, MS_SSS__SUB(zero, most)), most), MS_SSS__SET(s->upright));
+        step = s->perspective ? MS_SSS__MUL(safe, MS_SSS__SET(-s->step)) : MS_SSS__SET(s->step);
+        MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(part, MS_SSS__MIN(MS_SSS__NAME(area)(sx, sy, rx, ry), MS_SSS__SET(10.0f)), zero));
+        MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(part, MS_SSS__MUL(sx, step), zero));
+        MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(part, MS_SSS__MUL(sy, step), zero));
+    }
+}
+
+/* (1 - q)^4 of q = (distance from the tangent plane / reach)^2; off: that distance over the reach. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(beside)(MS_SSS__V off)
+{
+    MS_SSS__V f = MS_SSS__MAX(MS_SSS__SUB(MS_SSS__SET(1.0f), MS_SSS__MUL(off, off)), MS_SSS__SET(0.0f));
+    f = MS_SSS__MUL(f, f);
+    return MS_SSS__MUL(f, f);
+}
+
+/* One row of a level from rows 2j - 1 to 2j + 2 of the finer one (NULL: outside), split into even and odd columns: pixel i
+   is the mean of columns 2i - 1 to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of what lies near the tangent plane of the nearest
+   of the middle four that has a quarter of the largest share. */
+static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int first, int count, float *const out[7])
 {
     static const float side[4] = {0.125f, 0.375f, 0.375f, 0.125f};
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f);
     int i, y, x;
-    for (i = 0; i < count; i += MS_SSS__LANES) {
-        MS_SSS__V depth = infinity, most = zero, r = zero, g = zero, b = zero, n = zero;
-        MS_SSS__MASK some;
-        for (y = 1; y < 3; ++y) { /* the surface of the best covered of the middle four, the nearest of equals */
+    for (i = first; i < count; i += MS_SSS__LANES) {
+        MS_SSS__V most = zero, d = zero, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least = zero, greatest = zero;
+        MS_SSS__V r = zero, g = zero, b = zero, dd = zero, gx = zero, gy = zero;
+        MS_SSS__MASK taken;
+        for (y = 1; y < 3; ++y)
+            for (x = 0; x < 2 && row[y].plane[0][0]; ++x) most = MS_SSS__MAX(most, MS_SSS__LOAD(row[y].plane[x][4] + i));
+        taken = MS_SSS__LESS(zero, zero);
+        for (y = 1; y < 3; ++y) {
             for (x = 0; x < 2 && row[y].plane[0][0]; ++x) {
-                MS_SSS__V z = MS_SSS__LOAD(row[y].plane[x][3] + i), w = MS_SSS__LOAD(row[y].plane[x][4] + i);
-                MS_SSS__MASK better = MS_SSS__LESS(most, w), nearer = MS_SSS__BOTH(MS_SSS__SAME(most, w), MS_SSS__LESS(z, depth));
-                depth = MS_SSS__SELECT(better, z, MS_SSS__SELECT(nearer, z, depth));
-                most = MS_SSS__SELECT(better, w, most);
+                const MS_SSS__V z = MS_SSS__LOAD(row[y].plane[x][3] + i), w = MS_SSS__LOAD(row[y].plane[x][4] + i);
+                const MS_SSS__V before = MS_SSS__SELECT(taken, d, MS_SSS__SET(INFINITY));
+                const MS_SSS__MASK better = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__MUL(most, MS_SSS__SET(0.25f)), w), MS_SSS__LESS(z, before));
+                d = MS_SSS__SELECT(better, z, d);
+                dx = MS_SSS__SELECT(better, MS_SSS__LOAD(row[y].plane[x][5] + i), dx);
+                dy = MS_SSS__SELECT(better, MS_SSS__LOAD(row[y].plane[x][6] + i), dy);
+                bx = MS_SSS__SELECT(better, MS_SSS__SET((float)x - 0.5f), bx);
+                by = MS_SSS__SELECT(better, MS_SSS__SET((float)y - 1.5f), by);
+                taken = MS_SSS__LESS(MS_SSS__SELECT(better, zero, MS_SSS__SELECT(taken, zero, MS_SSS__SET(1.0f))), MS_SSS__SET(0.5f));
             }
         }
-        some = MS_SSS__BOTH(MS_SSS__LESS(zero, most), MS_SSS__LESS(depth, infinity));
-        if (MS_SSS__BITS(some)) {
+        if (MS_SSS__BITS(MS_SSS__LESS(zero, most))) {
+            const MS_SSS__V safe = MS_SSS__SELECT(MS_SSS__LESS(zero, most), d, MS_SSS__SET(-1.0f));
+            const MS_SSS__V scale = MS_SSS__DIV(MS_SSS__NAME(deep)(s, safe), MS_SSS__NAME(radius)(s, safe));
+            const MS_SSS__V narrow = MS_SSS__MUL(scale, MS_SSS__SET(1 / s->reach)), nearest = d;
+            least = greatest = d;
+            d = MS_SSS__SUB(d, MS_SSS__MADD(bx, dx, MS_SSS__MUL(by, dy))); /* at the middle */
             for (y = 0; y < 4; ++y) {
-                for (x = 0; x < 4 && row[y].plane[0][0]; ++x) {
+                if (!row[y].plane[0][0]) continue;
+                MS_SSS__UNROLL
+                for (x = 0; x < 4; ++x) {
                     const float *const *p = row[y].plane[x % 2 == 0];
                     const int at = i + (x + 1) / 2 - 1;
-                    unsigned any;
-                    MS_SSS__V f = MS_SSS__NAME(near_by)(s, MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), depth), MS_SSS__SET(side[x] * side[y]), &any);
-                    if (!any) continue;
-                    f = MS_SSS__MUL(f, MS_SSS__LOAD(p[4] + at));
+                    const MS_SSS__V rise = MS_SSS__MADD(MS_SSS__SET((float)x - 1.5f), dx, MS_SSS__MUL(MS_SSS__SET((float)y - 1.5f), dy));
+                    MS_SSS__V level = MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), rise);
+                    MS_SSS__V f = MS_SSS__NAME(beside)(MS_SSS__MUL(MS_SSS__SUB(level, d), narrow));
+                    f = MS_SSS__MUL(MS_SSS__MUL(f, MS_SSS__SET(side[x] * side[y])), MS_SSS__LOAD(p[4] + at));
+                    f = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), nearest), scale)), MS_SSS__SET(1.0f)), f, zero);
                     r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
                     g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
                     b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
+                    level = MS_SSS__SELECT(MS_SSS__LESS(zero, f), MS_SSS__LOAD(p[3] + at), nearest); /* planes continue, but not beyond what is there */
+                    least = MS_SSS__MIN(least, level);
+                    greatest = MS_SSS__MAX(greatest, level);
+                    dd = MS_SSS__MADD(f, MS_SSS__SUB(level, rise), dd);
+                    gx = MS_SSS__MADD(f, MS_SSS__LOAD(p[5] + at), gx);
+                    gy = MS_SSS__MADD(f, MS_SSS__LOAD(p[6] + at), gy);
                     n = MS_SSS__ADD(n, f);
                 }
             }
         }
-        some = MS_SSS__LESS(MS_SSS__SET(1e-30f), n);
-        MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(some, MS_SSS__DIV(r, n), zero));
-        MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(some, MS_SSS__DIV(g, n), zero));
-        MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(some, MS_SSS__DIV(b, n), zero));
-        MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(some, depth, infinity));
-        MS_SSS__STORE(out[4] + i, MS_SSS__SELECT(some, n, zero));
-    }
-}
-
-/* A row of a level blurred by (1, 2, 1) / 4 both ways as far as depth lets it, for its even (odd 0) or odd columns: colour
-   and share. row: the rows above, at and below (NULL: outside), as in shrink. */
-static void MS_SSS__NAME(soften)(const ms_sss__growth *s, const ms_sss__split row[3], int odd, int count, float *const out[4])
-{
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
-    int i, k;
-    for (i = 0; i < count; i += MS_SSS__LANES) {
-        const MS_SSS__V depth = MS_SSS__LOAD(row[1].plane[odd][3] + i);
-        const MS_SSS__MASK part = MS_SSS__LESS(depth, infinity);
-        MS_SSS__MASK any;
-        MS_SSS__V r = zero, g = zero, b = zero, n = zero;
-        unsigned some;
-        for (k = 0; k < 9 && MS_SSS__BITS(part); ++k) {
-            const int column = odd + k % 3 - 1; /* of the pair 0, 1; -1 and 2 are the neighbours' */
-            const float *const *p = row[k / 3].plane[column & 1];
-            const int at = i + (column < 0 ? -1 : column > 1 ? 1 : 0);
-            MS_SSS__V f;
-            if (!p[0]) continue;
-            f = MS_SSS__NAME(near_by)(s, MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), depth),
-                                      MS_SSS__SET((k / 3 == 1 ? 0.5f : 0.25f) * (k % 3 == 1 ? 0.5f : 0.25f)), &some);
-            if (!some) continue;
-            f = MS_SSS__MUL(f, MS_SSS__LOAD(p[4] + at));
-            r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
-            g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
-            b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
-            n = MS_SSS__ADD(n, f);
+        {
+            const MS_SSS__MASK some = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(1e-20f), n), MS_SSS__LESS(zero, most));
+            MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(some, MS_SSS__DIV(r, n), zero));
+            MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(some, MS_SSS__DIV(g, n), zero));
+            MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(some, MS_SSS__DIV(b, n), zero));
+            MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(some, MS_SSS__MIN(MS_SSS__MAX(MS_SSS__DIV(dd, n), least), greatest), zero));
+            MS_SSS__STORE(out[4] + i, MS_SSS__SELECT(some, n, zero));
+            MS_SSS__STORE(out[5] + i, MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gx, gx), n), zero));
+            MS_SSS__STORE(out[6] + i, MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gy, gy), n), zero));
         }
-        any = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__SET(1e-30f), n));
-        MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(any, MS_SSS__DIV(r, n), zero));
-        MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(any, MS_SSS__DIV(g, n), zero));
-        MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(any, MS_SSS__DIV(b, n), zero));
-        MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(any, n, zero));
     }
 }
 
-/* Weighted sums of a row of a level, for its even (odd 0) or odd columns: the level itself and the level softened, weight *
-   share * (colour, 1), and what the three coarser rows near it hold (NULL: outside), by (1, 5, 10, 10, 5, 1) / 16 as far
-   as depth lets it. fine, soft: this level's planes as in shrink and soften; coarse: six sums and, last, depth. The finest
-   level becomes sums / weights. Returns whether any kernel there is under half a pixel. */
-static int MS_SSS__NAME(grow)(const ms_sss__growth *s, const float *const fine[5], const float *const soft[4],
-                              const float *const *const coarse[3], int odd, int count, float *const out[6])
+/* Weights of a level for kernels of these radii in pixels, linear between the table's sizes. part: lanes that count. */
+static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int level, int blurred, MS_SSS__V size, unsigned part, MS_SSS__V out[3])
 {
-    static const float side[2][3] = {{0.3125f, 0.625f, 0.0625f}, {0.0625f, 0.625f, 0.3125f}};
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
-    int i, c, k, tiny = 0;
-    for (i = 0; i < count; i += MS_SSS__LANES) {
-        const MS_SSS__V depth = MS_SSS__LOAD(fine[3] + i), share = MS_SSS__LOAD(fine[4] + i);
-        MS_SSS__MASK part = MS_SSS__LESS(depth, infinity);
-        MS_SSS__V own[3], blurred[3], r, g, b, n, nr, ng, nb;
-        unsigned some;
+    const float (*w)[MS_SSS_PYRAMID_LEVELS][2][3];
+    float sizes[MS_SSS__LANES];
+    MS_SSS__V from, to;
+    int c, k;
+    MS_SSS__STORE(sizes, size);
+    w = s->table + ms_sss__size_index(sizes[ms_sss__lowest(part)]);
+    from = MS_SSS__SET(ms_sss__index_size((int)(w - s->table)));
+    to = MS_SSS__SET(ms_sss__index_size((int)(w - s->table) + 1));
+    if (!(MS_SSS__BITS(MS_SSS__LESS(size, from)) & part) && !(MS_SSS__BITS(MS_SSS__LESS(to, size)) & part)) {
+        const MS_SSS__V t = MS_SSS__DIV(MS_SSS__SUB(size, from), MS_SSS__SUB(to, from));
+        for (c = 0; c < 3; ++c) {
+            const float w0 = w[0][level][blurred][c], w1 = w[1][level][blurred][c];
+            out[c] = MS_SSS__MADD(t, MS_SSS__SET(w1 - w0), MS_SSS__SET(w0));
+        }
+    } else {
+        float lerped[3][MS_SSS__LANES];
+        for (k = 0; k < MS_SSS__LANES; ++k) ms_sss__weights_at(s, sizes[k], level, blurred, &lerped[0][k], MS_SSS__LANES);
+        for (c = 0; c < 3; ++c) out[c] = MS_SSS__LOAD(lerped[c]);
+    }
+}
+
+/* light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square v of sin(theta). */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(raise)(const ms_sss__growth *s, int channel, MS_SSS__V light, MS_SSS__V moment, MS_SSS__V v)
+{
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), quarter = MS_SSS__SET(s->quarter[channel]);
+    MS_SSS__V m = MS_SSS__DIV(moment, MS_SSS__SELECT(MS_SSS__SAME(light, zero), one, light)), u;
+    m = MS_SSS__MIN(MS_SSS__MAX(m, MS_SSS__SET(-1.0f)), one);
+    u = MS_SSS__MAX(MS_SSS__MADD(quarter, m, one), zero);
+    u = MS_SSS__MUL(u, u);
+    m = MS_SSS__MAX(MS_SSS__SUB(v, MS_SSS__MUL(m, m)), zero);
+    m = MS_SSS__MADD(MS_SSS__MUL(m, MS_SSS__MUL(quarter, quarter)), MS_SSS__SET(6.0f), u);
+    return MS_SSS__MUL(light, MS_SSS__MIN(MS_SSS__MUL(u, m), MS_SSS__SET(s->most[channel])));
+}
+
+/* gather for the even (odd 0) or odd columns of columns 2 i on. */
+static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const MS_SSS__V own[3], const float *const *const coarse[4],
+                                                    const int odd, int i, int y, MS_SSS__V ry, MS_SSS__V result[6])
+{
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
+    const float cells = (float)(1 << (s->level + 1)); /* pixels of the picture in one of the coarse level */
+    int j, k, c, small;
+    const MS_SSS__V d = own[0];
+    const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
+    const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f));
+    MS_SSS__V radius, deep, sx, sy, rx, area, cap, inverse, fall, limit, near_plane, weight[3], n = zero, v = zero, norm;
+    MS_SSS__V r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero, s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
+    unsigned bits;
+    float widest;
+    if (!MS_SSS__BITS(part)) {
+        for (c = 0; c < 6; ++c) result[c] = zero;
+        return 0;
+    }
+    radius = MS_SSS__NAME(radius)(s, safe);
+    deep = MS_SSS__MUL(MS_SSS__NAME(deep)(s, safe), MS_SSS__SET(1 / cells));
+    sx = MS_SSS__MUL(MS_SSS__MUL(own[1], deep), MS_SSS__SET(2.0f));
+    sy = MS_SSS__MUL(MS_SSS__MUL(own[2], deep), MS_SSS__SET(2.0f));
+    rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__ramp), MS_SSS__SET(cells * s->tangent), MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
+    area = MS_SSS__NAME(area)(sx, sy, rx, ry);
+    cap = MS_SSS__MIN(area, MS_SSS__SET(1.5f));
+    bits = MS_SSS__BITS(part); /* squares of the distances of taps within reach of some lane: 4 x 4 have 8 such */
+    widest = 3.1f;
+    if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.0f), cap)) & bits) widest = 3.5f;
+    if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.08f), cap)) & bits) widest = 4.0f;
+    if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.22f), cap)) & bits) widest = 5.0f;
+    if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.41f), cap)) & bits) widest = 7.0f;
+    small = (MS_SSS__BITS(MS_SSS__LESS(radius, MS_SSS__SET(0.5f))) & MS_SSS__BITS(part)) != 0;
+    MS_SSS__NAME(weigh)(s, s->level + 1, 1, MS_SSS__DIV(radius, cap), MS_SSS__BITS(part), weight);
+    inverse = MS_SSS__DIV(one, cap);
+    fall = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), MS_SSS__SET(-1 / MS_SSS__GATHER)); /* r^2 */
+    limit = MS_SSS__MUL(radius, MS_SSS__SET(1 / cells));
+    near_plane = MS_SSS__DIV(one, MS_SSS__MUL(limit, MS_SSS__SET(s->reach)));
+    limit = MS_SSS__MUL(limit, limit);
+    for (j = 0; j < 4; ++j) {
+        const float *const *p = coarse[j];
+        const float oy = (y & 1 ? -1.25f : -1.75f) + (float)j;
+        const MS_SSS__V by = MS_SSS__MUL(sy, MS_SSS__SET(oy));
+        if (!p) continue;
+        MS_SSS__UNROLL
+        for (k = 0; k < 4; ++k) {
+            const float ox = (odd ? -1.25f : -1.75f) + (float)k;
+            const ptrdiff_t at = i + k - 2 + odd;
+            MS_SSS__V dz, off, q, t, w;
+            if (ox * ox + oy * oy > widest) continue;
+            dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), d), deep);
+            off = MS_SSS__SUB(dz, MS_SSS__MADD(MS_SSS__SET(ox), sx, by));
+            q = MS_SSS__MUL(dz, dz);
+            t = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__ADD(q, MS_SSS__SET(ox * ox + oy * oy)), fall, one), zero);
+            w = MS_SSS__SELECT(MS_SSS__LESS(q, limit), MS_SSS__MUL(MS_SSS__MUL(t, t), MS_SSS__LOAD(p[4] + at)), zero);
+            n = MS_SSS__ADD(n, w);
+            {
+                const MS_SSS__V e0 = MS_SSS__LOAD(p[0] + at), e1 = MS_SSS__LOAD(p[1] + at), e2 = MS_SSS__LOAD(p[2] + at);
+                r = MS_SSS__MADD(w, e0, r);
+                g = MS_SSS__MADD(w, e1, g);
+                b = MS_SSS__MADD(w, e2, b);
+                w = MS_SSS__MUL(w, off);
+                mr = MS_SSS__MADD(w, e0, mr);
+                mg = MS_SSS__MADD(w, e1, mg);
+                mb = MS_SSS__MADD(w, e2, mb);
+                v = MS_SSS__MADD(w, off, v);
+            }
+            if (ox * ox < 1 && oy * oy < 1) {
+                t = MS_SSS__SELECT(MS_SSS__LESS(q, limit), MS_SSS__NAME(beside)(MS_SSS__MUL(off, near_plane)), zero);
+                t = MS_SSS__MUL(t,
+                                MS_SSS__SET((ox * ox < 0.25f ? 0.75f : 0.25f) * (oy * oy < 0.25f ? 0.75f : 0.25f)));
+                s0 = MS_SSS__MADD(t, MS_SSS__LOAD(p[5] + at), s0);
+                s1 = MS_SSS__MADD(t, MS_SSS__LOAD(p[6] + at), s1);
+                s2 = MS_SSS__MADD(t, MS_SSS__LOAD(p[7] + at), s2);
+                s3 = MS_SSS__MADD(t, MS_SSS__LOAD(p[8] + at), s3);
+                s4 = MS_SSS__MADD(t, MS_SSS__LOAD(p[9] + at), s4);
+                s5 = MS_SSS__MADD(t, MS_SSS__LOAD(p[10] + at), s5);
+            }
+        }
+    }
+    norm = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), MS_SSS__SET(s->norm));
+    if (s->upright > 0) {
+        const MS_SSS__V facing = MS_SSS__DIV(inverse, area), turn = MS_SSS__MUL(facing, MS_SSS__SET(s->mean));
+        const MS_SSS__V spread = MS_SSS__MUL(MS_SSS__MUL(facing, facing), MS_SSS__SET(s->spread));
+        v = MS_SSS__MUL(MS_SSS__DIV(v, MS_SSS__SELECT(MS_SSS__LESS(zero, n), n, one)), spread);
+        r = MS_SSS__NAME(raise)(s, 0, r, MS_SSS__MUL(mr, turn), v);
+        g = MS_SSS__NAME(raise)(s, 1, g, MS_SSS__MUL(mg, turn), v);
+        b = MS_SSS__NAME(raise)(s, 2, b, MS_SSS__MUL(mb, turn), v);
+    }
+    n = MS_SSS__MUL(n, norm);
+    norm = MS_SSS__SELECT(part, norm, zero);
+    result[0] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[0], norm), r, s0), zero);
+    result[1] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[1], norm), g, s1), zero);
+    result[2] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[2], norm), b, s2), zero);
+    result[3] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[0], n, s3), zero);
+    result[4] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[1], n, s4), zero);
+    result[5] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[2], n, s5), zero);
+    return small;
+}
+
+/* Weighted sums of row y of a level: the light of the next coarser level from up to 4 x 4 pixels around, counted by its
+   distance in space and lifted by how far it lies below the tangent plane, and the sums of that level, bilinear.
+   row: d and its changes; coarse: rows y/2 - 2 to y/2 + 1 (y odd: - 1 to + 2; NULL: outside), each colour, d, share, three
+   sums of light, three of weights; first, count: columns / 2; out: the two times three sums. Returns whether any kernel is under
+   half a pixel. */
+static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const row[3], const float *const *const coarse[4],
+                                int first, int count, int y, float *const out[6])
+{
+    const float cells = (float)(1 << (s->level + 1)); /* pixels of the picture in one of the coarse level */
+    const MS_SSS__V ry = MS_SSS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
+    int i, c, small = 0;
+    for (i = first; i < count; i += MS_SSS__LANES) {
+        MS_SSS__V own[3], result[2][6];
+        const MS_SSS__V d0 = MS_SSS__LOAD(row[0] + 2 * i), d1 = MS_SSS__LOAD(row[0] + 2 * i + MS_SSS__LANES);
+        const MS_SSS__V x0 = MS_SSS__LOAD(row[1] + 2 * i), x1 = MS_SSS__LOAD(row[1] + 2 * i + MS_SSS__LANES);
+        const MS_SSS__V y0 = MS_SSS__LOAD(row[2] + 2 * i), y1 = MS_SSS__LOAD(row[2] + 2 * i + MS_SSS__LANES);
+        own[0] = MS_SSS__EVEN(d0, d1);
+        own[1] = MS_SSS__EVEN(x0, x1);
+        own[2] = MS_SSS__EVEN(y0, y1);
+        small |= MS_SSS__NAME(gather_side)(s, own, coarse, 0, i, y, ry, result[0]);
+        own[0] = MS_SSS__ODD(d0, d1);
+        own[1] = MS_SSS__ODD(x0, x1);
+        own[2] = MS_SSS__ODD(y0, y1);
+        small |= MS_SSS__NAME(gather_side)(s, own, coarse, 1, i, y, ry, result[1]);
+        for (c = 0; c < 6; ++c) {
+            MS_SSS__STORE(out[c] + 2 * i, MS_SSS__ZIP_LOW(result[0][c], result[1][c]));
+            MS_SSS__STORE(out[c] + 2 * i + MS_SSS__LANES, MS_SSS__ZIP_HIGH(result[0][c], result[1][c]));
+        }
+    }
+    return small;
+}
+
+/* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
+   tangent plane, and the sums. row: colour and d of the rows above, at and below; slope: share, then the changes of d. */
+static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const ms_sss__split row[3], const float *const slope[3],
+                                const float *const sum[6], int first, int count, float *const out[3])
+{
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f);
+    int i, j, k, c, small = 0;
+    for (i = first; i < count; i += MS_SSS__LANES) {
+        const MS_SSS__V d = MS_SSS__LOAD(row[1].plane[0][3] + i);
+        const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
+        const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe);
+        const MS_SSS__V radius = MS_SSS__NAME(radius)(s, safe), dx = MS_SSS__LOAD(slope[1] + i), dy = MS_SSS__LOAD(slope[2] + i);
+        MS_SSS__V soft[3], n = zero, own[3], blurred[3], r = zero, g = zero, b = zero;
         if (!MS_SSS__BITS(part)) {
-            for (c = 0; c < 6; ++c) MS_SSS__STORE(out[c] + i, zero);
+            for (c = 0; c < 3; ++c) MS_SSS__STORE(out[c] + i, zero);
             continue;
         }
-        if (s->perspective) { /* the weights of the kernel's radius in pixels, linear between the table's sizes */
-            const MS_SSS__V size = MS_SSS__MIN(MS_SSS__DIV(MS_SSS__SET(s->size), depth), MS_SSS__SET(s->size_max));
-            const float (*w)[MS_SSS_PYRAMID_LEVELS][2][3];
-            float sizes[MS_SSS__LANES];
-            MS_SSS__V from, to;
-            MS_SSS__STORE(sizes, size);
-            w = s->table + ms_sss__size_index(sizes[ms_sss__lowest(MS_SSS__BITS(part))]);
-            from = MS_SSS__SET(ms_sss__index_size((int)(w - s->table)));
-            to = MS_SSS__SET(ms_sss__index_size((int)(w - s->table) + 1));
-            if (!(MS_SSS__BITS(MS_SSS__LESS(size, from)) & MS_SSS__BITS(part)) && !(MS_SSS__BITS(MS_SSS__LESS(to, size)) & MS_SSS__BITS(part))) {
-                const MS_SSS__V t = MS_SSS__DIV(MS_SSS__SUB(size, from), MS_SSS__SUB(to, from));
-                for (c = 0; c < 3; ++c) {
-                    const float *w0 = w[0][s->level][0] + c, *w1 = w[1][s->level][0] + c;
-                    own[c] = MS_SSS__MADD(t, MS_SSS__SET(w1[0] - w0[0]), MS_SSS__SET(w0[0]));
-                    blurred[c] = MS_SSS__MADD(t, MS_SSS__SET(w1[3] - w0[3]), MS_SSS__SET(w0[3]));
-                }
-            } else {
-                float lerped[6][MS_SSS__LANES];
-                for (k = 0; k < MS_SSS__LANES; ++k) {
-                    float weight[2][3];
-                    ms_sss__weights_at(s, sizes[k], weight);
-                    for (c = 0; c < 6; ++c) lerped[c][k] = weight[c / 3][c % 3];
-                }
-                for (c = 0; c < 3; ++c) {
-                    own[c] = MS_SSS__LOAD(lerped[c]);
-                    blurred[c] = MS_SSS__LOAD(lerped[c + 3]);
-                }
-            }
-            tiny |= (MS_SSS__BITS(MS_SSS__LESS(size, MS_SSS__SET(0.5f))) & MS_SSS__BITS(part)) != 0;
-        } else {
-            for (c = 0; c < 3; ++c) {
-                own[c] = MS_SSS__SET(s->weight[0][c]);
-                blurred[c] = MS_SSS__SET(s->weight[1][c]);
+        small |= (MS_SSS__BITS(MS_SSS__LESS(radius, half)) & MS_SSS__BITS(part)) != 0;
+        {
+            const MS_SSS__V area = MS_SSS__MIN(MS_SSS__MAX(MS_SSS__LOAD(slope[0] + i), one), MS_SSS__SET(1.5f));
+            const MS_SSS__V size = MS_SSS__DIV(radius, area);
+            MS_SSS__NAME(weigh)(s, 0, 0, size, MS_SSS__BITS(part), own);
+            MS_SSS__NAME(weigh)(s, 0, 1, size, MS_SSS__BITS(part), blurred);
+        }
+        for (j = 0; j < 3; ++j) {
+            const float *const *p = row[j].plane[0];
+            MS_SSS__UNROLL
+            for (k = 0; k < 3; ++k) {
+                const MS_SSS__V there = MS_SSS__LOAD(p[3] + i + k - 1);
+                const MS_SSS__V rise = MS_SSS__MADD(MS_SSS__SET((float)(k - 1)), dx, MS_SSS__MUL(MS_SSS__SET((float)(j - 1)), dy));
+                const MS_SSS__V off = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__SUB(there, d), rise), deep);
+                MS_SSS__V f = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__MUL(off, off), MS_SSS__SET(-0.25f), one), zero); /* none 2 pixels away */
+                f = MS_SSS__MUL(MS_SSS__MUL(f, f), MS_SSS__SET((j == 1 ? 0.5f : 0.25f) * (k == 1 ? 0.5f : 0.25f)));
+                f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f, zero);
+                r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + i + k - 1), r);
+                g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + i + k - 1), g);
+                b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + i + k - 1), b);
+                n = MS_SSS__ADD(n, f);
             }
         }
-        nr = MS_SSS__MUL(own[0], share);
-        ng = MS_SSS__MUL(own[1], share);
-        nb = MS_SSS__MUL(own[2], share);
-        r = MS_SSS__MUL(nr, MS_SSS__LOAD(fine[0] + i));
-        g = MS_SSS__MUL(ng, MS_SSS__LOAD(fine[1] + i));
-        b = MS_SSS__MUL(nb, MS_SSS__LOAD(fine[2] + i));
-        n = MS_SSS__LOAD(soft[3] + i);
-        r = MS_SSS__MADD(MS_SSS__MUL(blurred[0], n), MS_SSS__LOAD(soft[0] + i), r);
-        g = MS_SSS__MADD(MS_SSS__MUL(blurred[1], n), MS_SSS__LOAD(soft[1] + i), g);
-        b = MS_SSS__MADD(MS_SSS__MUL(blurred[2], n), MS_SSS__LOAD(soft[2] + i), b);
-        nr = MS_SSS__MADD(blurred[0], n, nr);
-        ng = MS_SSS__MADD(blurred[1], n, ng);
-        nb = MS_SSS__MADD(blurred[2], n, nb);
-        for (k = 0; k < 9; ++k) {
-            const float *const *p = coarse[k / 3];
-            const int at = i + k % 3 - 1;
-            MS_SSS__V f;
-            if (!p) continue;
-            f = MS_SSS__NAME(near_by)(s, MS_SSS__SUB(MS_SSS__LOAD(p[6] + at), depth), MS_SSS__SET(side[s->lower][k / 3] * side[odd][k % 3]), &some);
-            if (!some) continue;
-            r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
-            g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
-            b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
-            nr = MS_SSS__MADD(f, MS_SSS__LOAD(p[3] + at), nr);
-            ng = MS_SSS__MADD(f, MS_SSS__LOAD(p[4] + at), ng);
-            nb = MS_SSS__MADD(f, MS_SSS__LOAD(p[5] + at), nb);
+        soft[0] = r;
+        soft[1] = g;
+        soft[2] = b;
+        for (c = 0; c < 3; ++c) {
+            const MS_SSS__V e = MS_SSS__LOAD(row[1].plane[0][c] + i);
+            const MS_SSS__V light = MS_SSS__ADD(MS_SSS__MADD(own[c], e, MS_SSS__MUL(blurred[c], soft[c])), MS_SSS__LOAD(sum[c] + i));
+            const MS_SSS__V all = MS_SSS__ADD(MS_SSS__MADD(blurred[c], n, own[c]), MS_SSS__LOAD(sum[c + 3] + i));
+            MS_SSS__STORE(out[c] + i, MS_SSS__SELECT(part, MS_SSS__NAME(restore)(light, all, e, 1.0f, 0), zero));
         }
-        if (s->level == 0) {
-            MS_SSS__STORE(out[0] + i, MS_SSS__NAME(restore)(r, nr, MS_SSS__LOAD(fine[0] + i), 1.0f, 0));
-            MS_SSS__STORE(out[1] + i, MS_SSS__NAME(restore)(g, ng, MS_SSS__LOAD(fine[1] + i), 1.0f, 0));
-            MS_SSS__STORE(out[2] + i, MS_SSS__NAME(restore)(b, nb, MS_SSS__LOAD(fine[2] + i), 1.0f, 0));
-            continue;
-        }
-        MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(part, r, zero));
-        MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(part, g, zero));
-        MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(part, b, zero));
-        MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(part, nr, zero));
-        MS_SSS__STORE(out[4] + i, MS_SSS__SELECT(part, ng, zero));
-        MS_SSS__STORE(out[5] + i, MS_SSS__SELECT(part, nb, zero));
     }
-    return tiny;
+    return small;
 }
 
-/* Columns 2 i to even[i], 2 i + 1 to odd[i]; and back. */
+/* Columns 2 i to even[i], 2 i + 1 to odd[i]. */
 static void MS_SSS__NAME(split)(const float *from, int count, float *even, float *odd)
 {
     int i;
@@ -7826,23 +8130,13 @@ static void MS_SSS__NAME(split)(const float *from, int count, float *even, float
     }
 }
 
-static void MS_SSS__NAME(merge)(const float *even, const float *odd, int count, float *to)
-{
-    int i;
-    for (i = 0; i < count; i += MS_SSS__LANES) {
-        MS_SSS__V a = MS_SSS__LOAD(even + i), b = MS_SSS__LOAD(odd + i);
-        MS_SSS__STORE(to + 2 * i, MS_SSS__ZIP_LOW(a, b));
-        MS_SSS__STORE(to + 2 * i + MS_SSS__LANES, MS_SSS__ZIP_HIGH(a, b));
-    }
-}
-
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
     MS_SSS__NAME(gate),    MS_SSS__NAME(admit),  MS_SSS__NAME(convolve),    MS_SSS__NAME(convolve_valid),
     MS_SSS__NAME(taps_x),  MS_SSS__NAME(taps_y), MS_SSS__NAME(taps_turned), MS_SSS__NAME(shaped_x),
     MS_SSS__NAME(shaped_y), MS_SSS__NAME(shaped_turned), MS_SSS__NAME(shape), MS_SSS__NAME(tangents),
     MS_SSS__NAME(plan), MS_SSS__NAME(sweep_row), MS_SSS__NAME(sweep_slab), MS_SSS__NAME(least), MS_SSS__LANES, MS_SSS__NAME(combine),
-    MS_SSS__NAME(fade),    MS_SSS__NAME(shrink), MS_SSS__NAME(soften),
-    MS_SSS__NAME(grow),    MS_SSS__NAME(split),  MS_SSS__NAME(merge)};
+    MS_SSS__NAME(fade),    MS_SSS__NAME(lie),    MS_SSS__NAME(shrink),
+    MS_SSS__NAME(gather),  MS_SSS__NAME(settle), MS_SSS__NAME(invert), MS_SSS__NAME(split)};
 
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN

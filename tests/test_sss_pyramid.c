@@ -1,5 +1,5 @@
 /* The pyramid filter of ms_sss.h: error against the round 2D kernel on 1/f texture by Fourier transform, against a plain
-   depth-aware 2D sum on a bust-like depth, and its promises. */
+   2D sum over the surface on a bust-like depth, on tilted planes and in corners, and its promises. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "test.h"
@@ -166,12 +166,12 @@ static double texture_error(const ms_sss_pyramid *pyramid, double radius_px)
 
 static void case_texture(void)
 {
-    static const double radius[] = {64, 90, 128, 24};
+    static const double radius[] = {64, 90, 24, 128};
     const ms_sss_pyramid pyramid = skin_pyramid();
     int i;
-    for (i = 0; i < (test_full ? 4 : 2); ++i) {
+    for (i = 0; i < (test_full ? 4 : 3); ++i) {
         const double e = texture_error(&pyramid, radius[i]);
-        CHECK_LE(e, radius[i] < 64 ? 0.015 : 0.01); /* the target from 64 pixels on; below, narrow channels fit less well */
+        CHECK_LE(e, radius[i] < 64 ? 0.012 : 0.01); /* the target from 64 pixels on; below, narrow channels fit less well: 1.08%, 1.28% where the weights are fitted to waves along an axis */
         TEST_NOTE("R %g px: %.2f%%", radius[i], 100 * e);
     }
 }
@@ -226,9 +226,21 @@ static ms_sss_frame scene_frame(float (*to)[N], int with_depth, int with_mask)
     return f;
 }
 
-/* Relative RMS difference, over the blurred picture's standard deviation, from sum w R_d f E / sum w R_d f. */
-static double plain_error(double pixels, double radius_mm, int with_depth, int with_mask, double *worst)
+/* Slopes of make_scene's ball and wall where a pixel is 1 / pixels mm wide, within the filter's bounds. */
+static void scene_slope(int x, int y, double pixels, double s[2])
 {
+    const double u = (x - W / 2) / 90.0, v = (y - H / 2) / 90.0, r = 0.6 - u * u - v * v;
+    int i;
+    s[0] = r > 0 ? 9 * u / (90 * sqrt(r)) * pixels : 0;
+    s[1] = r > 0 ? 9 * v / (90 * sqrt(r)) * pixels : 0;
+    for (i = 0; i < 2; ++i) s[i] = s[i] > 8 ? 8 : s[i] < -8 ? -8 : s[i];
+}
+
+/* Relative RMS difference, over the blurred picture's standard deviation, from a sum over the surface: the profile at the
+   distance in space, times the area that a pixel shows, times (1 + K sin(theta) / 4)^4, none beyond the radius in depth. */
+static double plain_error(const ms_sss_pyramid *pyramid, double pixels, int with_depth, int with_mask, double *worst)
+{
+    const double radius_mm = (double)pyramid->radius_mm;
     const int reach = (int)(1.6 * radius_mm * pixels);
     uint64_t seed = test_seed;
     double wrong = 0, sum1[3] = {0, 0, 0}, sum2 = 0, mean2 = 0;
@@ -236,25 +248,33 @@ static double plain_error(double pixels, double radius_mm, int with_depth, int w
     *worst = 0;
     for (k = 0; k < 400; ++k) {
         const int px = (int)(test_uniform(&seed) * (int)W), py = (int)(test_uniform(&seed) * (int)H), p = py * W + px;
-        double s[3] = {0, 0, 0}, n[3] = {0, 0, 0};
+        double s[3] = {0, 0, 0}, n[3] = {0, 0, 0}, own[2], area;
         if (with_mask && !(strength[p] > 0)) continue;
+        scene_slope(px, py, pixels, own);
+        area = sqrt(1 + own[0] * own[0] + own[1] * own[1]);
         for (y = -reach; y <= reach; ++y) {
             for (x = -reach; x <= reach; ++x) {
                 const int q = p + y * W + x;
-                double f = 1, gauss[6];
+                double share = 1, lift[3] = {1, 1, 1}, gauss[6], r2 = x * x + y * y;
                 if (px + x < 0 || py + y < 0 || px + x >= W || py + y >= H || (with_mask && !(strength[q] > 0))) continue;
                 if (with_depth) {
-                    const double dz = (double)depth[q] - (double)depth[p], sigma = 0.12 * radius_mm;
-                    f = fabs(dz) < radius_mm ? exp(-dz * dz / (2 * sigma * sigma)) : 0;
+                    const double dz = ((double)depth[q] - (double)depth[p]) * pixels;
+                    double slope[2], turn;
+                    if (!(fabs(dz) < radius_mm * pixels)) continue;
+                    scene_slope(px + x, py + y, pixels, slope);
+                    share = sqrt(1 + slope[0] * slope[0] + slope[1] * slope[1]);
+                    r2 += dz * dz;
+                    turn = r2 > 0 ? (dz - own[0] * x - own[1] * y) / (area * sqrt(r2)) : 0;
+                    for (c = 0; c < 3; ++c) lift[c] = pow(fmax(0, 1 + (double)pyramid->elevation[c] * turn / 4), 4);
                 }
                 for (g = 0; g < 6; ++g) { /* averaged over the pixel: 1/12 more variance */
                     const double v = skin_sigma[g] * skin_sigma[g] * pixels * pixels + 1.0 / 12;
-                    gauss[g] = f * exp(-(x * x + y * y) / (2 * v)) / (2 * pi * v);
+                    gauss[g] = share * exp(-r2 / (2 * v)) / (2 * pi * v);
                 }
                 for (c = 0; c < 3; ++c) {
                     double w = 0;
                     for (g = 0; g < 6; ++g) w += skin_weight[g][c] * gauss[g];
-                    s[c] += w * (double)rgb[c][q];
+                    s[c] += w * lift[c] * (double)rgb[c][q];
                     n[c] += w;
                 }
             }
@@ -275,9 +295,9 @@ static double plain_error(double pixels, double radius_mm, int with_depth, int w
 static void case_depth_and_mask(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
-    /* Found, not derived: what stands for the other surface beside silhouettes is missing (see ms_sss_pyramid_filter);
-       bounds are half as much again as measured. */
-    static const double bound[4] = {0.035, 0.055, 0.055, 0.06};
+    /* Found, not derived: a ball of 12 radii's width has its rim in half of the picture; bounds are half as much again as
+       measured. */
+    static const double bound[4] = {0.035, 0.12, 0.055, 0.115};
     int kind;
     make_scene();
     for (kind = 0; kind < 4; ++kind) {
@@ -286,7 +306,7 @@ static void case_depth_and_mask(void)
         double worst, e;
         o.pixels_per_mm[0] = 8;
         run(&f, &pyramid, &o);
-        e = plain_error(8, (double)pyramid.radius_mm, kind & 1, kind & 2, &worst);
+        e = plain_error(&pyramid, 8, kind & 1, kind & 2, &worst);
         CHECK_LE(e, bound[kind]);
         TEST_NOTE("%s%s %.2f%% (worst pixel %.1f%%)", kind & 1 ? "depth" : "flat", kind & 2 ? " + mask" : "", 100 * e, 100 * worst);
     }
@@ -295,7 +315,7 @@ static void case_depth_and_mask(void)
 static void case_promises(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
-    int kind, level, i, c, changed = 0, crossed = 0, spread = 0, small = 0, threads = 0;
+    int kind, level, i, c, changed = 0, lifted = 0, crossed = 0, spread = 0, small = 0, threads = 0;
     make_scene();
     for (kind = 0; kind < 3; ++kind) {
         for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
@@ -317,6 +337,11 @@ static void case_promises(void)
             for (c = 0; c < 3; ++c)
                 for (i = 0; i < N; ++i) rgb[c][i] = 0.3f;
             run(&f, &pyramid, &o);
+            for (c = 0; c < 3; ++c) /* reflectance times what the shape adds is at most 1 */
+                for (i = 0; i < N; ++i) lifted += !(again[c][i] * pyramid.reflectance[c] < 0.3f + 1e-6f);
+            o.flat = 1;
+            run(&f, &pyramid, &o);
+            o.flat = 0;
             for (c = 0; c < 3; ++c)
                 for (i = 0; i < N; ++i) changed += !(fabsf(again[c][i] - 0.3f) < 1e-6f);
             /* light on the wall only, 12 to 19 mm behind the ball: none may reach it */
@@ -347,9 +372,161 @@ static void case_promises(void)
     }
     CHECK_INT(threads, 0);
     CHECK_INT(changed, 0);
+    CHECK_INT(lifted, 0);
     CHECK_INT(crossed, 0);
     CHECK_INT(spread, 0);
     CHECK_INT(small, 0);
+}
+
+/* A wave on a plane, tilted about an axis on the screen (orthographic): the profile's transfer says how much of it stays.
+   across 0: along the slope. Returns the part that stays, of which only the red channel is looked at. */
+enum { PLANE = 256, MIRRORED_W = 192, MIRRORED_H = 128 /* whole pixels in all levels but the coarsest */ };
+static double plane_wave(const ms_sss_pyramid *pyramid, double tilt, double angle, double k, int across, double *constant)
+{
+    static float in[3][PLANE * PLANE], to[3][PLANE * PLANE], z[PLANE * PLANE];
+    const double pixels = 6, dx = cos(angle), dy = sin(angle);
+    ms_sss_filter_options o = ms_sss_filter_defaults();
+    ms_sss_frame f;
+    double stays = 0, is = 0;
+    int i, c, pass;
+    memset(&f, 0, sizeof f);
+    f.width = f.height = PLANE;
+    f.input = ms_sss_planar(in[0], in[1], in[2], 0);
+    f.output = ms_sss_planar(to[0], to[1], to[2], 0);
+    f.depth = ms_sss_map(z, 1, 0);
+    o.pixels_per_mm[0] = (float)pixels;
+    *constant = 0;
+    for (pass = 0; pass < 2; ++pass) {
+        for (i = 0; i < PLANE * PLANE; ++i) {
+            const double x = i % PLANE - PLANE / 2, y = i / PLANE - PLANE / 2, down = (x * dx + y * dy) / pixels;
+            const double at = across ? (y * dx - x * dy) / pixels : down / cos(tilt);
+            z[i] = (float)(120 + down * tan(tilt));
+            for (c = 0; c < 3; ++c) in[c][i] = pass ? (float)(1 + cos(k * at)) : 1.0f;
+        }
+        run(&f, pyramid, &o);
+        for (i = 0; i < PLANE * PLANE; ++i) {
+            const int x = i % PLANE, y = i / PLANE;
+            if (pass == 0) for (c = 0; c < 3; ++c) *constant = fmax(*constant, fabs((double)to[c][i] - 1));
+            if (pass == 1 && abs(x - PLANE / 2) < PLANE / 6 && abs(y - PLANE / 2) < PLANE / 6) {
+                stays += ((double)to[0][i] - 1) * ((double)in[0][i] - 1);
+                is += ((double)in[0][i] - 1) * ((double)in[0][i] - 1);
+            }
+        }
+    }
+    return stays / is;
+}
+
+static double skin_transfer(double k)
+{
+    double sum = 0, total = 0;
+    int g;
+    for (g = 0; g < 6; ++g) {
+        total += skin_weight[g][0];
+        sum += skin_weight[g][0] * exp(-k * k * skin_sigma[g] * skin_sigma[g] / 2);
+    }
+    return sum / total;
+}
+
+static void case_planes(void)
+{
+    static const double tilt[5] = {0, 30, 45, 60, 75};
+    /* Found, not derived, and half as much again: from 48 degrees on a gather reaches no further along the level line. */
+    static const double bound[5] = {0.005, 0.04, 0.07, 0.09, 0.3};
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    char note[400];
+    int i, j, n = 0;
+    for (i = 0; i < 5; ++i) {
+        double worst = 0, constant = 0;
+        for (j = 0; j < 8; ++j) {
+            const double k = 2 * pi / (j & 1 ? 6.0 : 15.0); /* 1/mm; the radius is 7 */
+            double c, stays = plane_wave(&pyramid, tilt[i] * pi / 180, j & 4 ? 0.6 : 0, k, j & 2, &c);
+            worst = fmax(worst, fabs(stays - skin_transfer(k)));
+            constant = fmax(constant, c);
+        }
+        CHECK_LE(constant, tilt[i] < 70 ? 2e-5 : 1e-4); /* depths of up to 240 are rounded by 8e-6, a pixel is 1/6: slopes are off by 1e-4, times K / 2 */
+        CHECK_LE(worst, bound[i]);
+        n += snprintf(note + n, sizeof note - (size_t)n, "%g degrees %.3f (constant %.0e)  ", tilt[i], worst, constant);
+    }
+    TEST_NOTE("%s", note);
+}
+
+/* The weights are fitted to waves in one direction; those in all others must keep what the profile says too. */
+static void case_directions(void)
+{
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    double worst = 0, least = 1, most = 0, constant;
+    int i;
+    for (i = 0; i <= 4; ++i) {
+        const double k = 2 * pi / 3.0, stays = plane_wave(&pyramid, 0, i * pi / 16, k, 0, &constant);
+        worst = fmax(worst, fabs(stays - skin_transfer(k)));
+        least = fmin(least, stays);
+        most = fmax(most, stays);
+    }
+    CHECK_LE(worst, 0.02);
+    TEST_NOTE("off by %.4f, directions differ by %.4f", worst, most - least);
+}
+
+/* Two planes at 90 degrees: evenly lit, a valley is darker than a plane and a ridge brighter, by what the law gives the
+   profile there within a quarter; a picture turned or mirrored gives the result turned or mirrored. */
+static void case_corners(void)
+{
+    const double total[3] = {0.5, 0.5, 0.5}, d[3] = {1, 1, 1};
+    static float in[3][N], first[3][N], second[3][N], z[2][N];
+    ms_sss_profile *profile;
+    ms_sss_pyramid pyramid;
+    ms_sss_filter_options o = ms_sss_filter_defaults();
+    ms_sss_frame f;
+    int kind, i, c;
+    CHECK_INT(ms_sss_profile_from_burley(&profile, total, d, NULL, NULL), MS_OK);
+    CHECK_INT(ms_sss_pyramid_make(&pyramid, profile, NULL), MS_OK);
+    ms_sss_profile_destroy(profile);
+    memset(&f, 0, sizeof f);
+    f.width = W;
+    f.height = H;
+    f.input = ms_sss_planar(in[0], in[1], in[2], 0);
+    f.output = ms_sss_planar(first[0], first[1], first[2], 0);
+    o.pixels_per_mm[0] = 8;
+    for (kind = 0; kind < 2; ++kind) {
+        const int middle = H / 2 * W + W / 2, far_off = H / 2 * W + 10;
+        for (i = 0; i < N; ++i) {
+            z[0][i] = (float)(100 + (kind ? 1 : -1) * fabs(i % W - W / 2 + 0.5) / 8);
+            for (c = 0; c < 3; ++c) in[c][i] = 1;
+        }
+        f.depth = ms_sss_map(z[0], 1, 0);
+        run(&f, &pyramid, &o);
+        if (kind == 0) CHECK(first[0][middle] < 0.9f);
+        else CHECK(first[0][middle] > 1.1f);
+        CHECK_NEAR((double)first[0][far_off], 1, 0.01); /* 12 mm away: under 1% of the profile's light */
+        CHECK(first[0][middle] * pyramid.reflectance[0] <= 1.000001f);
+        TEST_NOTE("%s %.3f", kind ? "ridge" : "valley", (double)first[0][middle]);
+    }
+    make_scene();
+    f.width = MIRRORED_W;
+    f.height = MIRRORED_H;
+    for (kind = 0; kind < 3; ++kind) { /* columns, rows, both */
+        double worst = 0;
+        int turned;
+        for (turned = 0; turned < 2; ++turned) {
+            for (i = 0; i < MIRRORED_W * MIRRORED_H; ++i) {
+                const int x = i % MIRRORED_W, y = i / MIRRORED_W;
+                const int j = (turned && kind != 0 ? MIRRORED_H - 1 - y : y) * W + (turned && kind != 1 ? MIRRORED_W - 1 - x : x);
+                z[turned][i] = depth[j];
+                for (c = 0; c < 3; ++c) in[c][i] = rgb[c][j] * (turned ? 1e4f : 1.0f); /* and a light 10^4 times as strong */
+            }
+            f.depth = ms_sss_map(z[turned], 1, 0);
+            f.input = ms_sss_planar(in[0], in[1], in[2], 0);
+            if (turned) f.output = ms_sss_planar(second[0], second[1], second[2], 0);
+            else f.output = ms_sss_planar(first[0], first[1], first[2], 0);
+            run(&f, &pyramid, &o);
+        }
+        for (i = 0; i < MIRRORED_W * MIRRORED_H; ++i) {
+            const int x = i % MIRRORED_W, y = i / MIRRORED_W;
+            const int j = (kind != 0 ? MIRRORED_H - 1 - y : y) * MIRRORED_W + (kind != 1 ? MIRRORED_W - 1 - x : x);
+            for (c = 0; c < 3; ++c) worst = fmax(worst, fabs((double)second[c][i] / 1e4 - (double)first[c][j]));
+        }
+        CHECK_LE(worst, 1e-4); /* rounding: sums run the other way, of values up to 3 and slopes up to 8 */
+        TEST_NOTE("mirrored: %.1e", worst);
+    }
 }
 
 /* Levels against scalar: fused products and the order of sums differ, 1e-6 of values up to 3 at most. */
@@ -447,6 +624,9 @@ static const test_case cases[] = {
     {"pyramid weights", case_weights},
     {"1/f texture", case_texture},
     {"depth and mask against a plain 2D sum", case_depth_and_mask},
+    {"tilted planes", case_planes},
+    {"directions", case_directions},
+    {"corners, mirrors", case_corners},
     {"promises", case_promises},
     {"levels", case_levels},
     {"sizes", case_sizes},
