@@ -5748,7 +5748,7 @@ static void ms_sss__gather_add(const ms_sss__gather *g, const ms_sss__patch *p, 
 static void ms_sss__gather_row(void *context, int y)
 {
     const ms_sss__gather *g = (const ms_sss__gather *)context;
-    const int w = g->frame.width, near = MS_SSS__GATHER_NEAR;
+    const int w = g->frame.width, inner = MS_SSS__GATHER_NEAR;
     int x, c, layer, level, i, j;
     for (x = 0; x < w; ++x) {
         const ms_sss__patch *p = &g->level[0][0][(size_t)y * (size_t)w + (size_t)x];
@@ -5757,28 +5757,28 @@ static void ms_sss__gather_row(void *context, int y)
         if (takes_part) {
             const float reach = g->reach / (g->pixel + g->slope * p->p[2]); /* pixels */
             int top = 0;
-            while (top + 1 < g->levels && (float)(near << top) < reach) ++top;
+            while (top + 1 < g->levels && (float)(inner << top) < reach) ++top;
             for (layer = 0; layer < g->layers; ++layer) {
-                int x0 = (x >> top) - near, x1 = (x >> top) + near, y0 = (y >> top) - near, y1 = (y >> top) + near;
+                int x0 = (x >> top) - inner, x1 = (x >> top) + inner, y0 = (y >> top) - inner, y1 = (y >> top) + inner;
                 for (level = top; level >= 0; --level) {
-                    /* of the cells x0 to x1, those within `near` of the pixel's own are left to the next level */
+                    /* of the cells x0 to x1, those within `inner` of the pixel's own are left to the next level */
                     const int cx = x >> level, cy = y >> level, width = g->width[level], height = g->height[level];
                     const int first = x0 > 0 ? x0 : 0, last = x1 < width - 1 ? x1 : width - 1;
                     for (j = y0 > 0 ? y0 : 0; j <= (y1 < height - 1 ? y1 : height - 1); ++j) {
                         const ms_sss__patch *row = g->level[layer][level] + (size_t)j * (size_t)width;
-                        const int hole = level > 0 && j >= cy - near && j <= cy + near;
+                        const int hole = level > 0 && j >= cy - inner && j <= cy + inner;
                         for (i = first; i <= last; ++i) {
-                            if (hole && i >= cx - near && i <= cx + near) {
-                                i = cx + near;
+                            if (hole && i >= cx - inner && i <= cx + inner) {
+                                i = cx + inner;
                                 continue;
                             }
                             if (row[i].size > 0) ms_sss__gather_add(g, p, &row[i], light, factor, total);
                         }
                     }
-                    x0 = 2 * (cx - near);
-                    x1 = 2 * (cx + near) + 1;
-                    y0 = 2 * (cy - near);
-                    y1 = 2 * (cy + near) + 1;
+                    x0 = 2 * (cx - inner);
+                    x1 = 2 * (cx + inner) + 1;
+                    y0 = 2 * (cy - inner);
+                    y1 = 2 * (cy + inner) + 1;
                 }
             }
             if (g->frame.strength.channel[0]) {
@@ -6809,6 +6809,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #undef MS_SSS__FEATURE_LIST
 #undef MS_SSS__PICK
 #undef MS_SSS__INLINE
+#undef MS_SSS__AWAY
+#undef MS_SSS__FALLOFF_END
 #endif /* MS_SSS_IMPLEMENTATION */
 
 #ifdef MS_SSS__PASS /* one inclusion a level, from FILTER CODE above */

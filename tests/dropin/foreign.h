@@ -46,11 +46,3 @@
 #define DIFFERENCE 11
 #define NEAR
 #define FAR
-#define L of_the_user
-#define M of_the_user
-#define U of_the_user
-#define V of_the_user
-#define W of_the_user
-#define A of_the_user
-#define B of_the_user
-#define PI 3

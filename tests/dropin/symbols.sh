@@ -31,7 +31,7 @@ none "malloc, though switched off" "$(undefined "$2.bare.o" 'malloc|free|calloc|
 none "files with $upper""_NO_STDIO" "$(undefined "$2.bare.o" 'fopen|fclose|fread|fwrite|fseek|ftell|remove|sn?printf|vsn?printf|open|close|read|write|mmap|munmap|fstat')"
 
 # Macros: what is defined after the header and was not by the standard headers that it includes.
-grep -h -E '^ *# *include *<' "$1" | sort -u | sed '/immintrin\|intrin.h\|cpuid\|arm_neon\|windows\|sys\//d' >"$2.base.c"
+grep -h -E '^ *# *include *<' "$1" | sort -u | sed '/<io\.h>\|immintrin\|intrin.h\|cpuid\|arm_neon\|windows\|sys\//d' >"$2.base.c"
 macros "$2.base.c" >"$2.before"
 printf '#include "%s"\n' "$1" >"$2.declare.c"
 macros "$2.declare.c" >"$2.after"
