@@ -78,7 +78,7 @@ typedef struct setup {
     int use_pyramid;
 } setup;
 
-enum { DEPTH = 1, MASK = 2, IN_PLACE = 4, RGB = 8, RGBZ = 16, HALF = 32, PYRAMID = 64, DELTA = 128 };
+enum { DEPTH = 1, MASK = 2, IN_PLACE = 4, RGB = 8, RGBZ = 16, HALF = 32, PYRAMID = 64, DELTA = 128, SHAPED = 256 };
 
 static setup prepare(int kind, ms_simd level)
 {
@@ -87,6 +87,7 @@ static setup prepare(int kind, ms_simd level)
     s.kernel = kind & (DEPTH | DELTA) ? &kernel : &whole;
     s.use_pyramid = kind & PYRAMID;
     s.options.simd = level;
+    s.options.flat = kind & SHAPED ? 0.0f : 1.0f;
     s.frame.width = W;
     s.frame.height = H;
     s.frame.input = ms_sss_planar(in[0], in[1], in[2], 0);
@@ -210,7 +211,8 @@ int main(void)
         const char *name;
         int kind;
     } rows[] = {
-        {"**depth-aware, planar**", DEPTH},
+        {"**depth-aware, flat, planar**", DEPTH},
+        {"**depth-aware with slope and elevation, planar (default)**", DEPTH | SHAPED},
         {"depth-aware, RGB + depth packed", DEPTH | RGBZ},
         {"depth-aware, half RGBA", DEPTH | HALF},
         {"depth-aware, a quarter masked in", DEPTH | MASK},
@@ -248,6 +250,7 @@ int main(void)
             fprintf(csv, "%s,%s,%.3f,%.3f\n", rows[r].name, ms_simd_string(levels[l]), 1e3 * t[r][l].median, 1e3 * t[r][l].spread);
             if (r > 0) continue;
             check = prepare(DEPTH, levels[l]); /* the same picture as the plain loop's */
+            check.options.exact = 1;
             filter(&check);
             free(check.workspace);
             for (c = 0; c < 3; ++c)
