@@ -101,6 +101,7 @@ check_jobs() {
     [ ! -f tests/examples.sh ] || job examples "sh tests/examples.sh $out/examples"
     test_jobs "" "$CC" "-std=c99 $CFLAGS" "" ""
     job common "sh tests/common.sh check"
+    job readme "sh tests/readme.sh"
     job macros "sh tests/dropin/macros.sh $out/macros $(echo $headers)"
     for h in $headers; do
         n=${h%.h}
