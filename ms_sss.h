@@ -4974,7 +4974,7 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     job->solid_last = job->solid_first + h;
     job->whole = job->solid_last + h;
     job->sweep = (unsigned char *)(((uintptr_t)(job->whole + h) + 63) & ~(uintptr_t)63);
-    *end = (float *)(void *)(job->sweep + (layout.sweep & ~(size_t)63) - 64);
+    *end = (float *)(void *)job->sweep; /* a pyramid sweeps nothing, and its plan knows no level */
     for (i = 0; i < 64; ++i) {
         const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
         job->direction[i][0] = (float)cos(angle);
