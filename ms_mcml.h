@@ -2271,10 +2271,10 @@ static int ms_mcml__number(ms_mcml__text *t, double *out)
     exponent += shift;
     value = (double)digits;
     if (digits) {
-        for (; exponent >= 22 && value < 1e300; exponent -= 22) value *= 1e22;
+        for (; exponent >= 22 && value < 1.797693134862315e286; exponent -= 22) value *= 1e22;
         for (; exponent <= -22 && value > 1e-320; exponent += 22) value /= 1e22;
-        for (; exponent > 0 && value < 1e308; --exponent) value *= 10; /* exact powers up to 10^22 below */
-        if (exponent > 0) value *= 1e22;
+        for (; exponent > 0 && value < 1.797693134862315e307; --exponent) value *= 10; /* exact powers up to 10^22 below */
+        if (exponent > 0) value = HUGE_VAL;
         if (exponent < 0 && exponent > -23) {
             double power = 1;
             for (; exponent < 0; ++exponent) power *= 10;
@@ -3073,7 +3073,7 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
 static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double noise, double tolerance, double edge, double step,
                               double total, double *rate, double *energy, double *misfit, double *work)
 {
-    double tau[MS_MCML__COLUMNS_MAX], norm[MS_MCML__COLUMNS_MAX], sum = 0, *target;
+    double tau[MS_MCML__COLUMNS_MAX], norm[MS_MCML__COLUMNS_MAX], sum = 0, unit = 1, *target;
     ms_mcml__nnls p;
     int i, c, count = 0;
     double *a = work;
@@ -3092,9 +3092,10 @@ static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows,
     p.x = target + MS_MCML_RATES_MAX;
     p.solution = p.x + MS_MCML__COLUMNS_MAX;
     for (i = 0; i < rows; ++i) target[i] = 1 / (1 + noise * t[i]); /* misfits are relative to the spectrum */
+    if (spectrum[0] > 0 && spectrum[0] < 1e-100) unit = spectrum[0]; /* the squares below would overflow */
     for (c = 0; c < p.columns; ++c) {
         for (norm[c] = 0, i = 0; i < rows; ++i) {
-            double v = target[i] / ((t[i] * t[i] + tau[c] * tau[c]) * spectrum[i]);
+            double v = target[i] / ((t[i] * t[i] + tau[c] * tau[c]) * (spectrum[i] / unit));
             a[c * rows + i] = v;
             norm[c] += v * v;
         }
@@ -3205,9 +3206,9 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
 
 static ms_status ms_mcml__check_steps(double *depth_step, double *frequency_step, ms_error *error)
 {
-    if (!(*depth_step >= 0.28 && *depth_step <= 1) && !(*depth_step >= 0 && *depth_step <= 0))
+    if (!ms_mcml__between(*depth_step, 0.28, 1) && !ms_mcml__between(*depth_step, 0, 0))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth_step is %g, expected 0.28 to 1, or 0", *depth_step);
-    if (!(*frequency_step >= 0.2 && *frequency_step <= 1) && !(*frequency_step >= 0 && *frequency_step <= 0))
+    if (!ms_mcml__between(*frequency_step, 0.2, 1) && !ms_mcml__between(*frequency_step, 0, 0))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frequency_step is %g, expected 0.2 to 1, or 0", *frequency_step);
     if (!(*depth_step > 0)) *depth_step = 0.3;
     if (!(*frequency_step > 0)) *frequency_step = 0.25;
@@ -6297,7 +6298,8 @@ static void MS_MCML__FN(white)(const ms_mcml__white_batch *batch)
                     ends |= 1u << lane;
         }
         if (leaves | ends) {
-            t = MS_MCML__V_DIV(z, MS_MCML__V_SUB(z, z_next)); /* the part of the flight before the surface */
+            /* The part of the flight before the surface; anything finite where it isn't reached (a flight may be level). */
+            t = MS_MCML__V_DIV(z, MS_MCML__V_SELECT(MS_MCML__V_LESS(z_next, zero), MS_MCML__V_SUB(z, z_next), one));
             u = MS_MCML__V_MADD(dx, t, x);
             t = MS_MCML__V_MADD(dy, t, y);
             MS_MCML__V_STORE(lane_r2, MS_MCML__V_MADD(u, u, MS_MCML__V_MUL(t, t)));
