@@ -3317,11 +3317,15 @@ static void ms_gpr__walker_along(const ms_gpr__hunt *h, ms_gpr__walker *w, int k
     ms_gpr__walker_slice(h, w, rng);
 }
 
-/* A slice along a random direction of the dimensions that matter. Any law of directions will do that is symmetric. */
+/* A slice along a random direction of the dimensions that matter, if any does. Any law of directions will do that is symmetric. */
 static void ms_gpr__walker_across(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
 {
-    int k;
-    for (k = 0; k < h->gp->m; ++k) w->direction[k] = h->tight[k] > 0 ? h->tight[k] * (2 * ms_gpr__uniform(rng) - 1) : 0;
+    int k, any = 0;
+    for (k = 0; k < h->gp->m; ++k) {
+        w->direction[k] = h->tight[k] > 0 ? h->tight[k] * (2 * ms_gpr__uniform(rng) - 1) : 0;
+        any |= h->tight[k] > 0;
+    }
+    if (!any) return; /* the chord would have no end */
     ms_gpr__walker_face(h, h->lines, h->points, w);
     ms_gpr__walker_slice(h, w, rng);
 }
