@@ -1098,6 +1098,15 @@ static double ms_nn__element(const void *data, ms_nn_dtype dtype, size_t i)
     return *p < 128 ? (double)*p : (double)*p - 256.0; /* I8 */
 }
 
+/* x as a float, without an exception where it is too large for one (FLT_MAX and half an ulp: infinite) or a signalling NaN. */
+static float ms_nn__narrow(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    if (ms__finite(x) && fabs(x) < 3.4028235677973366e38) return (float)x;
+    return ms_nn__float_of((uint32_t)(bits >> 63) << 31 | (!ms__finite(x) && bits << 12 ? 0x7fc00000u : 0x7f800000u));
+}
+
 /* === sorting === */
 
 /* Heap sort of indices: no recursion, no allocation, O(n log n) for any input. */
@@ -1920,11 +1929,14 @@ static ms_status ms_nn__json_real(ms_nn__json *j, double *value)
     double v = 0;
     if (!negative) ms_nn__space(j);
     first = j->p;
-    for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p) v = v * 10 + (*j->p - '0');
+    for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
+        if (v < 1e300) v = v * 10 + (*j->p - '0');
+        else ++shift;
     if (j->p == first || (*first == '0' && j->p > first + 1)) return ms_nn__bad(j, "expected a number without leading zeros");
     if (j->p < j->end && *j->p == '.') {
         first = ++j->p;
-        for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p, --shift) v = v * 10 + (*j->p - '0');
+        for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
+            if (v < 1e300) v = v * 10 + (*j->p - '0'), --shift;
         if (j->p == first) return ms_nn__bad(j, "expected digits behind the point");
     }
     if (j->p < j->end && (*j->p == 'e' || *j->p == 'E')) {
@@ -1937,7 +1949,8 @@ static ms_status ms_nn__json_real(ms_nn__json *j, double *value)
         if (j->p == first) return ms_nn__bad(j, "expected the digits of an exponent");
         if (minus) exponent = -exponent;
     }
-    v *= pow(10.0, (double)exponent + (double)shift);
+    if (v > 0 && log10(v) + exponent + shift > 308.2547) v = (double)ms_nn__float_of(0x7f800000u); /* without an exception */
+    else if (v > 0) v *= pow(10.0, (double)exponent + (double)shift);
     *value = negative ? -v : v;
     return MS_OK;
 }
@@ -2256,7 +2269,7 @@ static const unsigned char *ms_nn__floats(ms_nn *nn, const ms_nn_tensor *t)
     float *copy;
     if (t->dtype == MS_NN_F32 && !MS_NN__BIG_ENDIAN) return (const unsigned char *)t->data;
     copy = (float *)ms_nn__hold(nn, count, sizeof(float));
-    for (i = 0; copy && i < count; ++i) copy[i] = (float)ms_nn__element(t->data, t->dtype, i);
+    for (i = 0; copy && i < count; ++i) copy[i] = ms_nn__narrow(ms_nn__element(t->data, t->dtype, i));
     return (const unsigned char *)copy;
 }
 
@@ -2337,7 +2350,7 @@ static ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weight
                             sum += w->weight->dtype == MS_NN_F32 ? (double)ms_nn__float_of(ms_nn__u32(row + 4 * col))
                                                                  : ms_nn__element(row, MS_NN_F64, col);
                         }
-                    copy[last ? i * low.c + c : c * low.h * low.w + i] = (float)sum;
+                    copy[last ? i * low.c + c : c * low.h * low.w + i] = ms_nn__narrow(sum);
                 }
             }
             copy += m->cols;
@@ -2454,7 +2467,7 @@ static ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights
     op->backward = (ms_nn__conv *)ms_nn__hold(nn, factor, sizeof(ms_nn__conv));
     if (!bias || !zeros || !op->forward || !op->backward) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
     for (o = 0; o < blocks * block; ++o)
-        bias[o] = w->bias && o < op->out.c ? (float)ms_nn__element(w->bias->data, w->bias->dtype, o) : 0.0f;
+        bias[o] = w->bias && o < op->out.c ? ms_nn__narrow(ms_nn__element(w->bias->data, w->bias->dtype, o)) : 0.0f;
     for (o = 0; o < op->in.c + block; ++o) zeros[o] = 0;
     for (p = 0; p < factor; ++p) {
         ms_nn__conv *f = &op->forward[p], *b = &op->backward[p];
@@ -5740,11 +5753,11 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(activated)(MS_NN__V_FLOATS x, ms_nn__act
 {
     MS_NN__V_FLOATS zero = MS_NN__V_SET(0.0f), one = MS_NN__V_SET(1.0f), magnitude, e;
     if (activation == MS_NN__RELU) return MS_NN__V_MAX(zero, x);
-    if (activation == MS_NN__LEAKY) return MS_NN__V_IF_GREATER(x, zero, x, MS_NN__V_MUL(x, MS_NN__V_SET(alpha)));
+    if (activation == MS_NN__LEAKY) return MS_NN__V_IF_GREATER(x, zero, x, MS_NN__V_MUL(MS_NN__V_MIN(zero, x), MS_NN__V_SET(alpha)));
     if (activation == MS_NN__ELU) return MS_NN__V_IF_GREATER(x, zero, x, MS_NN__V_MUL(MS_NN__V_SET(alpha), MS_NN__FN(exp_minus)(MS_NN__V_MIN(zero, x), 1.0f)));
     magnitude = MS_NN__V_MAX(MS_NN__V_SUB(zero, x), x);
     if (activation == MS_NN__TANH) { /* (1 - e^-2|x|) / (1 + e^-2|x|) */
-        e = MS_NN__FN(exp_minus)(MS_NN__V_MUL(MS_NN__V_SET(-2.0f), magnitude), 1.0f);
+        e = MS_NN__FN(exp_minus)(MS_NN__V_MUL(MS_NN__V_SET(-2.0f), MS_NN__V_MIN(MS_NN__V_SET(64.0f), magnitude)), 1.0f);
         e = MS_NN__V_DIV(MS_NN__V_SUB(zero, e), MS_NN__V_ADD(e, MS_NN__V_SET(2.0f)));
         return MS_NN__V_IF_GREATER(zero, x, MS_NN__V_SUB(zero, e), e);
     }

@@ -313,7 +313,8 @@ static void test_damage(void)
         if (ms_nn_load(tight, size, NULL, &nn, NULL) == MS_OK) {
             float x[256], y[256];
             memset(x, 0, sizeof x);
-            if (ms_nn_input_size(nn) <= 256 && ms_nn_output_size(nn) <= 256) CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
+            if (!test_unmasked() && ms_nn_input_size(nn) <= 256 && ms_nn_output_size(nn) <= 256) /* its weights may be NaN */
+                CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
         }
         ms_nn_destroy(nn);
         free(tight);
