@@ -83,8 +83,8 @@
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
-   another, under 1 MB (rotated: to 20 MB), and gives it back. The filter allocates nothing: the caller lends a workspace.
-   No globals. At most 80 KB of stack, in ms_sss_kernel_choose; 32 KB in ms_sss_kernel_build; 20 KB in the filter.
+   another, under 1 MB (rotated: to 20 MB), and gives it back; measuring takes 60 KB. The filter allocates nothing: the caller lends a workspace.
+   No globals. At most 32 KB of stack a call, 64 KB without optimisation.
    Profiles, designers and kernels are only read once made: calls may overlap. ms_sss_filter cuts the picture into rows for
    ms_parallel. Kernels are made on one thread.
    The filter runs scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd.
@@ -447,9 +447,10 @@ typedef struct ms_sss_errors {
 #define MS_SSS_BANDS_SEEN 24
 
 /* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Kernels with frame_count > 1 are
-   measured as the mean of their frames. */
-MS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
-                                      const ms_sss_designer *designer);
+   measured as the mean of their frames. Takes 60 KB from the designer's allocator and gives them back.
+   MS_INVALID_ARGUMENT: a NULL. MS_OUT_OF_MEMORY. errors untouched then. */
+MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
+                                           const ms_sss_designer *designer);
 
 /* The cheapest kernel whose texture error is at most `tolerance` and whose bands are not seen (MS_SSS_BANDS_SEEN), at most
    tap_budget taps in all its terms together (each is read once in x and once in y): tries image-optimal and residual
@@ -2103,8 +2104,15 @@ typedef struct ms_sss__curve {
 
 /* One pass of fixed axes as a function of its one frequency. */
 typedef struct ms_sss__waves {
-    float line[3][MS_SSS_TERMS_MAX][MS_SSS__HALF + 1]; /* 18 KB of stack; errors below 1e-6 are none */
+    float line[3][MS_SSS_TERMS_MAX][MS_SSS__HALF + 1]; /* errors below 1e-6 are none */
 } ms_sss__waves;
+
+/* What measuring takes; too large for the stack. */
+typedef struct ms_sss__measurer {
+    ms_sss__curve curve;
+    ms_sss__waves waves;
+    double line[2][3][MS_SSS__HALF + 1]; /* right result, curve; by distance */
+} ms_sss__measurer;
 
 static void ms_sss__curve_waves(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves)
 {
@@ -2176,17 +2184,16 @@ static void ms_sss__kernel_curve(const ms_sss_designer *d, const ms_sss_kernel *
 }
 
 /* Relative errors of a curve on every signal. */
-static void ms_sss__curve_errors(const ms_sss_designer *d, const ms_sss__curve *v, double error[MS_SSS__SIGNALS])
+static void ms_sss__curve_errors(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves, double error[MS_SSS__SIGNALS])
 {
-    ms_sss__waves waves;
     double found[3];
     int k1, k2, c, s, o = 0;
-    if (v->frames == 1) ms_sss__curve_waves(d, v, &waves);
+    if (v->frames == 1) ms_sss__curve_waves(d, v, waves);
     for (s = 0; s < MS_SSS__SIGNALS; ++s) error[s] = 0;
     for (k1 = 0; k1 <= MS_SSS__HALF; ++k1)
         for (k2 = 0; k2 <= k1; ++k2, ++o) {
             double square = 0;
-            ms_sss__curve_transfer(d, v, &waves, k1, k2, found);
+            ms_sss__curve_transfer(d, v, waves, k1, k2, found);
             for (c = 0; c < 3; ++c) square += (found[c] - d->spectrum[c][o]) * (found[c] - d->spectrum[c][o]);
             for (s = 0; s < MS_SSS__SIGNALS; ++s) error[s] += (double)d->power[s][o] * square;
         }
@@ -2201,21 +2208,21 @@ static double ms_sss__srgb(double v) /* linear 0 to 1 as 0 to 255 */
 
 /* ms_sss_errors.bands: what lies on the spectrum's axis is the sum of the kernel's columns, its running sum the response
    to an edge. */
-static double ms_sss__curve_bands(const ms_sss_designer *d, const ms_sss__curve *v)
+static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurer *m)
 {
-    double line[2][3][MS_SSS__HALF + 1], found[3], most = 0; /* right result, curve; by distance */
-    ms_sss__waves waves;
+    const ms_sss__curve *v = &m->curve;
+    double found[3], most = 0;
     int k, c, x, n;
-    memset(line, 0, sizeof line);
-    if (v->frames == 1) ms_sss__curve_waves(d, v, &waves);
+    memset(m->line, 0, sizeof m->line);
+    if (v->frames == 1) ms_sss__curve_waves(d, v, &m->waves);
     for (k = 0; k <= MS_SSS__HALF; ++k) {
         double share = (k == 0 || k == MS_SSS__HALF ? 1.0 : 2.0) / MS_SSS__SIZE;
-        ms_sss__curve_transfer(d, v, &waves, k, 0, found);
+        ms_sss__curve_transfer(d, v, &m->waves, k, 0, found);
         for (c = 0; c < 3; ++c)
             for (x = 0; x <= MS_SSS__HALF; ++x) {
                 double wave = share * d->cosine[k * x & (MS_SSS__SIZE - 1)];
-                line[0][c][x] += wave * d->spectrum[c][ms_sss__octant(k, 0)];
-                line[1][c][x] += wave * found[c];
+                m->line[0][c][x] += wave * d->spectrum[c][ms_sss__octant(k, 0)];
+                m->line[1][c][x] += wave * found[c];
             }
     }
     for (c = 0; c < 3; ++c) {
@@ -2223,7 +2230,7 @@ static double ms_sss__curve_bands(const ms_sss_designer *d, const ms_sss__curve 
         for (x = 1 - MS_SSS__HALF; x <= MS_SSS__HALF; ++x) {
             double bend;
             for (n = 0; n < 2; ++n) {
-                sum[n] += line[n][c][x < 0 ? -x : x];
+                sum[n] += m->line[n][c][x < 0 ? -x : x];
                 next[n] = ms_sss__srgb(sum[n]);
             }
             bend = fabs(next[1] - 2 * now[1] + before[1] - (next[0] - 2 * now[0] + before[0]));
@@ -2235,21 +2242,30 @@ static double ms_sss__curve_bands(const ms_sss_designer *d, const ms_sss__curve 
     return most;
 }
 
-MS_API void ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
-                                      const ms_sss_designer *designer)
+static void ms_sss__measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer, ms_sss__measurer *m)
 {
-    ms_sss__curve curve;
     double error[MS_SSS__SIGNALS];
-    if (errors == NULL || kernel == NULL || designer == NULL) return;
-    ms_sss__kernel_curve(designer, kernel, &curve);
-    ms_sss__curve_errors(designer, &curve, error);
+    ms_sss__kernel_curve(designer, kernel, &m->curve);
+    ms_sss__curve_errors(designer, &m->curve, &m->waves, error);
     errors->vertical_step = error[0];
     errors->diagonal_step = error[1];
     errors->small_disk = error[2];
     errors->large_disk = error[3];
     errors->dot = error[4];
     errors->texture = error[MS_SSS__TEXTURE];
-    errors->bands = ms_sss__curve_bands(designer, &curve);
+    errors->bands = ms_sss__curve_bands(designer, m);
+}
+
+MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
+                                           const ms_sss_designer *designer)
+{
+    ms_sss__measurer *m;
+    if (errors == NULL || kernel == NULL || designer == NULL) return MS_INVALID_ARGUMENT;
+    m = (ms_sss__measurer *)ms__alloc(&designer->allocator, sizeof *m);
+    if (m == NULL) return MS_OUT_OF_MEMORY;
+    ms_sss__measure(errors, kernel, designer, m);
+    ms__release(&designer->allocator, m, sizeof *m);
+    return MS_OK;
 }
 
 /* ------------------------------------------------------------------ TAPS */
@@ -2310,6 +2326,7 @@ typedef struct ms_sss__fit {
     double *wave;                                  /* [3][MS_SSS_TERMS_MAX][lines] */
     double *H, *work, *g, *step, *jacobian;        /* [unknowns]^2 twice, [unknowns] twice, [local] */
     ms_sss__curve trial, hop;
+    ms_sss__waves waves;
     size_t bytes;
 } ms_sss__fit;
 
@@ -2317,10 +2334,9 @@ typedef struct ms_sss__fit {
    excite. Each is divided by what the target itself has, so that they weigh relative errors. */
 static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, double texture, double axis, int coarse)
 {
-    ms_sss__waves waves;
     double share[MS_SSS__NODES_MAX], all = 0, on_axis = 0;
     int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(fit->d->cells, coarse, node, share), a, b, c, n = 0;
-    if (model != NULL) ms_sss__curve_waves(fit->d, model, &waves);
+    if (model != NULL) ms_sss__curve_waves(fit->d, model, &fit->waves);
     for (a = 0; a < nodes; ++a)
         for (b = 0; b <= a; ++b, ++n) {
             double squares = 0;
@@ -2329,7 +2345,7 @@ static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, doubl
             fit->line1[n] = fit->frames == 1 ? a : 2 * fit->frames * n;
             fit->line2[n] = fit->frames == 1 ? b : 2 * fit->frames * n + 1;
             for (c = 0; c < 3; ++c) fit->target[n][c] = fit->d->spectrum[c][ms_sss__octant(node[a], node[b])];
-            if (model != NULL) ms_sss__curve_transfer(fit->d, model, &waves, node[a], node[b], fit->target[n]);
+            if (model != NULL) ms_sss__curve_transfer(fit->d, model, &fit->waves, node[a], node[b], fit->target[n]);
             for (c = 0; c < 3; ++c) squares += fit->target[n][c] * fit->target[n][c];
             fit->weight[n] = n == 0 ? 0 : share[a] * share[b] * (a == b ? 1 : 2) * ms_sss__texture_power(node[a], node[b]);
             all += fit->weight[n] * squares;
@@ -3128,13 +3144,14 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
 }
 
 /* The quadratic spacing with the reach of least texture error. */
-static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curve *dense, int pairs, ms_sss__curve *v, ms_sss__curve *best)
+static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curve *dense, int pairs, ms_sss__curve *v, ms_sss__waves *waves,
+                                    ms_sss__curve *best)
 {
     double least = HUGE_VAL, error[MS_SSS__SIGNALS];
     int n;
     for (n = 4; n <= 20; n += 2) {
         ms_sss__place(d, dense, MS_SSS_QUADRATIC, 0.05 * n * d->cells, pairs, v);
-        ms_sss__curve_errors(d, v, error);
+        ms_sss__curve_errors(d, v, waves, error);
         if (error[MS_SSS__TEXTURE] < least) {
             least = error[MS_SSS__TEXTURE];
             *best = *v;
@@ -3236,6 +3253,7 @@ MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designe
                                          const ms_sss_kernel_options *options, ms_error *error)
 {
     ms_sss_kernel_options o = options != NULL ? *options : ms_sss_kernel_defaults();
+    const size_t bytes = 3 * sizeof(ms_sss__curve) + sizeof(ms_sss__waves);
     ms_sss__curve *dense, *taps, *scratch;
     ms_status status;
     int pairs, c, of_profile;
@@ -3246,7 +3264,7 @@ MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designe
     if (o.index == 0) o.index = 1;
     status = ms_sss__check_kernel_options(&o, error);
     if (status != MS_OK) return status;
-    dense = (ms_sss__curve *)ms__alloc(&d->allocator, 3 * sizeof *dense);
+    dense = (ms_sss__curve *)ms__alloc(&d->allocator, bytes);
     if (dense == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to fit a kernel");
     taps = dense + 1;
     scratch = dense + 2;
@@ -3261,7 +3279,7 @@ MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designe
         of_profile = o.model == MS_SSS_IMAGE_OPTIMAL || o.model == MS_SSS_ROTATED || o.model == MS_SSS_RESIDUAL;
         status = ms_sss__fit_best(d, dense, of_profile ? NULL : dense, o.dial, pairs, o.no_delta, taps);
     } else if (status == MS_OK && o.placement == MS_SSS_QUADRATIC) {
-        ms_sss__place_quadratic(d, dense, pairs, scratch, taps);
+        ms_sss__place_quadratic(d, dense, pairs, scratch, (ms_sss__waves *)(void *)(dense + 3), taps);
     } else if (status == MS_OK) {
         ms_sss__place(d, dense, MS_SSS_QUANTILE, 0, pairs, taps);
     }
@@ -3276,7 +3294,7 @@ MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designe
         ms_sss__curve_normalise(taps);
         ms_sss__store_kernel(d, taps, o.index, kernel);
     }
-    ms__release(&d->allocator, dense, 3 * sizeof *dense);
+    ms__release(&d->allocator, dense, bytes);
     return status == MS_OK ? MS_OK : ms__fail(error, status, 0, "no memory to fit a kernel");
 }
 
@@ -3322,7 +3340,8 @@ MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *erro
         {2, 13}, {3, 9}, {1, 33}, {3, 11}, {2, 17}, {3, 13}, {2, 21}, {3, 17}, {3, 21}, {3, 25}, {4, 21}, {3, 33}, {4, 33}};
     ms_sss_kernel_options options = ms_sss_kernel_defaults();
     ms_sss_errors found;
-    ms_sss_kernel trial;
+    ms_sss__measurer *m;
+    ms_sss_kernel *trial;
     ms_status status;
     double least = HUGE_VAL, miss, texture = 0, bands = 0;
     size_t n;
@@ -3331,27 +3350,31 @@ MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *erro
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g, tap_budget %d; above 0 and at least 3 expected",
                         tolerance, tap_budget);
     options.tap_count = MS_SSS_DENSE; /* the best that any number of taps can do with one term, at the cost of a few taps */
-    status = ms_sss_kernel_build(&trial, d, &options, error);
-    if (status != MS_OK) return status;
-    ms_sss_kernel_measure(&found, &trial, d);
-    one_term = found.texture <= tolerance || tap_budget < 10;
-    for (n = 0; n < sizeof candidate / sizeof candidate[0] && least > 1; ++n) {
+    m = (ms_sss__measurer *)ms__alloc(&d->allocator, sizeof *m + sizeof *trial);
+    if (m == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to choose a kernel");
+    trial = (ms_sss_kernel *)(void *)(m + 1);
+    status = ms_sss_kernel_build(trial, d, &options, error);
+    if (status == MS_OK) ms_sss__measure(&found, trial, d, m);
+    one_term = status == MS_OK && (found.texture <= tolerance || tap_budget < 10);
+    for (n = 0; n < sizeof candidate / sizeof candidate[0] && least > 1 && status == MS_OK; ++n) {
         if (candidate[n][0] == 1 && !one_term) continue;
         options.term_count = candidate[n][0];
         options.tap_count = candidate[n][1];
         options.model = options.term_count > 1 ? MS_SSS_RESIDUAL : MS_SSS_IMAGE_OPTIMAL;
         if (options.term_count * options.tap_count > tap_budget) break;
-        status = ms_sss_kernel_build(&trial, d, &options, error);
-        if (status != MS_OK) return status;
-        ms_sss_kernel_measure(&found, &trial, d);
+        status = ms_sss_kernel_build(trial, d, &options, error);
+        if (status != MS_OK) break;
+        ms_sss__measure(&found, trial, d, m);
         miss = found.texture / tolerance > found.bands / MS_SSS_BANDS_SEEN ? found.texture / tolerance : found.bands / MS_SSS_BANDS_SEEN;
         if (miss >= least) continue;
         least = miss;
         texture = found.texture;
         bands = found.bands;
-        *kernel = trial;
+        *kernel = *trial;
         if (errors != NULL) *errors = found;
     }
+    ms__release(&d->allocator, m, sizeof *m + sizeof *trial);
+    if (status != MS_OK) return status;
     return least <= 1 ? MS_OK
                       : ms__fail(error, MS_NOT_CONVERGED, 0, "%d taps reach an error of %g and bands of %g; %g and %d are asked for",
                                  tap_budget, texture, bands, tolerance, MS_SSS_BANDS_SEEN);
@@ -3362,10 +3385,14 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
                                         const ms_allocator *allocator, ms_error *error)
 {
     ms_sss_designer *designer;
+    ms_sss__measurer *m = NULL;
     ms_status status = ms_sss_designer_create(&designer, profile, radius_px, allocator, error);
     if (status != MS_OK) return status;
-    status = ms_sss_kernel_build(kernel, designer, options, error);
-    if (status == MS_OK && errors != NULL) ms_sss_kernel_measure(errors, kernel, designer);
+    if (errors != NULL && (m = (ms_sss__measurer *)ms__alloc(&designer->allocator, sizeof *m)) == NULL)
+        status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to measure a kernel");
+    if (status == MS_OK) status = ms_sss_kernel_build(kernel, designer, options, error);
+    if (status == MS_OK && m != NULL) ms_sss__measure(errors, kernel, designer, m);
+    if (m != NULL) ms__release(&designer->allocator, m, sizeof *m);
     ms_sss_designer_destroy(designer);
     return status;
 }
@@ -3442,7 +3469,9 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #ifndef MS_SSS_FILENAME
 #define MS_SSS_FILENAME "ms_sss.h" /* this file's name, for the inclusions below */
 #endif
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__OPTIMIZE__)
+#define MS_SSS__INLINE inline /* inlined all the same, each vector in it would have its own place on the stack */
+#elif defined(__GNUC__)
 #define MS_SSS__INLINE inline __attribute__((always_inline))
 #elif defined(_MSC_VER)
 #define MS_SSS__INLINE __forceinline
@@ -3569,9 +3598,10 @@ typedef struct ms_sss__kernels {
                   float *const slope[2]);
     void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, int axis, float *const out[3]);
     void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, float *depth, const float *size, int count, unsigned char *plan);
-    void (*sweep_row)(const ms_sss__sweep *s, const ms_sss__pass *p, const float *window, ptrdiff_t plane, const float *const own[3],
+    /* [with slopes][of three pairs], as functions of their own: together they would take four times the stack */
+    void (*sweep_row[2][2])(const ms_sss__sweep *s, const ms_sss__pass *p, const float *window, ptrdiff_t plane, const float *const own[3],
                       const unsigned char *plan, int y, int count, float *to);
-    void (*sweep_slab)(const ms_sss__sweep *s, const ms_sss__pass *p, int begin, int end, int count, float *const (*to)[3], const int *stream);
+    void (*sweep_slab[2][2])(const ms_sss__sweep *s, const ms_sss__pass *p, int begin, int end, int count, float *const (*to)[3], const int *stream);
     float (*least)(const float *depth, int count);
     int lanes;
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
@@ -3843,7 +3873,7 @@ typedef struct ms_sss__job {
     int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
     int *whole;                    /* no strength of a pixel that takes part is under 1 */
     int direct;                    /* the second pass writes straight to the output where all pixels take part */
-    ms_sss__fixed taps[2];
+    ms_sss__fixed *taps;           /* if fixed: two, where a sweep has its workspace */
     ms_sss__pass pass;
     float direction[64][2];
     float *planes;        /* the first */
@@ -4305,7 +4335,7 @@ static void ms_sss__sweep_out(const ms_sss__sweep *s, int task, int begin, int e
             if ((uintptr_t)to[r][c] % 64) stream[r] = 0;
         }
     }
-    job->simd->sweep_slab(s, &job->pass, begin, end, job->padded, (float *const(*)[3])to, stream);
+    job->simd->sweep_slab[s->shaped ? 1 : 0][s->pairs == 3](s, &job->pass, begin, end, job->padded, (float *const(*)[3])to, stream);
     for (y = begin; y < end; ++y) {
         const int r = y - begin, first = job->first[y], last = job->last[y];
         float *blur[3], *depth = ms_sss__buffer(job, task, 41);
@@ -4391,7 +4421,7 @@ static void ms_sss__sweep_band(void *context, int task)
                 job->simd->plan(s, &job->pass, 0, mine[3], s->shaped ? own[0] : NULL, s->padded, plan);
                 plan_y = plan;
             }
-            job->simd->sweep_row(s, &job->pass, mine[0], mine[1] - mine[0], (const float *const *)own, plan_y, y, s->padded,
+            job->simd->sweep_row[s->shaped ? 1 : 0][s->pairs == 3](s, &job->pass, mine[0], mine[1] - mine[0], (const float *const *)own, plan_y, y, s->padded,
                                  s->ring + (ptrdiff_t)s->slot[y] * 4 * s->padded);
         }
         while (done < last_done && (y + 1 == end || y + 1 >= done + MS_SSS__STEP + s->reach)) {
@@ -4974,6 +5004,7 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     job->solid_last = job->solid_first + h;
     job->whole = job->solid_last + h;
     job->sweep = (unsigned char *)(((uintptr_t)(job->whole + h) + 63) & ~(uintptr_t)63);
+    job->taps = (ms_sss__fixed *)(void *)job->sweep;
     *end = (float *)(void *)job->sweep; /* a pyramid sweeps nothing, and its plan knows no level */
     for (i = 0; i < 64; ++i) {
         const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
@@ -5091,18 +5122,17 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
     enum { STEPS = 16, LOW = 14, HIGH = 14, TABLE = STEPS * (LOW + HIGH) + 1, CELLS = 4000 };
     double T[TABLE], total[3], radius[3], widest = 0, previous[3];
     int size, c, i, j, l;
-    ms_sss_pyramid p;
     if (!pyramid || !profile) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pyramid or profile is NULL");
     ms_sss_profile_reflectance(profile, total);
     ms_sss_profile_radius(profile, 0.99, radius);
     for (c = 0; c < 3; ++c)
         if (radius[c] > widest) widest = radius[c];
     if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light");
-    memset(&p, 0, sizeof p);
-    p.radius_mm = (float)widest;
+    memset(pyramid, 0, sizeof *pyramid);
+    pyramid->radius_mm = (float)widest;
     for (c = 0; c < 3; ++c) {
-        p.elevation[c] = (float)ms_sss_elevation(total[c], 1);
-        p.reflectance[c] = (float)total[c];
+        pyramid->elevation[c] = (float)ms_sss_elevation(total[c], 1);
+        pyramid->reflectance[c] = (float)total[c];
         for (i = 0; i < TABLE; ++i) T[i] = 0;
         previous[c] = 0;
         for (j = 0; j < CELLS && total[c] > 0; ++j) { /* the light of strips |x| < x_j, x_j growing from 1e-5 to 20 radii */
@@ -5149,10 +5179,9 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
             if (total[c] > 0) ms_sss__fit_positive(A, b, terms, x);
             else for (l = 0; l < terms; ++l) x[l] = l == 0; /* a dark channel stays as it is */
             for (l = 0; l < terms; ++l) sum += x[l];
-            for (l = 0; l < terms; ++l) p.weight[size][l / 2][l % 2][c] = (float)(x[l] / sum);
+            for (l = 0; l < terms; ++l) pyramid->weight[size][l / 2][l % 2][c] = (float)(x[l] / sum);
         }
     }
-    *pyramid = p;
     return MS_OK;
 }
 
@@ -7687,22 +7716,22 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep_y)(const ms_sss__sweep *s, const m
         }
 }
 
-static void MS_SSS__NAME(sweep_row)(const ms_sss__sweep *s, const ms_sss__pass *p, const float *window, ptrdiff_t plane, const float *const own[3],
-                                    const unsigned char *plan, int y, int count, float *to)
-{
-    if (s->shaped && s->pairs == 3) MS_SSS__NAME(sweep_x)(s, p, 1, 1, window, plane, own, plan, y, count, to);
-    else if (s->shaped) MS_SSS__NAME(sweep_x)(s, p, 1, 0, window, plane, own, plan, y, count, to);
-    else if (s->pairs == 3) MS_SSS__NAME(sweep_x)(s, p, 0, 1, window, plane, own, plan, y, count, to);
-    else MS_SSS__NAME(sweep_x)(s, p, 0, 0, window, plane, own, plan, y, count, to);
-}
-
-static void MS_SSS__NAME(sweep_slab)(const ms_sss__sweep *s, const ms_sss__pass *p, int begin, int end, int count, float *const (*to)[3], const int *stream)
-{
-    if (s->shaped && s->pairs == 3) MS_SSS__NAME(sweep_y)(s, p, 1, 1, begin, end, count, to, stream);
-    else if (s->shaped) MS_SSS__NAME(sweep_y)(s, p, 1, 0, begin, end, count, to, stream);
-    else if (s->pairs == 3) MS_SSS__NAME(sweep_y)(s, p, 0, 1, begin, end, count, to, stream);
-    else MS_SSS__NAME(sweep_y)(s, p, 0, 0, begin, end, count, to, stream);
-}
+#define MS_SSS__SWEEPS(name, shaped, three)                                                                                  \
+    static void MS_SSS__NAME(name##_row)(const ms_sss__sweep *s, const ms_sss__pass *p, const float *window, ptrdiff_t plane, \
+                                         const float *const own[3], const unsigned char *plan, int y, int count, float *to)  \
+    {                                                                                                                        \
+        MS_SSS__NAME(sweep_x)(s, p, shaped, three, window, plane, own, plan, y, count, to);                                  \
+    }                                                                                                                        \
+    static void MS_SSS__NAME(name##_slab)(const ms_sss__sweep *s, const ms_sss__pass *p, int begin, int end, int count,      \
+                                          float *const (*to)[3], const int *stream)                                          \
+    {                                                                                                                        \
+        MS_SSS__NAME(sweep_y)(s, p, shaped, three, begin, end, count, to, stream);                                           \
+    }
+MS_SSS__SWEEPS(sweep, 0, 0)
+MS_SSS__SWEEPS(sweep_three, 0, 1)
+MS_SSS__SWEEPS(sweep_shaped, 1, 0)
+MS_SSS__SWEEPS(sweep_shaped_three, 1, 1)
+#undef MS_SSS__SWEEPS
 
 /* out = a x + b y */
 static void MS_SSS__NAME(combine)(float a, const float *x, float b, const float *y, int count, float *out)
@@ -8136,7 +8165,10 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
     MS_SSS__NAME(gate),    MS_SSS__NAME(admit),  MS_SSS__NAME(convolve),    MS_SSS__NAME(convolve_valid),
     MS_SSS__NAME(taps_x),  MS_SSS__NAME(taps_y), MS_SSS__NAME(taps_turned), MS_SSS__NAME(shaped_x),
     MS_SSS__NAME(shaped_y), MS_SSS__NAME(shaped_turned), MS_SSS__NAME(shape), MS_SSS__NAME(tangents),
-    MS_SSS__NAME(plan), MS_SSS__NAME(sweep_row), MS_SSS__NAME(sweep_slab), MS_SSS__NAME(least), MS_SSS__LANES, MS_SSS__NAME(combine),
+    MS_SSS__NAME(plan),
+    {{MS_SSS__NAME(sweep_row), MS_SSS__NAME(sweep_three_row)}, {MS_SSS__NAME(sweep_shaped_row), MS_SSS__NAME(sweep_shaped_three_row)}},
+    {{MS_SSS__NAME(sweep_slab), MS_SSS__NAME(sweep_three_slab)}, {MS_SSS__NAME(sweep_shaped_slab), MS_SSS__NAME(sweep_shaped_three_slab)}},
+    MS_SSS__NAME(least), MS_SSS__LANES, MS_SSS__NAME(combine),
     MS_SSS__NAME(fade),    MS_SSS__NAME(lie),    MS_SSS__NAME(shrink),
     MS_SSS__NAME(gather),  MS_SSS__NAME(settle), MS_SSS__NAME(invert), MS_SSS__NAME(split)};
 

@@ -482,7 +482,7 @@ static void show_models(FILE *page)
         design.tap_count = models[m].taps;
         design.guide_k = models[m].guide_k;
         need_ok(ms_sss_kernel_build(&kernel, designer, &design, NULL), models[m].name);
-        ms_sss_kernel_measure(&e, &kernel, designer);
+        need_ok(ms_sss_kernel_measure(&e, &kernel, designer), models[m].name);
         options.rotation = 0.5f; /* the workspace has to do for turned axes too */
         size = ms_sss_filter_workspace(FIELD, FIELD, &kernel, 1, &options);
         workspace = realloc(workspace, size);

@@ -108,7 +108,7 @@ static ms_status fewest_taps(ms_sss_kernel *kernel, ms_sss_errors *errors, const
     ms_status status = MS_OK;
     for (options.tap_count = most == MS_SSS_DENSE ? most : 3; status == MS_OK; options.tap_count += 2) {
         status = ms_sss_kernel_build(kernel, designer, &options, error);
-        if (status == MS_OK) ms_sss_kernel_measure(errors, kernel, designer);
+        if (status == MS_OK) status = ms_sss_kernel_measure(errors, kernel, designer);
         if (status != MS_OK || errors->texture <= tolerance) return status;
         if (options.tap_count == MS_SSS_DENSE || options.tap_count + 2 > most) break;
     }
@@ -195,7 +195,7 @@ int main(int argc, char **argv)
         status = ms_sss_kernel_choose(&kernel, &errors, designer, tolerance, budget, &error);
     } else if (status == MS_OK) {
         status = ms_sss_kernel_build(&kernel, designer, &options, &error);
-        if (status == MS_OK) ms_sss_kernel_measure(&errors, &kernel, designer);
+        if (status == MS_OK) status = ms_sss_kernel_measure(&errors, &kernel, designer);
     }
     if (status == MS_OK || status == MS_NOT_CONVERGED) print_kernel(&kernel, &errors);
     if (status != MS_OK) fprintf(stderr, "sss_kernel: %s (%s)\n", error.message, ms_status_string(status));
