@@ -83,8 +83,8 @@
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
-   another, under 1 MB (rotated: to 20 MB), and gives it back; measuring takes 60 KB. The filter allocates nothing: the caller lends a workspace.
-   No globals. At most 32 KB of stack a call, 64 KB without optimisation.
+   another, under 1 MB (rotated: to 20 MB), measuring one 60 KB, and gives it back. The filter allocates nothing: the caller
+   lends a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
    Profiles, designers and kernels are only read once made: calls may overlap. ms_sss_filter cuts the picture into rows for
    ms_parallel. Kernels are made on one thread.
    The filter runs scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd.

@@ -386,7 +386,7 @@ static ms_sss_errors built(ms_sss_kernel *kernel, const ms_sss_designer *d, cons
     ms_sss_errors e;
     ms_error error;
     if (ms_sss_kernel_build(kernel, d, o, &error) != MS_OK) TEST_FAIL("kernel: %s", error.message);
-    ms_sss_kernel_measure(&e, kernel, d);
+    CHECK(ms_sss_kernel_measure(&e, kernel, d) == MS_OK);
     return e;
 }
 
@@ -908,6 +908,7 @@ static void cheapest(void)
     CHECK(ms_sss_kernel_choose(&k, &e, d, 0, 7, &error) == MS_INVALID_ARGUMENT);
     CHECK(ms_sss_kernel_choose(&k, &e, d, 0.1, 2, &error) == MS_INVALID_ARGUMENT);
     CHECK(memcmp(&k, &untouched, sizeof k) == 0);
+    CHECK(ms_sss_kernel_measure(NULL, &k, d) == MS_INVALID_ARGUMENT && ms_sss_kernel_measure(&e, &k, NULL) == MS_INVALID_ARGUMENT);
     ms_sss_designer_destroy(d);
     ms_sss_profile_destroy(skin);
 }
@@ -961,9 +962,10 @@ static ms_status from_csv_with(const ms_allocator *allocator)
 {
     static ms_sss_kernel k;
     static const char text[] = "0.5,3,2,1\n1.5,1,1,1\n2.5,0.5,0.2,0.1\n";
+    ms_sss_errors errors;
     ms_sss_profile *p;
     ms_status status = ms_sss_profile_from_csv(&p, text, sizeof text - 1, allocator, NULL);
-    if (status == MS_OK) status = ms_sss_kernel_make(&k, NULL, p, 6, NULL, allocator, NULL);
+    if (status == MS_OK) status = ms_sss_kernel_make(&k, &errors, p, 6, NULL, allocator, NULL);
     ms_sss_profile_destroy(p);
     return status;
 }
@@ -973,6 +975,7 @@ static ms_status model_with(int model, const ms_allocator *allocator)
     static ms_sss_kernel k;
     const double one[3] = {1, 1, 1};
     ms_sss_kernel_options o = ms_sss_kernel_defaults();
+    ms_sss_errors errors;
     ms_sss_profile *p;
     ms_sss_designer *d = NULL;
     ms_status status = ms_sss_profile_from_burley(&p, one, one, allocator, NULL);
@@ -980,6 +983,7 @@ static ms_status model_with(int model, const ms_allocator *allocator)
     o.tap_count = model == MS_SSS_ROTATED ? 3 : MS_SSS_DENSE;
     if (status == MS_OK) status = ms_sss_designer_create(&d, p, 4, allocator, NULL);
     if (status == MS_OK) status = ms_sss_kernel_build(&k, d, &o, NULL);
+    if (status == MS_OK) status = ms_sss_kernel_measure(&errors, &k, d);
     ms_sss_designer_destroy(d);
     ms_sss_profile_destroy(p);
     return status;
