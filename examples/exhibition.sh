@@ -110,13 +110,13 @@ fi
 figure marble.png "Marble" 50:before 50:after
 echo '<p><a href="kernels.html">Kernel models and their errors</a></p>'
 code "build/sss_filter irradiance.pfm depth.pfm out.png --material skin1 --fov 24" <<'C'
-ms_sss_kernel_make(&kernel, &errors, profile, 24, NULL, NULL, NULL);                 /* once */
-ms_sss_shader_text(&shader, &options, text, sizeof text, &error);                     /* GPU: the two passes as text */
-ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, &error);                 /* CPU: every frame */
+ms_sss_kernel_make(&kernel, &errors, profile, 24, NULL, NULL, NULL);  /* once */
+ms_sss_shader_text(&shader, &options, text, sizeof text, &error);      /* GPU: the two passes as text */
+ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, &error);  /* CPU: every frame */
 C
 
 section ms_gpr.h "Score a gallery, get hundreds of materials to your taste, and a plane to walk in."
-figure workflow.png "A gallery, bright as it was scored; below it 300 recommendations; the plane of the best (preference, similarity, product) with the chosen material in red and its variants; an edited picture and its match, and a walk through the plane"
+figure workflow.png "From the top: a gallery, bright as it was scored; 300 recommendations; the plane of the best (preference, similarity, product) with the chosen material in red and its variants; an edited picture and its match, and a walk through the plane"
 figure latent.png "Another taste: the plane of its best materials" 33.3:preference 33.3:similarity 33.3:product
 [ ! -f "$out/times.md" ] || awk 'NF == 0 {exit} {print}' "$out/times.md" | table
 code "build/recommend examples/data/scores.csv --count 300" <<'C'
@@ -129,8 +129,8 @@ section ms_nn.h "Pictures of materials in a tenth of a millisecond, by networks 
 figure preview.png "64 materials that the network never saw" 33.3:network 33.3:path-traced 33.3:"difference × 8"
 [ ! -f "$out/preview.txt" ] || table <"$out/preview.txt"
 code "build/preview examples/data/renderer_128.safetensors examples/data/materials.csv sheet.png examples/data/materials.ppm" <<'C'
-ms_nn_load_file(&network, "renderer_128.safetensors", NULL, &error);
-ms_nn_forward(network, parameters, 1, picture, &error);
+ms_nn_load_file("renderer_128.safetensors", NULL, &network, &error);
+ms_nn_forward(network, count, parameters, pictures, NULL);
 ms_nn_destroy(network);
 C
 
