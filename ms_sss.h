@@ -6852,10 +6852,15 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
 #define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
 #define MS_SSS__CHUNK (MS_SSS__LANES == 8 ? 4 : 1) /* groups in flight */
-#if defined(__GNUC__) && !defined(__clang__)
-#define MS_SSS__UNROLL _Pragma("GCC unroll 8")
+#if defined(__GNUC__) && !defined(__clang__) && MS_SSS__LANES >= 8
+#define MS_SSS__UNROLL _Pragma("GCC unroll 3")
 #else
 #define MS_SSS__UNROLL
+#endif
+#if defined(__GNUC__) || defined(__clang__)
+#define MS_SSS__APART __attribute__((noinline))
+#else
+#define MS_SSS__APART
 #endif
 
 #if MS_SSS__LANES == 16
@@ -7621,9 +7626,9 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
 }
 
 /* The groups that are left: of which no lane has a kernel, lanes differ by one, or by more. */
-static MS_SSS__INLINE void MS_SSS__NAME(others)(const ms_sss__sweep *s, const ms_sss__pass *p, const int axis, const int shaped,
-                                                MS_SSS__NAME(place) l, ptrdiff_t step, const float *const own[3], const unsigned char *plan, int n,
-                                                int x, int y, MS_SSS__V (*out)[3])
+static MS_SSS__INLINE void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const int axis, const int shaped,
+                                              MS_SSS__NAME(place) l, ptrdiff_t step, const float *const own[3], const unsigned char *plan, int n,
+                                              int x, int y, MS_SSS__V (*out)[3])
 {
     int g, c, i;
     for (g = 0; g < n; ++g, plan += s->plan_size) {
@@ -7662,6 +7667,15 @@ static MS_SSS__INLINE void MS_SSS__NAME(others)(const ms_sss__sweep *s, const ms
     }
 }
 
+static MS_SSS__APART void MS_SSS__NAME(others)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, MS_SSS__NAME(place) l, ptrdiff_t step,
+                                               const float *const own[3], const unsigned char *plan, int n, int x, int y, MS_SSS__V (*out)[3])
+{
+    if (axis == 0 && s->shaped) MS_SSS__NAME(rest)(s, p, 0, 1, l, step, own, plan, n, x, y, out);
+    else if (axis == 0) MS_SSS__NAME(rest)(s, p, 0, 0, l, step, own, plan, n, x, y, out);
+    else if (s->shaped) MS_SSS__NAME(rest)(s, p, 1, 1, l, step, own, plan, n, x, y, out);
+    else MS_SSS__NAME(rest)(s, p, 1, 0, l, step, own, plan, n, x, y, out);
+}
+
 /* First pass of a row: window[0] is its red, the next planes `plane` floats apart; to: groups of red, green, blue, depth. */
 static MS_SSS__INLINE void MS_SSS__NAME(sweep_x)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const int three,
                                                  const float *window, ptrdiff_t plane, const float *const own[3], const unsigned char *plan,
@@ -7679,7 +7693,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep_x)(const ms_sss__sweep *s, const m
         l.plane = plane;
         for (c = 0; c < 3; ++c) mine[c] = own[c] + x;
         MS_SSS__NAME(chunk)(s, p, 0, shaped, 0, three, l, MS_SSS__LANES, mine, plan, n, out);
-        MS_SSS__NAME(others)(s, p, 0, shaped, l, MS_SSS__LANES, mine, plan, n, x, y, out);
+        MS_SSS__NAME(others)(s, p, 0, l, MS_SSS__LANES, mine, plan, n, x, y, out);
         for (g = 0; g < n; ++g, to += 4 * MS_SSS__LANES) {
             for (c = 0; c < 3; ++c) MS_SSS__STORE(to + c * MS_SSS__LANES, out[g][c]);
             MS_SSS__STORE(to + 3 * MS_SSS__LANES, MS_SSS__LOAD(window + 3 * plane + x + g * MS_SSS__LANES));
@@ -7706,7 +7720,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep_y)(const ms_sss__sweep *s, const m
             l.plane = MS_SSS__LANES;
             for (c = 0; c < 3; ++c) mine[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded + x;
             MS_SSS__NAME(chunk)(s, p, 1, shaped, 0, three, l, 4 * MS_SSS__LANES, mine, plan, n, out);
-            MS_SSS__NAME(others)(s, p, 1, shaped, l, 4 * MS_SSS__LANES, mine, plan, n, x, y, out);
+            MS_SSS__NAME(others)(s, p, 1, l, 4 * MS_SSS__LANES, mine, plan, n, x, y, out);
             for (g = 0; g < n; ++g)
                 for (c = 0; c < 3; ++c) {
                     float *at = to[y - begin][c] + x + g * MS_SSS__LANES;
@@ -7728,9 +7742,9 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep_y)(const ms_sss__sweep *s, const m
         MS_SSS__NAME(sweep_y)(s, p, shaped, three, begin, end, count, to, stream);                                           \
     }
 MS_SSS__SWEEPS(sweep, 0, 0)
-MS_SSS__SWEEPS(sweep_three, 0, 1)
+MS_SSS__SWEEPS(sweep_three, 0, MS_SSS__LANES >= 8) /* 7 taps: a text of their own where it pays */
 MS_SSS__SWEEPS(sweep_shaped, 1, 0)
-MS_SSS__SWEEPS(sweep_shaped_three, 1, 1)
+MS_SSS__SWEEPS(sweep_shaped_three, 1, MS_SSS__LANES >= 8)
 #undef MS_SSS__SWEEPS
 
 /* out = a x + b y */
@@ -8177,6 +8191,7 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__NAME
 #undef MS_SSS__CHUNK
 #undef MS_SSS__UNROLL
+#undef MS_SSS__APART
 #undef MS_SSS__V
 #undef MS_SSS__MASK
 #undef MS_SSS__LOAD
