@@ -7986,7 +7986,7 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const float cells = (float)(1 << (s->level + 1)); /* pixels of the picture in one of the coarse level */
-    int j, k, c, small;
+    int j, k, c, tiny;
     const MS_SSS__V d = own[0];
     const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
     const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f));
@@ -8011,7 +8011,7 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
     if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.08f), cap)) & bits) widest = 4.0f;
     if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.22f), cap)) & bits) widest = 5.0f;
     if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.41f), cap)) & bits) widest = 7.0f;
-    small = (MS_SSS__BITS(MS_SSS__LESS(radius, MS_SSS__SET(0.5f))) & MS_SSS__BITS(part)) != 0;
+    tiny = (MS_SSS__BITS(MS_SSS__LESS(radius, MS_SSS__SET(0.5f))) & MS_SSS__BITS(part)) != 0;
     MS_SSS__NAME(weigh)(s, s->level + 1, 1, MS_SSS__DIV(radius, cap), MS_SSS__BITS(part), weight);
     inverse = MS_SSS__DIV(one, cap);
     fall = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), MS_SSS__SET(-1 / MS_SSS__GATHER)); /* r^2 */
@@ -8076,7 +8076,7 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
     result[3] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[0], n, s3), zero);
     result[4] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[1], n, s4), zero);
     result[5] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[2], n, s5), zero);
-    return small;
+    return tiny;
 }
 
 /* Weighted sums of row y of a level: the light of the next coarser level from up to 4 x 4 pixels around, counted by its
@@ -8089,7 +8089,7 @@ static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const row[
 {
     const float cells = (float)(1 << (s->level + 1)); /* pixels of the picture in one of the coarse level */
     const MS_SSS__V ry = MS_SSS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
-    int i, c, small = 0;
+    int i, c, tiny = 0;
     for (i = first; i < count; i += MS_SSS__LANES) {
         MS_SSS__V own[3], result[2][6];
         const MS_SSS__V d0 = MS_SSS__LOAD(row[0] + 2 * i), d1 = MS_SSS__LOAD(row[0] + 2 * i + MS_SSS__LANES);
@@ -8098,17 +8098,17 @@ static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const row[
         own[0] = MS_SSS__EVEN(d0, d1);
         own[1] = MS_SSS__EVEN(x0, x1);
         own[2] = MS_SSS__EVEN(y0, y1);
-        small |= MS_SSS__NAME(gather_side)(s, own, coarse, 0, i, y, ry, result[0]);
+        tiny |= MS_SSS__NAME(gather_side)(s, own, coarse, 0, i, y, ry, result[0]);
         own[0] = MS_SSS__ODD(d0, d1);
         own[1] = MS_SSS__ODD(x0, x1);
         own[2] = MS_SSS__ODD(y0, y1);
-        small |= MS_SSS__NAME(gather_side)(s, own, coarse, 1, i, y, ry, result[1]);
+        tiny |= MS_SSS__NAME(gather_side)(s, own, coarse, 1, i, y, ry, result[1]);
         for (c = 0; c < 6; ++c) {
             MS_SSS__STORE(out[c] + 2 * i, MS_SSS__ZIP_LOW(result[0][c], result[1][c]));
             MS_SSS__STORE(out[c] + 2 * i + MS_SSS__LANES, MS_SSS__ZIP_HIGH(result[0][c], result[1][c]));
         }
     }
-    return small;
+    return tiny;
 }
 
 /* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
@@ -8117,7 +8117,7 @@ static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const ms_sss__split row
                                 const float *const sum[6], int first, int count, float *const out[3])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f);
-    int i, j, k, c, small = 0;
+    int i, j, k, c, tiny = 0;
     for (i = first; i < count; i += MS_SSS__LANES) {
         const MS_SSS__V d = MS_SSS__LOAD(row[1].plane[0][3] + i);
         const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
@@ -8128,7 +8128,7 @@ static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const ms_sss__split row
             for (c = 0; c < 3; ++c) MS_SSS__STORE(out[c] + i, zero);
             continue;
         }
-        small |= (MS_SSS__BITS(MS_SSS__LESS(radius, half)) & MS_SSS__BITS(part)) != 0;
+        tiny |= (MS_SSS__BITS(MS_SSS__LESS(radius, half)) & MS_SSS__BITS(part)) != 0;
         {
             const MS_SSS__V area = MS_SSS__MIN(MS_SSS__MAX(MS_SSS__LOAD(slope[0] + i), one), MS_SSS__SET(1.5f));
             const MS_SSS__V size = MS_SSS__DIV(radius, area);
@@ -8161,7 +8161,7 @@ static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const ms_sss__split row
             MS_SSS__STORE(out[c] + i, MS_SSS__SELECT(part, MS_SSS__NAME(restore)(light, all, e, 1.0f, 0), zero));
         }
     }
-    return small;
+    return tiny;
 }
 
 /* Columns 2 i to even[i], 2 i + 1 to odd[i]. */
