@@ -87,6 +87,7 @@
    lends a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
    Profiles, designers and kernels are only read once made: calls may overlap. ms_sss_filter cuts the picture into rows for
    ms_parallel. Kernels are made on one thread.
+   Filters on x86-64 run with floating-point exceptions masked, and raise no flags.
    The filter runs scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd.
    Filter: the same bits for any thread count at one level. Kernels: the same bits in every call of one build. -ffast-math
    voids what is said of bits, NaN and infinity; the rest holds to rounding.
@@ -3850,7 +3851,38 @@ static void ms_sss__store(const ms_sss_image *image, int width, int y, int x, in
 
 /* --- the passes --- */
 
-static int ms_sss__differ(float a, float b) { return !(a >= b && a <= b); } /* as != , which compilers warn about */
+/* As != , which compilers warn about; NaN is not equal, quietly. */
+static int ms_sss__differ(float a, float b) { return isunordered(a, b) || islessgreater(a, b); }
+
+#if defined(MS__X64)
+typedef struct ms_sss__task {
+    void (*run)(void *context, int index);
+    void *context;
+} ms_sss__task;
+
+static void ms_sss__calm(void *context, int index)
+{
+    const ms_sss__task *task = (const ms_sss__task *)context;
+    const unsigned host = _mm_getcsr();
+    _mm_setcsr((host & ~0x3fu) | 0x1f80u);
+    task->run(task->context, index);
+    _mm_setcsr(host);
+}
+#endif
+
+/* ms__run with floating-point exceptions masked and their flags left alone: lanes that take no part hold whatever comes
+   of infinity and 0. */
+static void ms_sss__share(const ms_parallel *parallel, int count, void (*run)(void *context, int index), void *context)
+{
+#if defined(MS__X64)
+    ms_sss__task task;
+    task.run = run;
+    task.context = context;
+    ms__run(parallel, count, ms_sss__calm, &task);
+#else
+    ms__run(parallel, count, run, context);
+#endif
+}
 
 typedef struct ms_sss__job {
     ms_sss_frame frame; /* strides filled in */
@@ -4535,7 +4567,7 @@ static int ms_sss__swept(ms_sss__job *job)
         for (i = 0; i < s.pairs; ++i) across = (double)s.offset[c][i][0] > across ? (double)s.offset[c][i][0] : across;
     if (p->perspective) {
         float least = MS_SSS__AWAY;
-        ms__run(&job->options.parallel, s.bands, ms_sss__sweep_least, &s);
+        ms_sss__share(&job->options.parallel, s.bands, ms_sss__sweep_least, &s);
         for (i = 0; i < s.bands; ++i) least = s.least[i] < least ? s.least[i] : least;
         size /= (double)(least * job->depth_scale);
         if (size > (double)p->size_max) size = (double)p->size_max;
@@ -4549,8 +4581,8 @@ static int ms_sss__swept(ms_sss__job *job)
         for (c = 0; c < 4 * s.lanes; ++c) s.ring[4 * i + c] = c >= 3 * s.lanes ? MS_SSS__AWAY : 0.0f;
     for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s.row[i] = s.ring;
     job->stale = 1;
-    ms__run(&job->options.parallel, s.bands, ms_sss__sweep_band, &s);
-    if (s.bands > 1) ms__run(&job->options.parallel, s.bands, ms_sss__sweep_rest, &s);
+    ms_sss__share(&job->options.parallel, s.bands, ms_sss__sweep_band, &s);
+    if (s.bands > 1) ms_sss__share(&job->options.parallel, s.bands, ms_sss__sweep_rest, &s);
     return 1;
 }
 
@@ -4664,7 +4696,7 @@ static void ms_sss__fix(ms_sss__fixed *f, const ms_sss_kernel *k, int term, doub
     }
 }
 
-static int ms_sss__positive(float x) { return x > 0 && ms__finite_f(x); }
+static int ms_sss__positive(float x) { return ms__finite_f(x) && x > 0; }
 
 static ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_error *error)
 {
@@ -4842,7 +4874,7 @@ static void ms_sss__run(ms_sss__job *job, int begin, int end, void (*pass)(void 
     job->begin = begin;
     job->end = end;
     job->band = rows < 8 ? 8 : rows;
-    ms__run(&job->options.parallel, (end - begin + job->band - 1) / job->band, pass, job);
+    ms_sss__share(&job->options.parallel, (end - begin + job->band - 1) / job->band, pass, job);
 }
 
 /* Both passes of a term. Fixed taps reach a known number of rows, so the second pass can follow the first at that
@@ -5922,10 +5954,10 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
         ms_sss_profile_disc(profile, (double)g.reach * i / (int)MS_SSS__GATHER_STEPS, disc);
         for (c = 0; c < 3; ++c) g.disc[i][c] = (float)(total[c] > 0 ? disc[c] / total[c] : 0);
     }
-    ms__run(&options->parallel, frame->height * g.layers, ms_sss__gather_load, &g);
+    ms_sss__share(&options->parallel, frame->height * g.layers, ms_sss__gather_load, &g);
     for (layer = 0; layer < g.layers; ++layer)
         for (level = 1; level < g.levels; ++level) ms_sss__gather_join(&g, layer, level);
-    ms__run(&options->parallel, frame->height, ms_sss__gather_row, &g);
+    ms_sss__share(&options->parallel, frame->height, ms_sss__gather_row, &g);
     return MS_OK;
 }
 
