@@ -3340,22 +3340,24 @@ MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *erro
         {1, 3}, {1, 5}, {1, 7}, {1, 9}, {2, 5}, {1, 11}, {1, 13}, {2, 7}, {1, 17}, {2, 9}, {1, 21}, {2, 11}, {1, 25},
         {2, 13}, {3, 9}, {1, 33}, {3, 11}, {2, 17}, {3, 13}, {2, 21}, {3, 17}, {3, 21}, {3, 25}, {4, 21}, {3, 33}, {4, 33}};
     ms_sss_kernel_options options = ms_sss_kernel_defaults();
-    ms_sss_errors found;
+    ms_sss_errors found, best;
     ms_sss__measurer *m;
     ms_sss_kernel *trial;
     ms_status status;
-    double least = HUGE_VAL, miss, texture = 0, bands = 0;
+    double least = HUGE_VAL, miss;
     size_t n;
     int one_term;
-    if (kernel == NULL || d == NULL || !(tolerance > 0) || tap_budget < 3)
+    if (kernel == NULL || d == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", kernel ? "designer" : "kernel");
+    if (!(tolerance > 0) || tap_budget < 3)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g, tap_budget %d; above 0 and at least 3 expected",
                         tolerance, tap_budget);
     options.tap_count = MS_SSS_DENSE; /* the best that any number of taps can do with one term, at the cost of a few taps */
-    m = (ms_sss__measurer *)ms__alloc(&d->allocator, sizeof *m + sizeof *trial);
+    m = (ms_sss__measurer *)ms__alloc(&d->allocator, sizeof *m + 2 * sizeof *trial);
     if (m == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to choose a kernel");
     trial = (ms_sss_kernel *)(void *)(m + 1);
     status = ms_sss_kernel_build(trial, d, &options, error);
     if (status == MS_OK) ms_sss__measure(&found, trial, d, m);
+    memset(&best, 0, sizeof best);
     one_term = status == MS_OK && (found.texture <= tolerance || tap_budget < 10);
     for (n = 0; n < sizeof candidate / sizeof candidate[0] && least > 1 && status == MS_OK; ++n) {
         if (candidate[n][0] == 1 && !one_term) continue;
@@ -3369,16 +3371,18 @@ MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *erro
         miss = found.texture / tolerance > found.bands / MS_SSS_BANDS_SEEN ? found.texture / tolerance : found.bands / MS_SSS_BANDS_SEEN;
         if (miss >= least) continue;
         least = miss;
-        texture = found.texture;
-        bands = found.bands;
-        *kernel = *trial;
-        if (errors != NULL) *errors = found;
+        best = found;
+        trial[1] = trial[0];
     }
-    ms__release(&d->allocator, m, sizeof *m + sizeof *trial);
+    if (status == MS_OK) {
+        *kernel = trial[1];
+        if (errors != NULL) *errors = best;
+    }
+    ms__release(&d->allocator, m, sizeof *m + 2 * sizeof *trial);
     if (status != MS_OK) return status;
     return least <= 1 ? MS_OK
                       : ms__fail(error, MS_NOT_CONVERGED, 0, "%d taps reach an error of %g and bands of %g; %g and %d are asked for",
-                                 tap_budget, texture, bands, tolerance, MS_SSS_BANDS_SEEN);
+                                 tap_budget, best.texture, best.bands, tolerance, MS_SSS_BANDS_SEEN);
 }
 
 MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
@@ -5595,8 +5599,13 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
     if (tower->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__tower_join);
     for (l = 1; l + 1 < tower->levels; ++l) {
         tower->at = l;
-        if (l + 1 < MS_SSS__TOWER_ALONE) ms_sss__run(job, 0, tower->level[l + 1].height, ms_sss__tower_down);
-        else ms_sss__tower_shrink(tower, 0, 0, tower->level[l + 1].height);
+        if (l + 1 < MS_SSS__TOWER_ALONE) {
+            ms_sss__run(job, 0, tower->level[l + 1].height, ms_sss__tower_down);
+        } else {
+            job->begin = 0;
+            job->end = job->band = tower->level[l + 1].height;
+            ms_sss__share(&job->options.parallel, 1, ms_sss__tower_down, tower);
+        }
     }
     for (l = tower->levels - 1; l >= 0; --l) {
         tower->at = l;
@@ -5606,7 +5615,7 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
         } else {
             job->begin = 0;
             job->end = job->band = tower->level[l].height;
-            ms_sss__tower_grow(tower, 0);
+            ms_sss__share(&job->options.parallel, 1, ms_sss__tower_grow, tower);
         }
     }
     return MS_OK;
