@@ -551,12 +551,15 @@ static void case_constant(void)
 {
     static const int size[][2] = {{1, 1}, {1, 9}, {9, 1}, {2, 3}, {64, 64}, {70, 31}, {16384, 1}, {1, 2000}, {517, 6}};
     static const float value[] = {1.0f, 1e6f, 1e-30f, 1e-42f, 0.0f};
+    volatile float subnormal = value[3]; /* a host that flushes these to 0 gets 0 */
+    const int flushed = !(subnormal * 1.0f > 0);
     double worst = 0;
     int i, v, kind, j, c;
     for (i = 0; i < (int)(sizeof size / sizeof size[0]); ++i) {
         test_scene s = test_scene_make(size[i][0], size[i][1], test_seed);
         const int n = s.width * s.height;
         for (v = 0; v < 5; ++v) {
+            if (v == 3 && flushed) continue;
             for (kind = 0; kind < 6; ++kind) {
                 ms_sss_filter_options o = test_options(kind % 3);
                 ms_sss_kernel k = kind < 3 ? test_kernel(11, 4.0, 0.2) : test_kernel_terms(9, 9.0);
