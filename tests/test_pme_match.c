@@ -330,7 +330,7 @@ static ms_status plain_value(void *user, const double *x, double *f)
 /* Nelder-Mead with an infinite barrier from the best inversion network's answer. Its RMSE. */
 static double thesis_hybrid(const matcher *m, const float *target, double cost)
 {
-    static const double zero[32];
+    static const double zero[32] = {0};
     static plain_picture p;
     double x[32], one[32], mean_square = 1;
     ms_pme_match_options options = ms_pme_match_defaults();
