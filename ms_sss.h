@@ -3855,8 +3855,8 @@ static void ms_sss__store(const ms_sss_image *image, int width, int y, int x, in
 
 /* --- the passes --- */
 
-/* As != , which compilers warn about; NaN is not equal, quietly. */
-static int ms_sss__differ(float a, float b) { return isunordered(a, b) || islessgreater(a, b); }
+/* NaN differs from everything, and == raises no flag for it. */
+static int ms_sss__differ(float a, float b) { return !(a == b); }
 
 #if defined(MS__X64)
 typedef struct ms_sss__task {
