@@ -325,7 +325,7 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction
    inside is that outside, 0.5 + 2.2 q + 2.5 q^12 at an index of 1.4, between and beyond linearly in the coefficients;
    0 for a channel without light. index 1 to 2. From random walks in spheres and hollows of 2 to 64 mean free paths, albedo
    0.3 to 0.999 (`make bench FILTER=sss_elevation`): what balls and cylinders with a radius of 8 mean free paths
-   return is met within 3% (the flat profile alone: up to 28% off), of 4 within 8% (43%), where the reflectance is above
+   return is met within 3% (the flat profile alone: up to 28% off), of 4 within 10% (43%), where the reflectance is above
    0.1. Tight hollows in bright media come out too bright, by up to 15% at 4 mean free paths and 40% at an index of 1.4;
    bodies thinner than a mean free path let light straight through, which no factor on a profile of scattered light holds:
    too dark, by a third. exp(K sin(theta)) would need a K that falls by a fifth towards small balls. */
