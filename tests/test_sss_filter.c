@@ -551,8 +551,9 @@ static void case_constant(void)
 {
     static const int size[][2] = {{1, 1}, {1, 9}, {9, 1}, {2, 3}, {64, 64}, {70, 31}, {16384, 1}, {1, 2000}, {517, 6}};
     static const float value[] = {1.0f, 1e6f, 1e-30f, 1e-42f, 0.0f};
-    volatile float subnormal = value[3]; /* a host that flushes these to 0 gets 0 */
-    const int flushed = !(subnormal * 1.0f > 0);
+    volatile float subnormal = value[3]; /* a host that flushes these to 0 gets 0: all through, or in the calls alone (tests/calls.sh) */
+    const char *calls = getenv("CALLS");
+    const int flushed = !(subnormal * 1.0f > 0) || (calls && strcmp(calls, "flush") == 0);
     double worst = 0;
     int i, v, kind, j, c;
     for (i = 0; i < (int)(sizeof size / sizeof size[0]); ++i) {
