@@ -359,7 +359,7 @@ static void case_promises(void)
             run(&f, &pyramid, &o);
             for (c = 0; c < 3; ++c)
                 for (i = 0; i < N; ++i)
-                    spread += !ms__finite_f(rgb[c][i]) ? memcmp(&again[c][i], &rgb[c][i], sizeof(float)) != 0 : !ms__finite_f(again[c][i]);
+                    spread += !isfinite(rgb[c][i]) ? memcmp(&again[c][i], &rgb[c][i], sizeof(float)) != 0 : !isfinite(again[c][i]);
             for (c = 0; c < 3 && kind > 0; ++c) spread += memcmp(&again[c][99 * W + 100], &rgb[c][99 * W + 100], sizeof(float)) != 0;
             /* under half a pixel */
             make_scene();

@@ -56,7 +56,7 @@ fi
 objects=""
 for h; do
     printf '#define %s_IMPLEMENTATION\n#include "%s"\n' "$(upper "$h")" "$h" >"$out/${h%.h}.c"
-    works "object of $h" $CC -std=c99 $warn -O1 -fPIC -fvisibility=hidden '-DMS_DEF=__attribute__((visibility("default")))' -c "$out/${h%.h}.c" -o "$out/${h%.h}.o"
+    works "object of $h" $CC -std=c99 $warn -O0 -fPIC -fvisibility=hidden '-DMS_DEF=__attribute__((visibility("default")))' -c "$out/${h%.h}.c" -o "$out/${h%.h}.o"
     objects="$objects $out/${h%.h}.o"
 done
 { include_all "$@"; echo "$use"; } >"$out/user.c"
@@ -86,7 +86,7 @@ runs "-ffast-math" $CC -std=c99 $warn -O2 -ffast-math "$out/one.c"
 { printf '#include <stdlib.h>\n#define malloc(size) NULL\n#define free(pointer) ((void)(pointer))\n'
   for h; do echo "#define $(upper "$h")_NO_STDIO"; done
   make_all "$@"; include_all "$@"; } >"$out/bare.c"
-works "no stdio, no malloc" $CC -std=c99 $warn -O1 -c "$out/bare.c" -o "$out/bare.o"
+works "no stdio, no malloc" $CC -std=c99 $warn -O0 -c "$out/bare.c" -o "$out/bare.o"
 nm "$out/bare.o" | awk '$1 == "U" {print $2}' | grep -E '^_?(malloc|calloc|realloc|free|qsort|f(open|close|read|write)|s?n?printf)$' >"$out/log"
 works "the object calls neither" test ! -s "$out/log"
 runs "no stdio, no malloc, linked" $CC -std=c99 $warn "$out/user.c" "$out/bare.o"
