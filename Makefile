@@ -15,6 +15,7 @@
 #   make dataset    path-traced pictures of random materials for training (FIRST, COUNT, SIZE, SAMPLES, TAKE, JOBS)
 #   make hero       README's top picture: recommended materials on 209 objects, path-traced (WIDTH, HEIGHT, PASSES, JOBS)
 #   make train      the networks of examples/data from nothing: hours (PyTorch)
+#   make studio     examples/web/studio.html, the whole workflow live in a browser (clang for WebAssembly, wasi-libc)
 #   make common     copies the block that all headers share from ms_mcml.h into the rest
 .POSIX:
 
@@ -132,6 +133,9 @@ build/bench_gpu: tests/bench/gpu_sss.c examples/gl/egl.h tests/bench/bench.h ms_
 bench-gpu: build/bench_gpu
 	@build/bench_gpu
 
+studio:
+	@CC="$(CC)" sh examples/web/build.sh studio examples/web/studio.html
+
 dataset:
 	@CC="$(CC)" sh tests/render/dataset.sh
 hero: build/recommend
@@ -145,4 +149,4 @@ common:
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu dataset hero train common clean
+.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu studio dataset hero train common clean

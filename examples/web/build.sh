@@ -1,0 +1,85 @@
+#!/bin/sh
+# A page of one file: sh examples/web/build.sh studio OUT.html, or kernels. WebAssembly by clang with wasi-libc; the networks of the
+# studio packed (pack.c) from examples/data. `sh examples/web/build.sh hash studio` is what a page of these sources carries.
+set -eu
+cd "$(dirname "$0")/../.."
+web=examples/web
+
+sources() { # what page $1 is made of
+    case $1 in
+    studio) echo ms_gpr.h ms_nn.h ms_pme.h examples/studio.h examples/neural.h examples/matcher.h examples/maps.h examples/materialx.h \
+        examples/files.h examples/image.h $web/studio.c $web/wasi.js $web/studio.worker.js $web/studio.js $web/page.css $web/studio.css \
+        $web/studio.part.html $web/pack.c $web/build.sh examples/data/renderer_128.safetensors examples/data/inversion_6.safetensors ;;
+    *) echo "no page of that name: $1" >&2; exit 2 ;;
+    esac
+}
+# Comments of C do not make a page older.
+hash() {
+    for f in $(sources "$1"); do
+        case $f in
+        *.h | *.c) awk '{
+            line = $0; kept = ""
+            while (line != "") {
+                if (inside) { at = index(line, "*/"); if (!at) break; line = substr(line, at + 2); inside = 0 }
+                else { at = index(line, "/*"); if (!at) { kept = kept line; break }
+                    kept = kept substr(line, 1, at - 1); line = substr(line, at + 2); inside = 1 }
+            }
+            sub(/[ \t]+$/, "", kept); if (kept != "") print kept }' "$f" | cksum ;;
+        *) cksum <"$f" ;;
+        esac
+    done | cksum | awk '{print $1}'
+}
+[ "$1" != hash ] || { hash "$2"; exit; }
+
+page=$1
+out=$2
+if ! { echo '#include <stdlib.h>'; echo 'int main(void) { return 0; }'; } | ${WASM_CC:-clang} --target=wasm32-wasi -x c - -o /dev/null 2>/dev/null; then
+    echo "no WebAssembly here: wants clang, lld, wasi-libc and libclang-rt-dev-wasm32 (WASM_CC=... for another clang)" >&2
+    exit 1
+fi
+made=build/web
+mkdir -p "$made" "$(dirname "$out")"
+echo "compiling $page.wasm"
+${WASM_CC:-clang} --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. -Iexamples $web/"$page".c -o "$made/$page.wasm" \
+    -Wl,-z,stack-size=262144 -Wl,--strip-all
+base64_of() { gzip -9nc "$1" | base64 | tr -d '\n'; }
+binary() { # id, file
+    printf '<script type="application/base64" %s>' "$1"
+    base64_of "$2"
+    echo '</script>'
+}
+{
+    cat <<HTML
+<!DOCTYPE html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="sources" content="$(hash "$page")">
+HTML
+    sed -n '1{/^<title>/p;}' $web/"$page".part.html
+    echo "<style>"
+    cat $web/page.css $web/"$page".css
+    echo "</style>"
+    sed '1{/^<title>/d;}' $web/"$page".part.html
+    binary 'id="binary"' "$made/$page.wasm"
+    echo '<script type="text/plain" id="wasi">'
+    cat $web/wasi.js
+    echo '</script>'
+    if [ "$page" = studio ]; then
+        echo "packing networks" >&2
+        ${CC:-cc} -std=c99 -I. $web/pack.c -o "$made/pack" -lm
+        for network in renderer_128 inversion_6; do
+            "$made/pack" examples/data/$network.safetensors "$made/$network.safetensors"
+            binary "data-network=\"${network%_*}\"" "$made/$network.safetensors"
+        done
+        echo '<script type="text/plain" id="worker">'
+        cat $web/studio.worker.js
+        echo '</script>'
+    fi
+    echo '<script>'
+    cat $web/"$page".js
+    echo '</script>'
+    echo '</html>'
+} >"$made/$page.html"
+mv "$made/$page.html" "$out"
+echo "$out: $(wc -c <"$out" | tr -d ' ') bytes"

@@ -1,0 +1,106 @@
+// One of the studio's two workers: `mind` holds scores, recommendations and the plane, `hand` draws and matches pictures. Calls come as
+// {id, call, args}, answers leave as {id, result} or {id, problem}. Between calls the mind learns, a slice at a time.
+const M = 19, SIDE = 128;
+let wasm, files, learning = false, told = -1;
+const floats = (at, n) => new Float64Array(wasm.memory.buffer, at, n);
+const put = (at, values) => floats(at, values.length).set(values);
+const take = (at, n) => Array.from(floats(at, n));
+const sentence = () => {
+  const b = new Uint8Array(wasm.memory.buffer, wasm.message(), 200);
+  return new TextDecoder().decode(b.subarray(0, b.indexOf(0)));
+};
+const check = status => { if (status) throw new Error(sentence()); };
+const pixels = (side = SIDE) => new Uint8ClampedArray(wasm.memory.buffer, wasm.rgba(), 4 * side * side).slice();
+const rows = (count) => Array.from({ length: count }, (_, i) => take(wasm.x() + 8 * M * i, M));
+
+async function unpack(base64) {
+  const text = atob(base64), packed = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
+  return new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+}
+
+const calls = {
+  async start({ binary, networks, matches }) {
+    files = {};
+    for (const name in networks) if (matches || name === 'renderer') files[name + '.safetensors'] = await unpack(networks[name]);
+    wasm = await wasi(files).start(await unpack(binary));
+    check(wasm.open(matches ? 1 : 0));
+  },
+  gallery({ count }) { check(wasm.gallery(count)); return rows(count); },
+  score({ x, score }) { put(wasm.x(), x); check(wasm.score(score)); learn(); return wasm.scores(); },
+  rescore({ index, score }) { check(wasm.rescore(index, score)); learn(); },
+  undo() { check(wasm.undo()); learn(); return wasm.scores(); },
+  recommend({ count }) {
+    check(wasm.recommend(count));
+    const mean = take(wasm.numbers(), 2 * count);
+    return rows(count).map((x, i) => ({ x, mean: mean[i], sigma: mean[count + i] }));
+  },
+  predict({ x }) {
+    put(wasm.x(), x);
+    check(wasm.predict(1));
+    return take(wasm.numbers(), 2);
+  },
+  choose({ x }) {
+    put(wasm.x(), x);
+    check(wasm.choose());
+    const n = take(wasm.numbers(), 7);
+    return { window: n.slice(0, 4), at: n.slice(4, 6), points: take(wasm.numbers() + 56, 2 * n[6]), ground: pixels(192) };
+  },
+  look({ points }) {
+    const count = points.length / 2;
+    put(wasm.numbers(), points);
+    check(wasm.look(count));
+    return { x: rows(count), variance: take(wasm.numbers(), count) };
+  },
+  move({ to }) {
+    check(wasm.move(to[0], to[1]));
+    const [score, sigma] = take(wasm.numbers(), 2);
+    return { x: rows(1)[0], score, sigma, picture: pixels() };
+  },
+  draw({ x }) { // pictures of any number of materials
+    return x.map(one => { put(wasm.x(), one); wasm.draw(0); return pixels(); });
+  },
+  paint({ x, edit, strokes }) {
+    put(wasm.x(), x);
+    new Uint8ClampedArray(wasm.memory.buffer, wasm.rgba(), 4 * SIDE * SIDE).set(strokes);
+    check(wasm.paint(edit.saturation, edit.hue, edit.light, edit.tint, ...edit.colour));
+    return { picture: pixels() };
+  },
+  match({ x, cost }) {
+    put(wasm.x(), x);
+    check(wasm.match(cost));
+    const [rmse, guess] = take(wasm.numbers(), 2);
+    return { x: rows(1)[0], rmse, guess, picture: pixels() };
+  },
+  save({ x, names }) {
+    put(wasm.x(), x.flat());
+    const t = new TextEncoder().encode(names.join('\n').slice(0, 16000));
+    new Uint8Array(wasm.memory.buffer, wasm.text(), t.length + 1).set([...t, 0]);
+    check(wasm.save(x.length));
+    return { csv: files['materials.csv'].slice(), mtlx: files['materials.mtlx'].slice() };
+  },
+};
+
+function learn() {
+  if (learning) return;
+  learning = true;
+  const slice = () => {
+    if (!wasm.settled()) {
+      const status = wasm.update();
+      postMessage({ learned: wasm.scores(), settled: status ? 1 : wasm.settled(), state: wasm.state(), problem: status ? sentence() : '' });
+      if (!status) return void setTimeout(slice, 0);
+    } else postMessage({ learned: wasm.scores(), settled: 1, state: wasm.state(), problem: '' });
+    learning = false;
+  };
+  setTimeout(slice, 0);
+}
+
+onmessage = async ({ data: { id, call, args } }) => {
+  try {
+    const result = await calls[call](args || {});
+    const moved = [].concat(result || []).flatMap(r => r instanceof Uint8ClampedArray ? [r] : [r.picture, r.ground]).filter(Boolean);
+    postMessage({ id, result }, moved.map(p => p.buffer));
+  } catch (e) {
+    postMessage({ id, problem: String(e.message || e) });
+  }
+};
