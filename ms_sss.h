@@ -723,8 +723,9 @@ typedef enum ms_sss_step {
      7  ms_sss_target    compute: what is written, rgba32f or (half_target) rgba16f; GLSL 330: image unit 0, HLSL: u0
 
    Light does not cross between profiles, nor to pixels that take no part (see ms_sss_filter): an index from profile_count
-   on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 1 in X and Y, 27 for 7 taps.
-   Slopes (depth, MS_SSS_DEPTH_AWARE, flat below 1) read 4 more in each, or 1 with_normal. Depth, profile and strength in
+   on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 2 in X and Y, 26 for 7 taps, and one
+   more where light stays (delta, fade, strength below 1). Slopes (depth, MS_SSS_DEPTH_AWARE, flat below 1) read 4 more in
+   each, 5 or 6 at outlines, or 1 with_normal. Depth, profile and strength in
    textures of their own cost 2 n - 1 each, or one each with PREPARE. Turned axes read twice as many.
    In alpha of the input: depth as it is, or (without depth) index / 255. Both: a 32-bit float depth whose last four bits
    hold the index, intBitsToFloat(floatBitsToInt(depth) + 8 & ~15 | index), for 16 profiles; depth 0 masks.
@@ -3535,7 +3536,7 @@ typedef struct ms_sss__pass {
     int exact; /* the Gaussian of dz^2; 0: (1 - dz^2)^4 */
     /* With slopes: depths are taken against the tangent plane, and light from below it counts more. */
     const float *slope[2]; /* planes as colour's */
-    const float *own[3];   /* of the row at hand: pixels a mm of the tangent plane, depth that it gains a pixel, cosine of the normal to the ray */
+    const float *own[3];   /* of the row at hand: pixels a mm of the tangent plane, depth that it gains a pixel (relative in perspective), cosine of the normal to the ray */
     /* In the sweep: row[i], groups of the row i below; group, where the group lies in its row; first_pixel: where planes point. */
     const float *const *row, *first_pixel;
     ptrdiff_t group;
@@ -3544,6 +3545,8 @@ typedef struct ms_sss__pass {
     float upright;      /* 1 - flat */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
     float unit;         /* mm of dz 1 */
+    float grain;        /* a plane that fits depths with relative errors of grain / 2 errs by at most grain (2 + i) times depth i pixels away:
+                           2 errors for the depths there and here, as many for each step between, and one pixel more beside a tap */
     float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
 } ms_sss__pass;
 
@@ -3599,7 +3602,7 @@ typedef struct ms_sss__kernels {
     void (*shaped_x)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
     void (*shaped_y)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
     void (*shaped_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
-    void (*shape)(const ms_sss__pass *p, const float *const depth[3], const float *const normal[3], int y, int begin, int end,
+    void (*shape)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y, int begin, int end,
                   float *const slope[2]);
     void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, int axis, float *const out[3]);
     void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, float *depth, const float *size, int count, unsigned char *plan);
@@ -4414,22 +4417,22 @@ static void ms_sss__sweep_band(void *context, int task)
     ms_sss__sweep *s = (ms_sss__sweep *)context;
     const ms_sss__job *job = s->job;
     const int height = job->frame.height, begin = task * s->band, end = task + 1 < s->bands ? begin + s->band : height;
-    const ptrdiff_t window = (ptrdiff_t)task * (12 * s->window_stride + 5 * s->padded);
-    float *plane[3][4], *slope[2], *own[3];
+    const ptrdiff_t window = (ptrdiff_t)task * (20 * s->window_stride + 5 * s->padded);
+    float *plane[5][4], *slope[2], *own[3];
     unsigned char *plan = s->plan + (height + 1 + task) * s->plan_row;
-    int y, r, c, x, done = task ? begin + s->reach : 0, admitted = begin - (s->shaped ? 1 : 0);
+    int y, r, c, x, done = task ? begin + s->reach : 0, admitted = begin - (s->shaped ? 2 : 0);
     const int last_done = task + 1 < s->bands ? end - s->reach : height;
-    for (r = 0; r < 12; ++r) {
+    for (r = 0; r < 20; ++r) {
         float *row = s->window + window + r * s->window_stride;
         for (x = 0; x < s->window_stride; ++x) row[x] = r % 4 == 3 ? MS_SSS__AWAY : 0.0f;
         plane[r / 4][r % 4] = row + MS_SSS__MARGIN;
     }
-    for (r = 0; r < 5; ++r) *(r < 2 ? &slope[r] : &own[r - 2]) = s->window + window + 12 * s->window_stride + r * s->padded;
+    for (r = 0; r < 5; ++r) *(r < 2 ? &slope[r] : &own[r - 2]) = s->window + window + 20 * s->window_stride + r * s->padded;
     for (y = begin; y < end; ++y) {
-        float *const *mine = plane[(y + 3) % 3], *own_y[3];
+        float *const *mine = plane[y % 5], *own_y[3];
         int first, last;
-        for (; admitted <= y + (s->shaped ? 1 : 0); ++admitted)
-            ms_sss__sweep_admit(s, task, admitted, admitted < begin || admitted >= end, plane[(admitted + 3) % 3]);
+        for (; admitted <= y + (s->shaped ? 2 : 0); ++admitted)
+            ms_sss__sweep_admit(s, task, admitted, admitted < begin || admitted >= end, plane[(admitted + 5) % 5]);
         first = job->first[y];
         last = job->last[y];
         s->slot[y] = first < last ? ms_sss__slot(s, task, y) : 0;
@@ -4437,9 +4440,9 @@ static void ms_sss__sweep_band(void *context, int task)
         if (first < last) {
             unsigned char *plan_y = s->plan + s->slot[y] * s->plan_row;
             if (s->shaped) {
-                const float *depth[3], *normal[3];
+                const float *depth[5], *normal[3];
+                for (r = 0; r < 5; ++r) depth[r] = plane[(y + 3 + r) % 5][3];
                 for (r = 0; r < 3; ++r) {
-                    depth[r] = plane[(y + 2 + r) % 3][3];
                     own_y[r] = s->own + ((ptrdiff_t)s->slot[y] * 3 + r) * s->padded;
                 }
                 if (job->frame.normal.channel[0]) {
@@ -4562,7 +4565,7 @@ static int ms_sss__swept(ms_sss__job *job)
     s.slot = (int *)(void *)at;
     at += (size_t)height * sizeof(int);
     s.window = (float *)(((uintptr_t)at + 63) & ~(uintptr_t)63);
-    at = (unsigned char *)(s.window + (ptrdiff_t)MS_SSS__TASKS * (12 * s.window_stride + 5 * s.padded));
+    at = (unsigned char *)(s.window + (ptrdiff_t)MS_SSS__TASKS * (20 * s.window_stride + 5 * s.padded));
     s.plan = at;
     s.ring = job->planes;
     s.own = s.ring + (ptrdiff_t)(height + 1) * 4 * s.padded;
@@ -4600,13 +4603,11 @@ static void ms_sss__shape_band(void *context, int task)
     for (y = begin; y < end; ++y) {
         const int first = job->first[y], last = job->last[y];
         const ptrdiff_t row = (ptrdiff_t)y * job->stride;
-        const float *depth[3], *normal[3];
+        const float *depth[5], *normal[3];
         float *slope[2], *buffer[3];
-        for (i = 0; i < 2; ++i) {
-            slope[i] = job->slope[i] + row;
-        }
+        for (i = 0; i < 2; ++i) slope[i] = job->slope[i] + row;
+        for (i = 0; i < 5; ++i) depth[i] = job->depth + ms_sss__clamp(y + i - 2, -1, job->frame.height) * job->stride;
         for (i = 0; i < 3; ++i) {
-            depth[i] = job->depth + row + (i - 1) * job->stride;
             buffer[i] = ms_sss__buffer(job, task, i);
         }
         if (first == last) continue;
@@ -4653,7 +4654,7 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     l.window = (size_t)l.padded + 2 * MS_SSS__MARGIN;
     l.sweep = ms__size_add(ms__size_mul((size_t)height + 1, l.row),
                            ((size_t)height + 2 * MS_SSS__MARGIN) * (sizeof(float *) + sizeof(int)) +
-                               MS_SSS__TASKS * ((12 * l.window + 5 * (size_t)l.padded + 1) * sizeof(float) + l.row) + 256);
+                               MS_SSS__TASKS * ((20 * l.window + 5 * (size_t)l.padded + 1) * sizeof(float) + l.row) + 256);
     l.total = ms__size_add(ms__size_add(ms__size_mul(floats, sizeof(float)), ints * sizeof(int)), ms__size_add(l.sweep, 64));
     return l;
 }
@@ -4829,6 +4830,7 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     p->middle[0] = 0.5f * (float)width;
     p->middle[1] = 0.5f * (float)height;
     p->least = -1;
+    p->grain = job->frame.depth.half ? 9.7668e-4f : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
     for (c = 0; c < 3; ++c) {
         p->curve[c] = k->elevation_axis[c] / 4;
         p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
@@ -6109,9 +6111,12 @@ static const char *const ms_sss__shader_body[] = {
     "}\n",
     "\n",
     "#if !WITH_NORMAL\n",
-    "// The slope from the depths before and after: their mean where the surface turns little, else the smaller one.\n",
-    "float slope_of(float4 before, float4 own, float4 after, float focal, float2 limit)\n",
+    "// The slope from the depths before and after: their mean where the surface turns little, else the smaller one, steeper\n",
+    "// by what its step exceeds the next: near outlines depth goes as a root.\n",
+    "float slope_of(int2 p, int2 way, float4 own, float focal, float2 limit)\n",
     "{\n",
+    "    float4 before = texel(p - way);\n",
+    "    float4 after = texel(p + way);\n",
     "    float a = 0.0;\n",
     "    float b = 0.0;\n",
     "    float da = own.a - before.a;\n",
@@ -6127,15 +6132,32 @@ static const char *const ms_sss__shader_body[] = {
     "    }\n",
     "    a = pick(b, focal * da, on_a);\n",
     "    b = pick(a, b, on_b);\n",
-    "    float mean = 0.5 * (a + b);\n",
-    "    float less = mean;\n",
-    "    if (abs(a) < abs(b)) {\n",
-    "        less = a;\n",
+    "    float slope = 0.5 * (a + b);\n",
+    "    if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n",
+    "        bool back = on_a && (!on_b || abs(a) < abs(b));\n",
+    "        if (abs(a) < abs(b)) {\n",
+    "            slope = a;\n",
+    "        }\n",
+    "        if (abs(b) < abs(a)) {\n",
+    "            slope = b;\n",
+    "        }\n",
+    "        float next = pick(after.a, before.a, back);\n",
+    "        float4 beyond = texel(p + way * pick(2, -2, back));\n",
+    "        float step = own.a - next;\n",
+    "        float inner = next - beyond.a;\n",
+    "        float least = own.a * 4.7683716e-7;\n",
+    "#if PERSPECTIVE\n",
+    "        step = step * beyond.a;\n",
+    "        inner = inner * own.a;\n",
+    "        least = least * own.a;\n",
+    "#endif\n",
+    "        float more = abs(step) - abs(inner) - least;\n",
+    "        if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n",
+    "            more = min(more / abs(inner), 0.85);\n",
+    "            slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n",
+    "        }\n",
     "    }\n",
-    "    if (abs(b) < abs(a)) {\n",
-    "        less = b;\n",
-    "    }\n",
-    "    return clamp(pick(less, mean, abs(a - b) < 0.5 * (a * b + 1.0)), -8.0, 8.0);\n",
+    "    return clamp(slope, -8.0, 8.0);\n",
     "}\n",
     "\n",
     "#endif\n",
@@ -6152,8 +6174,7 @@ static const char *const ms_sss__shader_body[] = {
     "    }\n",
     "#else\n",
     "    float2 limit = float2(constant[at + 1].w, constant[at + 4].w);\n",
-    "    slope = float2(slope_of(texel(p - int2(1, 0)), own, texel(p + int2(1, 0)), constant[2].y, limit),\n",
-    "                   slope_of(texel(p - int2(0, 1)), own, texel(p + int2(0, 1)), constant[2].z, limit));\n",
+    "    slope = float2(slope_of(p, int2(1, 0), own, constant[2].y, limit), slope_of(p, int2(0, 1), own, constant[2].z, limit));\n",
     "#endif\n",
     "    return slope * constant[2].w;\n",
     "}\n",
@@ -6176,21 +6197,29 @@ static const char *const ms_sss__shader_body[] = {
     "    return own * total;\n",
     "}\n",
     "\n",
+    "#if SECOND\n",
+    "// Only the first term's pass leaves light where it was.\n",
+    "float3 unblurred(int2 p)\n",
+    "{\n",
+    "    float3 light = float3(0.0, 0.0, 0.0);\n",
+    "    if (constant[2].x > 0.5) {\n",
+    "        light = fetch_input(p).rgb;\n",
+    "    }\n",
+    "    return light;\n",
+    "}\n",
+    "\n",
+    "#endif\n",
     "float4 filter_pixel(int2 p)\n",
     "{\n",
     "    float4 own = texel(p);\n",
     "    float4 black = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "    if (!(own.a > 0.0)) {\n",
     "#if SECOND\n",
-    "    float3 plain = fetch_input(p).rgb;\n",
-    "    float3 unblurred = pick(black.rgb, plain, constant[2].x > 0.5);\n",
-    "    if (!(own.a > 0.0)) {\n",
-    "        return float4(unblurred, 1.0);\n",
-    "    }\n",
+    "        return float4(unblurred(p), 1.0);\n",
     "#else\n",
-    "    if (!(own.a > 0.0)) {\n",
     "        return black;\n",
-    "    }\n",
     "#endif\n",
+    "    }\n",
     "    int at = 3;\n",
     "#if PROFILE\n",
     "    at = 3 + STRIDE * int(profile_of(own));\n",
@@ -6210,21 +6239,12 @@ static const char *const ms_sss__shader_body[] = {
     "    axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n",
     "#endif\n",
     "#if SHAPE\n",
-    "    // Of the tangent plane: depth a column and a row, a mm of the taps; cosine to the ray, in mm of scaled depth.\n",
+    "    // Of the tangent plane: depth a column and a row, in perspective relative; cosine to the ray, in mm of scaled depth.\n",
     "    float2 ray = ray_of(p);\n",
     "    float2 slopes = slopes_of(p, own, ray, at);\n",
     "    float slope = dot(axis, slopes);\n",
     "    pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n",
     "    float2 plane = slopes / constant[2].yz;\n",
-    "    float rise = 0.0;\n",
-    "#if PERSPECTIVE\n",
-    "    plane = plane * own.a;\n",
-    "#if TURNED\n",
-    "    rise = dot(plane, axis) * pixels;\n",
-    "#else\n",
-    "    rise = dot(plane, axis * aspect) * pixels;\n",
-    "#endif\n",
-    "#endif\n",
     "    float towards = dot(ray, slopes) + 1.0;\n",
     "    float facing = constant[2].y / (constant[0].z * constant[at + 1].w * sqrt(dot(slopes, slopes) + towards * towards));\n",
     "    float3 curve = constant[at + 3].rgb;\n",
@@ -6247,7 +6267,6 @@ static const char *const ms_sss__shader_body[] = {
     "            float2 part = axis * offset - whole;\n",
     "            float4 sum = black;\n",
     "#if SHAPE\n",
-    "            float bend = offset * rise;\n",
     "            float below = 0.0;\n",
     "#endif\n",
     "            for (int i = 0; i < CORNERS; i++) {\n",
@@ -6268,11 +6287,15 @@ static const char *const ms_sss__shader_body[] = {
     "                }\n",
     "                float f = share;\n",
     "#if DEPTH\n",
-    "                float level = own.a;\n",
+    "                float dz = c.a - own.a;\n",
     "#if SHAPE\n",
-    "                level = own.a + bend * bend / own.a + dot(plane, float2(float(beside.x), float(beside.y)));\n",
+    "                float gain = dot(plane, float2(float(beside.x), float(beside.y)));\n",
+    "#if PERSPECTIVE\n",
+    "                gain = gain * c.a;\n",
     "#endif\n",
-    "                float dz = (c.a - level) * constant[at + 1].w;\n",
+    "                dz = dz - gain;\n",
+    "#endif\n",
+    "                dz = dz * constant[at + 1].w;\n",
     "                if (!(dz * dz < constant[at + 2].w)) {\n",
     "                    continue;\n",
     "                }\n",
@@ -6296,6 +6319,8 @@ static const char *const ms_sss__shader_body[] = {
     "#if SHAPE\n",
     "            float sine = 0.0;\n",
     "            if (abs(offset) > 1e-20) {\n",
+    "                float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n",
+    "                below = below - clamp(below, -grain, grain);\n",
     "                sine = clamp(below * facing / abs(offset), least, 1.0);\n",
     "            }\n",
     "            float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n",
@@ -6322,8 +6347,13 @@ static const char *const ms_sss__shader_body[] = {
     "#if WITH_STRENGTH\n",
     "    strength = strength * min(fetch_strength(p).r, 1.0);\n",
     "#endif\n",
-    "    result = constant[at + 1].rgb * result + constant[at + 2].rgb * unblurred;\n",
-    "    result = pick(unblurred, strength * result + (1.0 - strength) * unblurred, large);\n",
+    "    float3 delta = constant[at + 2].rgb;\n",
+    "    result = constant[at + 1].rgb * result;\n",
+    "    if (!large || strength < 1.0 || dot(abs(delta), float3(1.0, 1.0, 1.0)) > 0.0) {\n",
+    "        float3 light = unblurred(p);\n",
+    "        result = result + delta * light;\n",
+    "        result = pick(light, strength * result + (1.0 - strength) * light, large);\n",
+    "    }\n",
     "    return float4(result, 1.0);\n",
     "#else\n",
     "#if BOTH\n",
@@ -7179,12 +7209,17 @@ typedef struct MS_SSS__NAME(sum) {
     MS_SSS__V below;      /* sum of h f depth below the tangent plane */
 } MS_SSS__NAME(sum);
 
-/* One pixel beside a tap's position: h is its share (bilinear), f what its depth leaves of it, against the plane's there. */
-static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, const int shaped, ptrdiff_t at, MS_SSS__V plane, MS_SSS__V h,
+/* One pixel beside a tap's position: h is its share (bilinear), f what its depth leaves of it. gain: what the tangent plane's
+   depth gains up to there, in perspective of the depth there: with that, the distance along the normal is exact. */
+static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, const int shaped, ptrdiff_t at, MS_SSS__V z, MS_SSS__V gain, MS_SSS__V h,
                                               MS_SSS__NAME(sum) *s)
 {
-    MS_SSS__V dz = MS_SSS__SUB(MS_SSS__LOAD(p->depth + at), plane), q = MS_SSS__MUL(dz, dz), f;
-    MS_SSS__MASK near_by = MS_SSS__LESS(q, MS_SSS__SET(p->cut));
+    const MS_SSS__V there = MS_SSS__LOAD(p->depth + at);
+    MS_SSS__V dz = MS_SSS__SUB(there, z), q, f;
+    MS_SSS__MASK near_by;
+    if (shaped) dz = p->perspective ? MS_SSS__LESSEN(gain, there, dz) : MS_SSS__SUB(dz, gain);
+    q = MS_SSS__MUL(dz, dz);
+    near_by = MS_SSS__LESS(q, MS_SSS__SET(p->cut));
     if (!MS_SSS__BITS(near_by)) return;
     if (p->follow) f = MS_SSS__SUB(MS_SSS__SET(1.0f), MS_SSS__ABS(dz));
     else if (p->exact) f = MS_SSS__NAME(exp2_minus)(q);
@@ -7199,6 +7234,12 @@ static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, const int s
     s->b = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[2] + at), s->b);
     s->n = MS_SSS__ADD(s->n, f);
     if (shaped) s->below = MS_SSS__MADD(f, MS_SSS__SELECT(near_by, dz, MS_SSS__SET(0.0f)), s->below);
+}
+
+/* What of a depth is more than rounding. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(beyond)(MS_SSS__V depth, MS_SSS__V grain)
+{
+    return MS_SSS__SUB(depth, MS_SSS__MAX(MS_SSS__MIN(depth, grain), MS_SSS__SUB(MS_SSS__SET(0.0f), grain)));
 }
 
 /* (1 + K sin(theta) / 4)^4 */
@@ -7219,8 +7260,8 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(ray)(const ms_sss__pass *p, int x)
 }
 
 /* For pixels whose kernel has `size` pixels a mm and whose surface has slopes sx, sy: out[0], pixels a mm of the tangent plane
-   along (dx, dy); out[1], depth that the plane gains a pixel there; out[2], cosine of the normal to the ray, in mm of dz 1. */
-static MS_SSS__INLINE void MS_SSS__NAME(tangent)(const ms_sss__pass *p, MS_SSS__V dx, MS_SSS__V dy, int x, int y, MS_SSS__V z, MS_SSS__V size,
+   along (dx, dy); out[1], depth that the plane gains a pixel there, in perspective relative to the depth there; out[2], cosine of the normal to the ray, in mm of dz 1. */
+static MS_SSS__INLINE void MS_SSS__NAME(tangent)(const ms_sss__pass *p, MS_SSS__V dx, MS_SSS__V dy, int x, int y, MS_SSS__V size,
                                                  MS_SSS__V sx, MS_SSS__V sy, MS_SSS__V out[3])
 {
     const MS_SSS__V one = MS_SSS__SET(1.0f), rx = MS_SSS__NAME(ray)(p, x), ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
@@ -7229,7 +7270,6 @@ static MS_SSS__INLINE void MS_SSS__NAME(tangent)(const ms_sss__pass *p, MS_SSS__
     square = MS_SSS__MADD(along, MS_SSS__MADD(along, square, MS_SSS__ADD(ray, ray)), one);
     out[0] = MS_SSS__DIV(size, MS_SSS__SQRT(square));
     out[1] = MS_SSS__MADD(dx, MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0])), MS_SSS__MUL(dy, MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]))));
-    if (p->perspective) out[1] = MS_SSS__MUL(out[1], z);
     axis = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, one));
     square = MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(axis, axis)));
     out[2] = MS_SSS__DIV(MS_SSS__SET(p->unit), MS_SSS__SQRT(square));
@@ -7248,7 +7288,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
         MS_SSS__V z = MS_SSS__LOAD(p->depth + row + x), size, dx = one, dy = one;
         MS_SSS__V own_r, own_g, own_b, r, g, b, nr, ng, nb;
         MS_SSS__V mr, mg, mb; /* as nr, ng, nb, lifted */
-        MS_SSS__V plane = zero, plane_x = zero, plane_y = zero, facing = zero, rise = zero; /* plane: a column, a row; rise: a mm of the taps */
+        MS_SSS__V plane = zero, plane_x = zero, plane_y = zero, facing = zero, grain = zero; /* plane: a column, a row */
         MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)), large;
         unsigned pending;
         if (!MS_SSS__BITS(part)) {
@@ -7285,18 +7325,17 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
             if (axes == 3) {
                 const MS_SSS__V sx = MS_SSS__LOAD(p->slope[0] + row + x), sy = MS_SSS__LOAD(p->slope[1] + row + x);
                 MS_SSS__V own[3];
-                plane_x = MS_SSS__MUL(MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0])), p->perspective ? z : one);
-                plane_y = MS_SSS__MUL(MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1])), p->perspective ? z : one);
-                MS_SSS__NAME(tangent)(p, dx, dy, x, y, z, size, sx, sy, own);
+                plane_x = MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0]));
+                plane_y = MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]));
+                MS_SSS__NAME(tangent)(p, dx, dy, x, y, size, sx, sy, own);
                 size = own[0];
-                plane = own[1];
                 facing = own[2];
             } else {
                 size = MS_SSS__LOAD(p->own[0] + x);
                 plane = MS_SSS__LOAD(p->own[1] + x);
                 facing = MS_SSS__LOAD(p->own[2] + x);
             }
-            rise = MS_SSS__MUL(plane, MS_SSS__MUL(size, MS_SSS__SET(axes < 3 ? p->aspect[axes - 1] : 1.0f)));
+            grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
         }
         dx = MS_SSS__MUL(MS_SSS__MUL(dx, size), MS_SSS__SET(p->aspect[0]));
         dy = MS_SSS__MUL(MS_SSS__MUL(dy, size), MS_SSS__SET(p->aspect[1]));
@@ -7328,22 +7367,17 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
                 h1 = MS_SSS__SELECT(same, tx, zero);
                 h0 = MS_SSS__SELECT(same, MS_SSS__SUB(one, tx), zero);
 #endif
-                MS_SSS__V z0 = z, z1 = z; /* of the plane, in perspective to the second order */
-                if (shaped) {
-                    z0 = MS_SSS__MUL(o, rise);
-                    z0 = MS_SSS__ADD(z, p->perspective ? MS_SSS__DIV(MS_SSS__MUL(z0, z0), z) : zero);
-                    z1 = z0;
-                }
+                MS_SSS__V gain = zero, next = zero;
                 if (shaped && axes < 3) {
-                    z0 = MS_SSS__MADD(MS_SSS__SET((float)i), plane, z0);
-                    z1 = MS_SSS__ADD(z0, plane);
+                    gain = MS_SSS__MUL(MS_SSS__SET((float)i), plane);
+                    next = MS_SSS__ADD(gain, plane);
                 }
                 if (axes == 1) {
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i), z0, h0, &s);
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i + 1), z1, h1, &s);
+                    MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i), z, gain, h0, &s);
+                    MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i + 1), z, next, h1, &s);
                 } else if (axes == 2) {
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y, i, x), z0, h0, &s);
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y, i + 1, x), z1, h1, &s);
+                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y, i, x), z, gain, h0, &s);
+                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y, i + 1, x), z, next, h1, &s);
                 } else {
                     const ptrdiff_t c0 = ms_sss__column(p, x + i), c1 = ms_sss__column(p, x + i + 1);
                     const int j = (int)at_y[lane];
@@ -7353,8 +7387,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
                     for (corner = 0; corner < 4; ++corner) {
                         const int right = corner % 2, below = corner / 2;
                         const MS_SSS__V h = MS_SSS__MUL(right ? h1 : h0, below ? ty : MS_SSS__SUB(one, ty));
-                        if (shaped) z1 = MS_SSS__MADD(MS_SSS__SET((float)(i + right)), plane_x, MS_SSS__MADD(MS_SSS__SET((float)(j + below)), plane_y, z0));
-                        MS_SSS__NAME(read)(p, shaped, (below ? r1 : r0) + (right ? c1 : c0), z1, h, &s);
+                        if (shaped) gain = MS_SSS__MADD(MS_SSS__SET((float)(i + right)), plane_x, MS_SSS__MUL(MS_SSS__SET((float)(j + below)), plane_y));
+                        MS_SSS__NAME(read)(p, shaped, (below ? r1 : r0) + (right ? c1 : c0), z, gain, h, &s);
                     }
                 }
             } while (left);
@@ -7366,7 +7400,10 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int a
             nb = MS_SSS__MADD(wb, s.n, nb);
             if (shaped) {
                 const float distance = fabsf(p->offset_mm[k]);
-                MS_SSS__V sine = MS_SSS__MUL(s.below, MS_SSS__MUL(facing, MS_SSS__SET(distance > 1e-20f ? 1 / distance : 0.0f)));
+                MS_SSS__V away = axes == 1 ? MS_SSS__ABS(MS_SSS__MUL(o, dx)) : MS_SSS__ABS(MS_SSS__MUL(o, dy)), sine;
+                if (axes == 3) away = MS_SSS__ADD(away, MS_SSS__ABS(MS_SSS__MUL(o, dx)));
+                sine = MS_SSS__NAME(beyond)(s.below, MS_SSS__MADD(grain, away, MS_SSS__ADD(grain, grain)));
+                sine = MS_SSS__MUL(sine, MS_SSS__MUL(facing, MS_SSS__SET(distance > 1e-20f ? 1 / distance : 0.0f)));
                 sine = MS_SSS__MAX(MS_SSS__MIN(sine, one), MS_SSS__SET(p->least));
                 wr = MS_SSS__MUL(wr, MS_SSS__NAME(lift)(p, 0, sine));
                 wg = MS_SSS__MUL(wg, MS_SSS__NAME(lift)(p, 1, sine));
@@ -7411,31 +7448,51 @@ MS_SSS__TAPS(shaped_turned, 3, 1)
 #undef MS_SSS__TAPS
 
 /* The slope of two one-sided ones that count where their step in depth is under the kernel's radius: their mean where the
-   surface turns little between them, else the smaller, so that none is taken across an edge or a crease. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float focal, MS_SSS__V before, MS_SSS__V z, MS_SSS__V after)
+   surface turns little between them, else the smaller, so that none is taken across an edge or a crease. Towards an outline
+   depth goes as the root of the distance to it: by what a step exceeds the next one inwards, more than rounding can, its slope
+   is the steeper (circles seen edge on; planes stay). Five depths, z in the middle. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float focal, const MS_SSS__V at[5])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f), reach = MS_SSS__SET(p->reach), f = MS_SSS__SET(focal), limit = MS_SSS__SET(8.0f);
-    const MS_SSS__V da = MS_SSS__SUB(z, before), db = MS_SSS__SUB(after, z);
+    const MS_SSS__V one = MS_SSS__SET(1.0f), z = at[2], da = MS_SSS__SUB(z, at[1]), db = MS_SSS__SUB(at[3], z);
     const MS_SSS__MASK on_a = MS_SSS__LESS(MS_SSS__MUL(da, da), reach), on_b = MS_SSS__LESS(MS_SSS__MUL(db, db), reach);
-    MS_SSS__V a = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(da, before) : da), b = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(db, after) : db);
-    MS_SSS__V mean, less, s;
+    MS_SSS__V a = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(da, at[1]) : da), b = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(db, at[3]) : db);
+    MS_SSS__V s;
+    MS_SSS__MASK even;
     a = MS_SSS__SELECT(on_a, a, MS_SSS__SELECT(on_b, b, zero));
     b = MS_SSS__SELECT(on_b, b, a);
-    mean = MS_SSS__MUL(half, MS_SSS__ADD(a, b));
-    less = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), a, MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a)), b, mean));
-    s = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MUL(half, MS_SSS__MADD(a, b, MS_SSS__SET(1.0f)))), mean, less);
+    s = MS_SSS__MUL(half, MS_SSS__ADD(a, b));
+    even = MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MUL(half, MS_SSS__MADD(a, b, one)));
+    even = MS_SSS__BOTH(even, MS_SSS__BOTH(on_a, on_b));
+    if (MS_SSS__BITS(even) != ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES)) {
+        const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
+        const MS_SSS__V is_a = MS_SSS__SELECT(on_b, MS_SSS__SELECT(first_a, one, zero), one), less = MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, s));
+        const MS_SSS__MASK before = MS_SSS__LESS(half, is_a);
+        const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), far = MS_SSS__SELECT(before, at[0], at[4]);
+        MS_SSS__V step = MS_SSS__SUB(z, next), inner = MS_SSS__SUB(next, far), least = MS_SSS__MUL(z, MS_SSS__SET(2 * p->grain)), more, excess;
+        if (p->perspective) { /* of 1 / depth, which is linear on planes */
+            step = MS_SSS__MUL(step, far);
+            inner = MS_SSS__MUL(inner, z);
+            least = MS_SSS__MUL(least, z);
+        }
+        excess = MS_SSS__SUB(MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner)), least);
+        more = MS_SSS__MIN(MS_SSS__DIV(excess, MS_SSS__ABS(inner)), MS_SSS__SET(0.85f));
+        more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(step, inner))), more, zero);
+        more = MS_SSS__MUL(more, MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
+        s = MS_SSS__SELECT(even, s, MS_SSS__MADD(less, more, less));
+    }
     return MS_SSS__MIN(MS_SSS__MAX(s, MS_SSS__SUB(zero, limit)), limit);
 }
 
-/* Slopes of row y, columns [begin, end), from the depths of rows y - 1, y and y + 1, or from normals. */
-static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[3], const float *const normal[3], int y, int begin, int end,
+/* Slopes of row y, columns [begin, end), from the depths of rows y - 2 to y + 2, or from normals. */
+static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y, int begin, int end,
                                 float *const slope[2])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
     const MS_SSS__V ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
     int x;
     for (x = begin; x < end; x += MS_SSS__LANES) {
-        const MS_SSS__V z = MS_SSS__LOAD(depth[1] + x), rx = MS_SSS__NAME(ray)(p, x);
+        const MS_SSS__V z = MS_SSS__LOAD(depth[2] + x), rx = MS_SSS__NAME(ray)(p, x);
         const MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
         MS_SSS__V sx, sy, k;
         if (normal) {
@@ -7448,8 +7505,14 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
             sx = MS_SSS__MUL(k, a);
             sy = MS_SSS__MUL(k, b);
         } else {
-            sx = MS_SSS__NAME(slope)(p, p->focal[0], MS_SSS__LOAD(depth[1] + x - 1), z, MS_SSS__LOAD(depth[1] + x + 1));
-            sy = MS_SSS__NAME(slope)(p, p->focal[1], MS_SSS__LOAD(depth[0] + x), z, MS_SSS__LOAD(depth[2] + x));
+            MS_SSS__V across[5], down[5];
+            int i;
+            for (i = 0; i < 5; ++i) {
+                across[i] = MS_SSS__LOAD(depth[2] + x + i - 2);
+                down[i] = MS_SSS__LOAD(depth[i] + x);
+            }
+            sx = MS_SSS__NAME(slope)(p, p->focal[0], across);
+            sy = MS_SSS__NAME(slope)(p, p->focal[1], down);
         }
         sx = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sx), infinity)), MS_SSS__MUL(sx, MS_SSS__SET(p->upright)), zero);
         sy = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sy), infinity)), MS_SSS__MUL(sy, MS_SSS__SET(p->upright)), zero);
@@ -7468,7 +7531,7 @@ static void MS_SSS__NAME(tangents)(const ms_sss__pass *p, const float *depth, co
         const MS_SSS__V z = MS_SSS__MIN(MS_SSS__LOAD(depth + x), MS_SSS__SET(MS_SSS__AWAY));
         MS_SSS__V size = MS_SSS__SET(p->size), own[3];
         if (p->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(p->size_max));
-        MS_SSS__NAME(tangent)(p, axis ? zero : one, axis ? one : zero, x, y, z, size, MS_SSS__LOAD(slope[0] + x), MS_SSS__LOAD(slope[1] + x), own);
+        MS_SSS__NAME(tangent)(p, axis ? zero : one, axis ? one : zero, x, y, size, MS_SSS__LOAD(slope[0] + x), MS_SSS__LOAD(slope[1] + x), own);
         MS_SSS__STORE(out[0] + x, own[0]);
         MS_SSS__STORE(out[1] + x, own[1]);
         MS_SSS__STORE(out[2] + x, own[2]);
@@ -7567,7 +7630,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
     for (g = 0; g < n; ++g) {
         const unsigned char *whole = plan + g * s->plan_size;
         MS_SSS__NAME(place) here = l;
-        MS_SSS__V z, size, rise = zero, facing = zero, inverse = zero;
+        MS_SSS__V z, size, rise = zero, facing = zero, grain = zero;
         if (whole[0] != (odd ? MS_SSS__ODDLY : MS_SSS__EVENLY)) continue;
         here.from += g * step;
         here.at += g * step;
@@ -7576,7 +7639,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
             size = MS_SSS__LOAD(own[0] + g * MS_SSS__LANES);
             rise = MS_SSS__LOAD(own[1] + g * MS_SSS__LANES);
             facing = MS_SSS__LOAD(own[2] + g * MS_SSS__LANES);
-            if (p->perspective) inverse = MS_SSS__DIV(one, z);
+            grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
         } else {
             size = MS_SSS__SET(p->size);
             if (p->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(p->size_max));
@@ -7585,7 +7648,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
         for (k = 0; k < pairs; ++k) {
             const int i = whole[k + 1];
             const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[axis][k])), base = MS_SSS__SET((float)i), r = MS_SSS__SUB(t, base);
-            MS_SSS__V share[3], middle = z;
+            const MS_SSS__V start = MS_SSS__MUL(rise, base), least = MS_SSS__MADD(grain, t, MS_SSS__ADD(grain, grain));
+            MS_SSS__V share[3];
             if (odd) {
                 share[0] = MS_SSS__MAX(MS_SSS__SUB(one, r), zero);
                 share[2] = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
@@ -7594,28 +7658,26 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
                 share[0] = MS_SSS__SUB(one, r);
                 share[1] = share[2] = r;
             }
-            if (shaped && p->perspective) {
-                const MS_SSS__V bend = MS_SSS__MUL(rise, t);
-                middle = MS_SSS__MADD(MS_SSS__MUL(bend, bend), inverse, z);
-            }
             MS_SSS__UNROLL
             for (side = 0; side < 2; ++side) {
-                MS_SSS__V below = zero, all = zero, plane = middle;
-                if (shaped) plane = side ? MS_SSS__LESSEN(rise, base, middle) : MS_SSS__MADD(rise, base, middle);
+                MS_SSS__V below = zero, all = zero, gain = side ? MS_SSS__SUB(zero, start) : start;
                 MS_SSS__UNROLL
                 for (j = 0; j < each; ++j) {
                     const float *at = MS_SSS__NAME(there)(axis, &here, side ? -i - j : i + j);
-                    const MS_SSS__V dz = MS_SSS__SUB(MS_SSS__LOAD(at + 3 * l.plane), plane), f = MS_SSS__MUL(share[j], MS_SSS__NAME(falloff)(dz));
+                    const MS_SSS__V there = MS_SSS__LOAD(at + 3 * l.plane);
+                    MS_SSS__V dz = MS_SSS__SUB(there, z), f;
+                    if (shaped) dz = p->perspective ? MS_SSS__LESSEN(gain, there, dz) : MS_SSS__SUB(dz, gain);
+                    f = MS_SSS__MUL(share[j], MS_SSS__NAME(falloff)(dz));
                     h[g][k][3 * side + j] = f;
                     all = j ? MS_SSS__ADD(all, f) : f;
                     if (shaped) {
                         below = j ? MS_SSS__MADD(f, dz, below) : MS_SSS__MUL(f, dz);
-                        if (j + 1 < each) plane = side ? MS_SSS__SUB(plane, rise) : MS_SSS__ADD(plane, rise);
+                        if (j + 1 < each) gain = side ? MS_SSS__SUB(gain, rise) : MS_SSS__ADD(gain, rise);
                     }
                 }
                 sum[g][k][side] = all;
                 if (shaped)
-                    sine[g][k][side] = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(below, MS_SSS__MUL(facing, MS_SSS__LOAD(s->nearness[k]))), one), MS_SSS__SET(p->least));
+                    sine[g][k][side] = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(MS_SSS__NAME(beyond)(below, least), MS_SSS__MUL(facing, MS_SSS__LOAD(s->nearness[k]))), one), MS_SSS__SET(p->least));
             }
         }
     }
