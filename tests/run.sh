@@ -151,6 +151,8 @@ test_group() {
     test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS" "" ""
     test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" ""
     ! have clang || test_jobs "clang_" clang "-std=c99 $CFLAGS" "" ""
+    # as many programs are built: products and sums in one instruction wherever the compiler likes
+    ! grep -q -w fma /proc/cpuinfo 2>/dev/null || test_jobs "fma_" "$CC" "-std=gnu11 $CFLAGS -march=haswell -ffp-contract=fast" "" ""
     job alone "sh tests/alone.sh $out/alone"
     for t in tests/pkg_*.c; do
         [ -f "$t" ] || continue
