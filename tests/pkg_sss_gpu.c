@@ -170,7 +170,7 @@ static double difference(void)
     for (i = 0; i < PIXELS; ++i) {
         for (c = 0; c < 3; ++c) {
             double e = fabs((double)drawn[4 * i + c] - (double)output[4 * i + c]);
-            if (!ms__finite_f(light[4 * i + c])) continue; /* NaN and infinity come back as they may */
+            if (!isfinite(light[4 * i + c])) continue; /* NaN and infinity come back as they may */
             if (!(e <= worst)) worst = e == e ? e : 1e9;
         }
     }

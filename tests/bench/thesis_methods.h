@@ -116,7 +116,7 @@ static int thesis__spend(thesis__run *run, double cost)
 /* Every value goes through here: NaN becomes infinity, the best point is kept, the target is looked for. */
 static double thesis__seen(thesis__run *run, const double *x, double f)
 {
-    if (!ms__finite(f)) return THESIS__INF;
+    if (!isfinite(f)) return THESIS__INF;
     if (f < run->best_value) {
         run->best_value = f;
         thesis__copy(run->best, x, run->n);
@@ -170,7 +170,7 @@ static double thesis__value(thesis__run *run, const double *x)
 /* The step of a difference in x_j and whether it may be central; inside the box unless there is a barrier. */
 static double thesis__difference_step(const thesis__run *run, double x, int j, int central, double *back)
 {
-    double range = run->upper[j] - run->lower[j], scale = ms__finite(range) ? range : 1;
+    double range = run->upper[j] - run->lower[j], scale = isfinite(range) ? range : 1;
     double h = run->options->difference_step;
     if (!(h > 0)) h = (central ? 6.1e-6 : 1.5e-8) * thesis__max(fabs(x), 1e-2 * scale); /* eps^(1/3), eps^(1/2) */
     if (!(h > 1e-15 * fabs(x))) h = 1e-15 * fabs(x) + DBL_MIN;
@@ -205,7 +205,7 @@ static double thesis__linearize(thesis__run *run, const double *x)
         return thesis__seen(run, x, thesis__sum_of_squares(run->residual, run->m));
     }
     f = thesis__value_to(run, x, run->residual);
-    if (!ms__finite(f)) return f;
+    if (!isfinite(f)) return f;
     for (j = 0; j < n; ++j) {
         double back, h = thesis__difference_step(run, x[j], j, 0, &back), *moved = run->scratch;
         thesis__copy(moved, x, n);
@@ -243,7 +243,7 @@ static double thesis__gradient(thesis__run *run, const double *x, double *g)
         size_t i;
         f = thesis__linearize(run, x);
         for (j = 0; j < n; ++j) g[j] = 0;
-        if (!ms__finite(f)) return f;
+        if (!isfinite(f)) return f;
         for (i = 0; i < run->m; ++i)
             for (j = 0; j < n; ++j) g[j] += 2 * run->residual[i] * run->jacobian[i * (size_t)n + (size_t)j];
     } else {
@@ -263,7 +263,7 @@ static double thesis__gradient(thesis__run *run, const double *x, double *g)
         }
     }
     for (j = 0; j < n; ++j)
-        if (!ms__finite(g[j])) {
+        if (!isfinite(g[j])) {
             if (!run->barrier) return THESIS__INF;
             g[j] = 0; /* a difference over the barrier: the direction is lost, as it was for the thesis */
         }
@@ -390,7 +390,7 @@ static double thesis__line_search(thesis__run *run, const thesis__point *p, cons
         }
         q->f = thesis__gradient(run, q->x, q->g);
         s = thesis__dot(q->g, d, n);
-        if (!(q->f <= p->f + 1e-4 * t * slope) || (bracketed && q->f >= f_low) || !ms__finite(q->f)) {
+        if (!(q->f <= p->f + 1e-4 * t * slope) || (bracketed && q->f >= f_low) || !isfinite(q->f)) {
             high = t; f_high = q->f; slope_high = s;
             bracketed = 1;
         } else {
@@ -402,7 +402,7 @@ static double thesis__line_search(thesis__run *run, const thesis__point *p, cons
             t = 4 * t < longest ? 4 * t : longest;
         } else { /* minimum of the cubic through both ends, well inside; the middle where that fails */
             double width = high - low, theta, radical, next = low + 0.5 * width;
-            if (ms__finite(f_high) && width != 0) {
+            if (isfinite(f_high) && width != 0) {
                 theta = 3 * (f_low - f_high) / width + slope_low + slope_high;
                 radical = theta * theta - slope_low * slope_high;
                 if (radical >= 0) {
@@ -412,7 +412,7 @@ static double thesis__line_search(thesis__run *run, const thesis__point *p, cons
             } else if (width != 0) {
                 next = low + 0.1 * width;
             }
-            t = (next - low) / width > 0.05 && (next - low) / width < 0.95 ? next : low + (ms__finite(f_high) ? 0.5 : 0.1) * width;
+            t = (next - low) / width > 0.05 && (next - low) / width < 0.95 ? next : low + (isfinite(f_high) ? 0.5 : 0.1) * width;
             if (fabs(width) <= 1e-15 * (fabs(low) + fabs(high))) break;
         }
     }
@@ -540,7 +540,7 @@ static double thesis__gradient_method(thesis__run *run, double *x, int method, d
     work = q.g + n;
     thesis__copy(p.x, x, n);
     p.f = thesis__gradient(run, p.x, p.g);
-    while (!run->stopped && ms__finite(p.f)) {
+    while (!run->stopped && isfinite(p.f)) {
         double step, longest, slope, steep = 0, first = 1, sy = 0, size = 0, moved = 0;
         run->result.projected_gradient = thesis__projected_gradient(run, p.x, p.g);
         if (!(run->result.projected_gradient > 0)) break;
@@ -585,7 +585,7 @@ static double thesis__gradient_method(thesis__run *run, double *x, int method, d
             double reach = 0;
             for (j = 0; j < n; ++j) {
                 double range = run->upper[j] - run->lower[j];
-                reach = thesis__max(reach, fabs(d[j]) / (ms__finite(range) && range > 0 ? range : thesis__max(fabs(p.x[j]), 1)));
+                reach = thesis__max(reach, fabs(d[j]) / (isfinite(range) && range > 0 ? range : thesis__max(fabs(p.x[j]), 1)));
             }
             first = reach > 0 ? 0.01 / reach : 1;
         } else if (method == THESIS_CONJUGATE_GRADIENT) {
@@ -658,7 +658,7 @@ static double thesis__nelder_mead(thesis__run *run, double *x, int barrier, doub
                 if (barrier) {
                     *c = *c != 0 ? 1.05 * *c : 0.00025;
                 } else {
-                    double h = edge * (ms__finite(range) ? range : thesis__max(fabs(*c), 1));
+                    double h = edge * (isfinite(range) ? range : thesis__max(fabs(*c), 1));
                     *c = *c + h <= run->upper[i - 1] ? *c + h : thesis__max(*c - h, run->lower[i - 1]);
                 }
             }
@@ -768,12 +768,12 @@ static ms_status thesis_minimize(const ms_pme_function *function, const thesis_o
     }
     if (options->method <= THESIS_NELDER_MEAD_BARRIER) thesis__nelder_mead(&run, start, options->method == THESIS_NELDER_MEAD_BARRIER, start + n);
     else thesis__gradient_method(&run, start, options->method, start + n);
-    if (run.status == MS_OK && ms__finite(run.best_value)) {
+    if (run.status == MS_OK && isfinite(run.best_value)) {
         run.result.value = run.best_value;
         thesis__copy(x, run.best, n);
         if (result) *result = run.result;
     }
     free(block);
-    return run.status != MS_OK ? run.status : ms__finite(run.best_value) ? MS_OK : MS_INVALID_ARGUMENT;
+    return run.status != MS_OK ? run.status : isfinite(run.best_value) ? MS_OK : MS_INVALID_ARGUMENT;
 }
 #endif
