@@ -666,6 +666,7 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
    Nelder-Mead | basin hopping | public: minimize | match: objectives | match: stages | public: match | public: sensitivity */
 
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #ifndef MS_PME_NO_CLOCK
 #if defined(__unix__) || defined(__APPLE__)
@@ -679,6 +680,7 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
 #define MS_PME__INF ((double)HUGE_VAL)
 #define MS_PME__MEMORY 8 /* pairs that L-BFGS keeps */
 #define MS_PME__VARIABLES (MS_PME_PARAMETERS_MAX + 2 * MS_PME_CHANNELS_MAX)
+#define MS_PME__FIELD 16 /* first guesses that are kept at most */
 #define MS_PME__ROWS 32  /* rows of the Jacobian that one QR update takes: they stay in the cache */
 
 static double ms_pme__dot(const double *a, const double *b, int n)
@@ -1164,24 +1166,26 @@ static void ms_pme__bounded_least_squares(double *a, int n, const double *low, c
 
 /* ---- Levenberg-Marquardt --------------------------------------------------------------------------------------------- */
 
-/* One descent, which may rest and go on: where it stands, and R and Q'(-r) there. */
+/* One descent, which may rest and go on. Derivatives are taken when it takes its next step: several walks share them. */
 typedef struct ms_pme__walk {
     double f, lambda, grow;
+    double known;     /* f, where run->residual_step still holds the residuals at x; else infinite */
     int done;         /* nothing left to gain, or nothing finite */
-    double *x, *g;    /* [n] the last accepted point, its gradient */
-    double *scale;    /* [n] */
-    double *triangle; /* [n + 1][n + 1] */
+    double *x, *scale; /* [n] the last accepted point; the trust region's */
+    double *g;        /* [n] gradient */
+    double *triangle; /* [n + 1][n + 1] R and Q'(-r) */
 } ms_pme__walk;
 
 static int ms_pme__walk_size(int n) { return 3 * n + (n + 1) * (n + 1); }
 
-static void ms_pme__walk_place(ms_pme__walk *walk, double *memory, int n)
+/* points: x and scale, 2 n doubles; null: where derivatives are not in the same block. */
+static void ms_pme__walk_place(ms_pme__walk *walk, double *memory, double *points, int n)
 {
     memset(walk, 0, sizeof *walk);
-    walk->x = memory;
-    walk->g = walk->x + n;
-    walk->scale = walk->g + n;
-    walk->triangle = walk->scale + n;
+    walk->triangle = memory;
+    walk->g = memory + (n + 1) * (n + 1);
+    walk->x = points != NULL ? points : walk->g + n;
+    walk->scale = walk->x + n;
 }
 
 static double ms_pme__column_norm(const ms_pme__walk *walk, int n, int j)
@@ -1216,12 +1220,13 @@ static void ms_pme__factor(ms_pme__run *run, ms_pme__walk *walk)
 
 /* Takes the derivatives at walk->x: factor, and the trust region's scale. That is the largest column norms so far (More 1978); for
    pictures, whose parameters all have a range, the norms of now, none below 0.3 of the largest (both for a step across the
-   box): what hardly changes the picture does not run off to its bounds. known: f there, or infinity. */
-static void ms_pme__arrive(ms_pme__run *run, ms_pme__walk *walk, double known)
+   box): what hardly changes the picture does not run off to its bounds. */
+static void ms_pme__arrive(ms_pme__run *run, ms_pme__walk *walk)
 {
     int n = run->n, j;
     double largest = 0, angle = 0; /* angle: largest cosine between the residual and a column that may move */
-    walk->f = ms_pme__linearize(run, walk->x, known);
+    walk->f = ms_pme__linearize(run, walk->x, walk->known);
+    walk->known = MS_PME__INF;
     if (!ms__finite(walk->f)) {
         walk->done = 1;
         return;
@@ -1239,15 +1244,15 @@ static void ms_pme__arrive(ms_pme__run *run, ms_pme__walk *walk, double known)
     if (!(walk->f > 0) || angle <= 1e-14) walk->done = 1;
 }
 
-static void ms_pme__set_out(ms_pme__run *run, ms_pme__walk *walk, const double *x)
+static void ms_pme__set_out(ms_pme__walk *walk, const double *x, int n)
 {
     int j;
-    ms_pme__copy(walk->x, x, run->n);
-    for (j = 0; j < run->n; ++j) walk->scale[j] = 0;
+    ms_pme__copy(walk->x, x, n);
+    for (j = 0; j < n; ++j) walk->scale[j] = 0;
     walk->lambda = 1e-3;
     walk->grow = 2;
     walk->done = 0;
-    ms_pme__arrive(run, walk, MS_PME__INF);
+    walk->f = walk->known = MS_PME__INF;
 }
 
 /* [R; sqrt(lambda) D] as a triangle with its right-hand side, by rotations of each row of D into R. */
@@ -1279,13 +1284,14 @@ static double ms_pme__predicted_decrease(const ms_pme__walk *walk, int n, const 
     return sum;
 }
 
-/* Trials until one is accepted, the walk is done or the run has stopped: the damped problem in the box, solved exactly; damping
-   by the ratio of actual to predicted decrease (Nielsen 1999). run->jacobian must be the walk's. */
+/* Derivatives, then trials until one is accepted, the walk is done or the run has stopped: the damped problem in the box, solved
+   exactly; damping by the ratio of actual to predicted decrease (Nielsen 1999). */
 static void ms_pme__step(ms_pme__run *run, ms_pme__walk *walk, double *memory)
 {
     int n = run->n, j, state[MS_PME__VARIABLES], order[MS_PME__VARIABLES];
     double *trial = memory, *d = trial + n, *low = d + n, *high = low + n, *z = high + n, *row = z + 2 * n, *a = row + n + 1;
     double *x = walk->x;
+    ms_pme__arrive(run, walk);
     while (!walk->done && !run->stopped) {
         double predicted, f, t, step = 0, size = 0;
         ms_pme__damp(walk, n, a, row);
@@ -1309,17 +1315,14 @@ static void ms_pme__step(ms_pme__run *run, ms_pme__walk *walk, double *memory)
         }
         f = ms_pme__value_to(run, trial, run->residual_step);
         if (ms__finite(f) && walk->f - f > 1e-4 * predicted) {
-            int done = (walk->f - f <= run->tolerance * walk->f && predicted <= run->tolerance * walk->f) ||
-                       step <= run->tolerance * run->tolerance * size;
+            walk->done = (walk->f - f <= run->tolerance * walk->f && predicted <= run->tolerance * walk->f) ||
+                         step <= run->tolerance * run->tolerance * size;
             t = 2 * (walk->f - f) / predicted - 1;
             walk->lambda = ms_pme__max(walk->lambda * ms_pme__max(0.1, 1 - t * t * t), 1e-16);
             walk->grow = 2;
             ms_pme__copy(x, trial, n);
             run->result.iterations++;
-            walk->f = f;
-            if (run->stopped) break;
-            ms_pme__arrive(run, walk, f);
-            walk->done |= done;
+            walk->f = walk->known = f;
             break;
         }
         walk->lambda *= walk->grow;
@@ -1328,8 +1331,6 @@ static void ms_pme__step(ms_pme__run *run, ms_pme__walk *walk, double *memory)
 }
 
 /* ---- restarts ---------------------------------------------------------------------------------------------------------- */
-
-#define MS_PME__FIELD 16 /* first guesses that are kept at most */
 
 /* Uniform in the box; a side without a bound reaches max(|x|, 1) beyond x. */
 static void ms_pme__random_point(ms_pme__run *run, const double *near_x, double *x)
@@ -1343,31 +1344,52 @@ static void ms_pme__random_point(ms_pme__run *run, const double *near_x, double 
     }
 }
 
-/* Levenberg-Marquardt from starts [count][n], the best first. While cost is left, `restarts` further runs: from the other starts, then
-   from random points, every second one from around the best; roughly at first, to the end where that leads further. */
+/* Up to `steps` steps of a walk. */
+static void ms_pme__advance(ms_pme__run *run, ms_pme__walk *walk, int steps, double *memory)
+{
+    while (steps-- > 0 && !walk->done && !run->stopped) ms_pme__step(run, walk, memory);
+    walk->known = MS_PME__INF; /* another one may come between */
+}
+
+/* Levenberg-Marquardt from starts [count][n], the best first, of which `restarts` + 1 may be used. Which minimum is the least shows after
+   some steps, hardly before: as many set out as a fifth of the steps that the budget has, the better third of them goes on, and
+   the best of those to its end (successive halving). While cost is left: the others roughly, and to the end where they lead further;
+   random points, every second one from around the best. */
 static void ms_pme__descend(ms_pme__run *run, const double *starts, int count, int restarts, double *memory)
 {
-    ms_pme__walk walk;
-    int n = run->n, i, j, next = 0;
-    double *scratch = memory + ms_pme__walk_size(n), tolerance = run->tolerance;
-    ms_pme__walk_place(&walk, memory, n);
+    ms_pme__walk walks[MS_PME__FIELD], walk;
+    int n = run->n, i, j, field, alive;
+    double *scratch = memory + ms_pme__walk_size(n) - 2 * n + 2 * n * MS_PME__FIELD, tolerance = run->tolerance;
+    double steps = (run->max_cost - run->result.cost) / (1 + (run->function->residuals_only ? n : run->jacobian_cost));
+    field = restarts < count ? restarts + 1 : count;
+    for (i = 0; i < field; ++i) {
+        ms_pme__walk_place(&walks[i], memory, memory + ms_pme__walk_size(n) - 2 * n + 2 * n * i, n);
+        ms_pme__set_out(&walks[i], starts + (size_t)i * (size_t)n, n);
+    }
+    for (alive = steps / 5 < field ? (int)(steps / 5) : field; alive > 1; alive = alive > 3 ? (alive + 2) / 3 : 1) {
+        for (i = 0; i < alive; ++i) ms_pme__advance(run, &walks[i], 3, scratch);
+        for (i = 1; i < alive; ++i)
+            for (j = i; j > 0 && walks[j].f < walks[j - 1].f; --j) {
+                walk = walks[j];
+                walks[j] = walks[j - 1];
+                walks[j - 1] = walk;
+            }
+    }
     for (i = 0; i <= restarts && !run->stopped; ++i) {
         double best = run->best_value;
+        ms_pme__walk *next = &walks[i < field ? i : field - 1];
         if (i > 0) run->tolerance = ms_pme__max(tolerance, 1e-3);
-        if (i > 0 && i % 2 == 0 && run->ranged) {
-            for (j = 0; j < n; ++j)
+        if (i >= field) {
+            if (i % 2 != 0 || !run->ranged) ms_pme__random_point(run, run->best, scratch);
+            for (j = 0; j < n && i % 2 == 0 && run->ranged; ++j)
                 scratch[j] = ms_pme__clip(run->best[j] + (ms__rng_uniform(&run->rng) - 0.5) * (run->upper[j] - run->lower[j]), run->lower[j], run->upper[j]);
-        } else if (next < count) {
-            ms_pme__copy(scratch, starts + (size_t)next++ * (size_t)n, n);
-        } else {
-            ms_pme__random_point(run, run->best, scratch);
+            ms_pme__set_out(next, scratch, n);
         }
-        ms_pme__set_out(run, &walk, scratch);
-        while (!walk.done && !run->stopped) ms_pme__step(run, &walk, scratch);
+        ms_pme__advance(run, next, INT_MAX, scratch);
         run->tolerance = tolerance;
-        if (i > 0 && run->best_value < best && ms__finite(walk.f) && !run->stopped) {
-            walk.done = 0;
-            while (!walk.done && !run->stopped) ms_pme__step(run, &walk, scratch);
+        if (i > 0 && run->best_value < best && ms__finite(next->f)) {
+            next->done = 0;
+            ms_pme__advance(run, next, INT_MAX, scratch);
         }
     }
 }
@@ -1708,7 +1730,7 @@ static void ms_pme__last_gradient(ms_pme__run *run, double *g)
 static size_t ms_pme__method_scratch(int n)
 {
     size_t un = (size_t)n;
-    return 3 * un * (un + 1) + (2 * MS_PME__MEMORY + 32) * un + 32;
+    return 3 * un * (un + 1) + (2 * MS_PME__MEMORY + 2 * MS_PME__FIELD + 32) * un + 32;
 }
 
 /* ---- public: minimize ----------------------------------------------------------------------------------------------------- */
@@ -2110,7 +2132,7 @@ static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, dou
     int n = run->n, w = n + 1, j, k, i;
     double sigma = rmse / sqrt((double)o->compared), *variance, *y;
     size_t row;
-    ms_pme__walk_place(&walk, memory, n);
+    ms_pme__walk_place(&walk, memory, NULL, n);
     variance = memory + ms_pme__walk_size(n);
     y = variance + n;
     run->stopped = 0;
@@ -2333,9 +2355,9 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
     if (status != MS_OK) return status;
     n = run.n;
     run.bad_parameter = -1;
-    ms_pme__walk_place(&walk, run.scratch + n, n);
+    ms_pme__walk_place(&walk, run.scratch + n, NULL, n);
     g = walk.g;
-    u = walk.triangle + (n + 1) * (n + 1); /* columns of R, stored as rows, and the accumulated rotations */
+    u = walk.scale + n; /* columns of R, stored as rows, and the accumulated rotations */
     v = u + n * n;
     if (!ms__finite(ms_pme__linearize(&run, x, MS_PME__INF)) && run.status == MS_OK && !(run.stopped && run.best_value <= 0)) run.status = MS_BAD_DATA;
     if (run.status == MS_OK) ms_pme__factor(&run, &walk);
