@@ -236,7 +236,7 @@ typedef enum ms_pme_stop {
 typedef struct ms_pme_options {
     int method;             /* ms_pme_method */
     double max_cost;        /* in evaluations of f (Jacobians at jacobian_cost); 0: 1000 */
-    double max_seconds;     /* of `clock`; 0: no limit. Looked at before every callback */
+    double max_seconds;     /* of `clock`; 0: no limit. No callback begins that would end more than 5% later at the pace so far */
     double target_value;    /* stop when f <= this; 0: only at 0 */
     double tolerance;       /* relative decrease and relative step taken as converged; 0: 1e-10 */
     double start_step;      /* Nelder-Mead: first edge as a fraction of the range (of max(|x|, 1) without bounds), 0: 0.1.
@@ -260,8 +260,8 @@ typedef struct ms_pme_result {
     size_t iterations;     /* steps of the method */
     ms_pme_stop stop;
     double projected_gradient; /* largest |component| at x of the gradient that bounds do not hold; where a run ends
-                                  on a value, one call with derivatives more, which does not count, gives it. -1: not known (Nelder-Mead;
-                                  ms_pme_match or differences alone that ended on a value) */
+                                  on a value, one call with derivatives more, which does not count, gives it. -1: not known (Nelder-Mead; no
+                                  time left; ms_pme_match or differences alone that ended on a value) */
 } ms_pme_result;
 
 MS_API ms_pme_options ms_pme_defaults(void);
@@ -300,7 +300,8 @@ typedef struct ms_pme_renderer {
     ms_status (*predict)(void *user, int i, const float *target, double *x);
     /* Optional: a smaller function with the same minimum, valid for this target and these weights (ms_nn.h's collapse):
        sum of squares + reduced_offset = sum of weight (phi - target)^2. Then candidates and refinement use it, and
-       `render` is called once, for the reported RMSE. */
+       `render` is called once, for the reported RMSE; where that is another than this function says, it was made for another
+       target or other weights, and the match fails. */
     const ms_pme_function *reduced;
     double reduced_offset;
 } ms_pme_renderer;
@@ -351,7 +352,8 @@ MS_API ms_pme_match_options ms_pme_match_defaults(void);
    x        [n] out: the material
    image    [p] out: phi(x), gain and offset applied, or NULL
    MS_INVALID_ARGUMENT: as ms_pme_minimize; a target that is not finite (error->position: its index), a negative or
-   non-finite weight (likewise), weights that are all 0, no candidate with a finite picture.
+   non-finite weight (likewise), weights that are all 0, no candidate with a finite picture, a reduced function of another target
+   or other weights (RMSE beyond a thousandth and 1e-5 of the target's size apart).
    MS_OUT_OF_MEMORY, MS_CANCELLED, or the status of a callback: outputs untouched. */
 MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *target, const float *weight,
                               const ms_pme_match_options *options, double *x, float *image,
@@ -793,6 +795,7 @@ typedef struct ms_pme__run {
     int n, ranged;                    /* ranged: every parameter has a range that means something */
     size_t m;
     double max_cost, tolerance, jacobian_cost, start_time;
+    double paid, reserve;             /* cost since the start, what is to come when the run is over: for max_seconds */
     int shift, shifted;               /* residuals are worked on times 2^shift, chosen once one was seen */
     double *lower, *upper;            /* [n] */
     double *best;                     /* [n] the best point evaluated, its value, and its projected gradient (-1: not known) */
@@ -848,12 +851,15 @@ static int ms_pme__spend(ms_pme__run *run, double cost)
     if (run->stopped) return 1;
     if (run->finishing) return 0;
     if (run->result.cost + cost > run->max_cost * (1 + 1e-12)) return ms_pme__stop(run, MS_PME_STOP_COST);
-    if (options->max_seconds > 0 && ms_pme__seconds(options) - run->start_time >= options->max_seconds)
-        return ms_pme__stop(run, MS_PME_STOP_SECONDS);
+    if (options->max_seconds > 0) { /* nothing that, at the pace so far, would end too late */
+        double spent = ms_pme__seconds(options) - run->start_time, next = run->paid > 0 ? spent / run->paid * (cost + run->reserve) : 0;
+        if (spent >= options->max_seconds || spent + next > 1.05 * options->max_seconds) return ms_pme__stop(run, MS_PME_STOP_SECONDS);
+    }
     if (options->progress.report != NULL &&
         options->progress.report(options->progress.user, ms__finite(run->max_cost) ? run->result.cost / run->max_cost : 0) != 0)
         return ms_pme__fail(run, MS_CANCELLED);
     run->result.cost += cost;
+    run->paid += cost;
     return 0;
 }
 
@@ -1857,7 +1863,8 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
     start = run.scratch + n;
     for (j = 0; j < n; ++j) start[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
     ms_pme__method(&run, start, 1, start + n);
-    if (run.status == MS_OK && run.best_gradient < 0 && options->method != MS_PME_NELDER_MEAD) ms_pme__last_gradient(&run, start + n);
+    if (run.status == MS_OK && run.best_gradient < 0 && options->method != MS_PME_NELDER_MEAD && run.result.stop != MS_PME_STOP_SECONDS)
+        ms_pme__last_gradient(&run, start + n);
     if (run.status != MS_OK || !ms__finite(run.best_value)) {
         status = ms_pme__why(&run, error);
     } else {
@@ -2162,17 +2169,18 @@ static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, dou
     }
 }
 
-/* What the picture really looks like at the answer: image and RMSE. */
-static void ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_pme_match_result *answer)
+/* What the picture really looks like at the answer: image and RMSE, which a reduced function must agree with. */
+static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_pme_match_result *answer, ms_error *error)
 {
     const ms_pme_renderer *renderer = o->renderer;
     size_t i, plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
-    double sum = 0;
+    double sum = 0, size = 0, reduced = ms_pme__shifted(run->best_value, -2 * run->shift) + o->offset;
+    int j;
     ms_status status = renderer->render(renderer->user, ms_pme__material(o, run->best), o->image);
     answer->cost += 1;
     if (status != MS_OK) {
         ms_pme__fail(run, status);
-        return;
+        return ms_pme__why(run, error);
     }
     ms_pme__nuisance(o, run->best, answer->gain, answer->offset);
     for (i = 0; i < renderer->image_size; ++i) {
@@ -2180,8 +2188,19 @@ static void ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_pme_m
         if (o->gains + o->offsets > 0) o->image[i] = (float)(answer->gain[i / plane] * (double)o->image[i] + answer->offset[i / plane]);
         e = (double)o->image[i] - (double)o->target[i];
         if (w > 0) sum += w * e * e;
+        if (w > 0) size += w * (double)o->target[i] * (double)o->target[i];
     }
     answer->rmse = sqrt(sum / o->weight_sum);
+    for (j = 0; j < o->n && o->pulled; ++j) {
+        double away = o->x[j] - o->options->source[j];
+        reduced -= o->options->pull[j] * away * away;
+    }
+    reduced = sqrt(ms_pme__max(reduced, 0));
+    if (renderer->reduced != NULL && o->gains + o->offsets == 0 &&
+        fabs(reduced - answer->rmse) > 1e-3 * answer->rmse + 1e-5 * sqrt(size / o->weight_sum))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the reduced function has an RMSE of %g where the picture has %g: it was made for another target or other weights",
+                        reduced, answer->rmse);
+    return MS_OK;
 }
 
 /* ---- public: match ---------------------------------------------------------------------------------------------------------- */
@@ -2244,6 +2263,7 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     o.image = (float *)(void *)(o.slopes + slopes);
     o.jacobian = o.image + p;
     memory = run.scratch + variables;
+    run.reserve = 1; /* the last render */
     run.bad_parameter = -1;
     for (j = 0, run.ranged = 1; j < variables; ++j) run.ranged &= ms__finite(run.upper[j] - run.lower[j]);
 
@@ -2262,16 +2282,16 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
         answer.refine = run.result;
         answer.refine.value += o.offset;
     }
-    if (run.status == MS_OK && ms__finite(run.best_value)) ms_pme__last_render(&run, &o, &answer);
-    if (run.status == MS_OK && ms__finite(run.best_value) && options->deviation != NULL) ms_pme__deviations(&run, &o, answer.rmse, memory);
-    if (run.status == MS_OK && ms__finite(run.best_value)) {
+    if (run.status != MS_OK) status = ms_pme__why(&run, error);
+    else if (!ms__finite(run.best_value))
+        status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "no candidate has a finite picture (%g renders)", answer.cost);
+    else status = ms_pme__last_render(&run, &o, &answer, error);
+    if (status == MS_OK && options->deviation != NULL) ms_pme__deviations(&run, &o, answer.rmse, memory);
+    if (status == MS_OK && run.status != MS_OK) status = ms_pme__why(&run, error);
+    if (status == MS_OK) {
         ms_pme__copy(x, ms_pme__material(&o, run.best), o.n);
         if (image != NULL) memcpy(image, o.image, p * sizeof *image);
         if (result != NULL) *result = answer;
-    } else if (run.status == MS_OK) {
-        status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "no candidate has a finite picture (%g renders)", answer.cost);
-    } else {
-        status = ms_pme__why(&run, error);
     }
     ms__release(&refine.allocator, block, size);
     ms__release(&refine.allocator, pictures, bytes);

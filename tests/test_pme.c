@@ -1415,6 +1415,69 @@ static void test_wall_clock(void)
     CHECK_LE(result.evaluations, 11); /* 5 ms each, at least */
 }
 
+/* A clock that callbacks move: 20 ms a value, 90 ms with derivatives. */
+static double paced_now;
+static double paced_clock(void *user) { (void)user; return paced_now; }
+static ms_status paced(void *user, const double *x, double *r, double *jacobian)
+{
+    paced_now += jacobian ? 0.09 : 0.02;
+    return evaluate(user, x, r, jacobian);
+}
+static ms_status paced_render(void *user, const double *x, float *image)
+{
+    paced_now += 0.02;
+    return render(user, x, image);
+}
+static ms_status paced_jacobian(void *user, const double *x, float *image, float *jacobian)
+{
+    paced_now += 0.09;
+    return render_jacobian(user, x, image, jacobian);
+}
+
+/* max_seconds is not overrun by more than 5%, however the callbacks' times and costs lie to each other. */
+static void test_seconds(void)
+{
+    renderer_state s;
+    ms_pme_renderer r;
+    float target[P];
+    double limit, x[64], late = 0;
+    int match;
+    renderer_make(&s);
+    r = renderer_of(&s);
+    render(&s, truth, target);
+    target[3] += 0.5f;
+    r.render = paced_render;
+    r.jacobian = paced_jacobian;
+    for (match = 0; match < 2; ++match)
+        for (limit = 0.5; limit < 3; limit += 0.07) {
+            problem p;
+            ms_pme_function f = function_of(&p, 60, 60, broyden_tridiagonal);
+            ms_pme_options o = ms_pme_defaults();
+            ms_pme_match_options options = ms_pme_match_defaults();
+            ms_pme_result result;
+            ms_pme_match_result matched;
+            int j;
+            for (j = 0; j < 60; ++j) x[j] = -1;
+            f.residuals = paced;
+            o.max_seconds = limit;
+            o.max_cost = 1e6;
+            o.restarts = 1000;
+            o.clock = paced_clock;
+            o.target_value = 1e-300;
+            paced_now = 7;
+            f.jacobian_cost = r.jacobian_cost = 4.5;
+            options.refine = o;
+            options.random_count = 3;
+            if (match) CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &matched, NULL), MS_OK);
+            else CHECK_INT(ms_pme_minimize(&f, &o, x, &result, NULL), MS_OK);
+            CHECK_INT(match ? matched.refine.stop : result.stop, MS_PME_STOP_SECONDS);
+            if (paced_now - 7 > limit * (1.05 + 1e-9)) TEST_FAIL("%s: %g s of %g", match ? "match" : "minimize", paced_now - 7, limit);
+            CHECK(paced_now - 7 > limit - 0.12); /* nor given up before: a value, derivatives and the last render */
+            late = fmax(late, (paced_now - 7) / limit);
+        }
+    TEST_NOTE("at most %.3f of the limit", late);
+}
+
 /* Hosts that unmask invalid operations, divisions by zero and overflows: nothing traps, whatever the function does. */
 static void test_traps(void)
 {
@@ -1699,6 +1762,7 @@ static const test_case cases[] = {
     {"gradient callback", test_gradient_callback}, {"sizes of residuals", test_sizes},
     {"many bounds", test_many_bounds},            {"active set", test_active_set},
                 {"wall clock", test_wall_clock},
+    {"seconds", test_seconds},
     {"traps", test_traps},                        {"sensitivity, arguments", test_sensitivity_arguments},
     {"messages of options", test_option_messages}, {"control", test_control},
     {"reweigh", test_reweigh},                    {"stack", test_stack_use}};

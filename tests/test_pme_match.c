@@ -145,6 +145,17 @@ static void same_minimum(const char *path, int collapses)
         for (j = 0; j < m.renderer.parameter_count; ++j) largest = fmax(largest, fabs(x[0][j] - x[1][j]));
         /* what the refinement minimised is the rmse that one real render has */
         CHECK_NEAR(sqrt(result[0].refine.value), result[0].rmse, 1e-6 * result[0].rmse);
+        if (collapses) { /* another target or other weights than those of the aim are noticed, and nothing is written */
+            ms_pme_match_result untouched = result[0];
+            float kept = target[3];
+            memset(&error, 0, sizeof error);
+            CHECK_INT(ms_pme_match(&m.renderer, target, weighted ? NULL : weight, &options, x[0], NULL, &untouched, &error), MS_INVALID_ARGUMENT);
+            CHECK(strstr(error.message, "another target or other weights") != NULL);
+            CHECK(memcmp(&untouched, &result[0], sizeof untouched) == 0);
+            target[3] += 0.3f;
+            CHECK_INT(ms_pme_match(&m.renderer, target, weighted ? weight : NULL, &options, x[1], NULL, NULL, &error), MS_INVALID_ARGUMENT);
+            target[3] = kept;
+        }
     }
     TEST_NOTE("largest difference of a parameter %.1e", largest);
     matcher_close(&m);
