@@ -44,8 +44,9 @@
    In the caller's order
    ---------------------
    1. Materials to be scored: ms_gpr_gallery, in batches of 5 to 25, from the first (a model of n = 0) to the last.
-   2. Scores: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them. ms_gpr_append, ms_gpr_rescore and ms_gpr_drop
-      change one score at the cost of n^2. Another round of scores: concatenate, and fit again.
+   2. Scores, or "the best 2 of 9", or both: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them. ms_gpr_append,
+      ms_gpr_rescore and ms_gpr_drop change one score at the cost of n^2, ms_gpr_compare takes comparisons. Another round: concatenate,
+      and fit again.
    3. What was learned: ms_gpr_predict, ms_gpr_gradient, ms_gpr_relevance, ms_gpr_leave_one_out; ms_gpr_simplify leaves
       out what a scene does not need; ms_gpr_save and ms_gpr_load keep it.
    4. New materials: ms_gpr_recommend.
@@ -56,10 +57,8 @@
    -------------
    A likelihood with gradient takes n^3 / 2 + n^2 m multiply-adds, and a fit some 20 of them on all scores and 150 on a third; a mean n m,
    with its variance n^2 / 2 more. 300 recommendations take 30 to 150 thousand means, more the rarer they are. Figures and what fits are
-   worth: tests/bench/RESULTS.md, made by `make bench`. Active galleries are worth the most: after 80 to 100 scores of theirs
-   recommendations are as good as after 250 uniform ones, but one in five of several separate classes is missed where those
-   miss one in ten. Users who like several classes ask for more than one length a dimension can say, and those who like one
-   material in fifty for the luck of finding the first.
+   worth: tests/bench/RESULTS.md, made by `make bench`. What is shown is worth the most: 60 answers, of which the first are the best 2 of
+   9 in five active galleries, are worth more than 250 scores of uniform materials.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
@@ -226,9 +225,12 @@ typedef struct ms_gpr_options {
     ms_parallel parallel;   /* of predictions, recommendations and galleries; nothing else runs on threads */
 } ms_gpr_options;
 
+/* The score of a material that has none: it was only compared. */
+#define MS_GPR_UNSCORED (-1e38)
+
 /* A model whose hyperparameters are given.
    x      [n][m] row-major, any units; copied
-   y      [n] scores; copied
+   y      [n] scores, or MS_GPR_UNSCORED; copied
    n      >= 0; a model of n = 0 predicts the prior
    m      >= 1
    theta  [m + 2]: log l_k for every dimension, log sf, log sn; l_k in units of x, sf and sn in units of y
@@ -253,6 +255,21 @@ MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error
 /* Forgets point `index`, at the cost of n^2: later points move up by one. */
 MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error);
 
+/* More materials without a score, and comparisons, "this one rather than that one", in place of those the model has.
+   x           [count][m] rows n to n + count - 1 of the model; NULL with count 0
+   pairs       [pair_count][2] rows of the model, the preferred one first; copied. Ties are left out, contradictions and repetitions
+               count as they come. "The best 2 of 9" are 14 pairs. Likes alone: pairs of each with 20 materials of an
+               MS_GPR_GALLERY_SPREAD, which stand for what else there is
+   Each has P = Phi((f_better - f_worse) / (sqrt(2) sn)): the user sees both with the noise of a score. Scores and comparisons make one
+   model; without scores the unit is sf. What is predicted then is Laplace's approximation: the Gaussian around the most probable latent
+   values. Where rows have no score or comparisons, or the scores came in steps (ms_gpr_fit_options), this call, ms_gpr_set_theta,
+   ms_gpr_append, ms_gpr_rescore and ms_gpr_drop take some 2 n^3 multiply-adds, the likelihood is Laplace's, and ms_gpr_leave_one_out is
+   MS_UNSUPPORTED. ms_gpr_drop drops the comparisons of its row.
+   MS_BAD_DATA as ms_gpr_create. MS_INVALID_ARGUMENT: a row outside the model or compared with itself (position: the pair, from 1);
+   MS_NOT_CONVERGED, MS_OUT_OF_MEMORY. The model is unchanged unless MS_OK.
+   Chu & Ghahramani 2005, "Preference learning with Gaussian processes"; Brochu and others 2007, "Active preference learning". */
+MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const int *pairs, int pair_count, ms_error *error);
+
 /* Drops dimensions that matter little, least first, while the sum of their relevances is at most `tolerance` (such as 0.02):
    "model only what a scene needs". The model of the rest is exact, as if the dropped length scales were infinite; predictions
    still take all m columns and ignore the dropped ones. kept: how many dimensions are left; NULL is allowed. */
@@ -267,6 +284,9 @@ MS_API int ms_gpr_dimensions(const ms_gpr *gp);          /* m */
 MS_API const double *ms_gpr_theta(const ms_gpr *gp);     /* [m + 2]; a dropped dimension has log l_k = 700 */
 MS_API const double *ms_gpr_inputs(const ms_gpr *gp);    /* [n][m], valid until the model changes */
 MS_API const double *ms_gpr_scores(const ms_gpr *gp);    /* [n], as they were given */
+MS_API const double *ms_gpr_values(const ms_gpr *gp);    /* [n] the same, and predictions where there are none */
+MS_API const int *ms_gpr_pairs(const ms_gpr *gp);        /* [ms_gpr_pair_count][2] */
+MS_API int ms_gpr_pair_count(const ms_gpr *gp);
 MS_API double ms_gpr_mean(const ms_gpr *gp);             /* the prior mean */
 MS_API double ms_gpr_floor(const ms_gpr *gp);            /* the least score that can be given; see ms_gpr_fit_options */
 MS_API double ms_gpr_floor_value(const ms_gpr *gp);      /* what scores there are taken as */
@@ -317,6 +337,10 @@ typedef struct ms_gpr_fit_options {
     ms_allocator allocator;
     ms_parallel parallel;   /* kept by the model for what it says in ms_gpr_options; the fit runs on the calling thread */
     ms_progress progress;   /* asked before every evaluation */
+    const int *pairs;       /* [pair_count][2] comparisons, as in ms_gpr_compare */
+    int pair_count;
+    double step;            /* MAP: scores come in steps of this, such as 1 for stars: each means an opinion within half a step of it, and at
+                               the floor any below. Worth it where steps are coarse, at 3 times the cost. 0: scores are exact */
 } ms_gpr_fit_options;
 
 typedef struct ms_gpr_fit_report {
@@ -329,7 +353,7 @@ typedef struct ms_gpr_fit_report {
     int columns;            /* that differ from row to row; the others are left out, as by ms_gpr_simplify */
 } ms_gpr_fit_report;
 
-/* Learns theta, and makes the model with it. The prior mean is the mean of the scores.
+/* Learns theta, and makes the model with it. The prior mean is the mean of the scores, 0 where there are none.
    x, y, n, m  as in ms_gpr_create. Columns whose values differ by rounding only (1e-10 of the largest) are left out: the model is
                that of the rest. Equal scores, or none, give a flat model
    Several rounds: concatenate materials and scores of all rounds, and fit again (start: the theta of the last round, if speed
@@ -362,7 +386,8 @@ MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean
 
 /* A model as bytes: the same on every machine, whatever its byte order and locale. Layout, little-endian: "ms_gpr\r\n", u32
    version 2, u32 n, u32 m, u32 0, then as f64 mean, floor (-1e300: none), floor value, theta [m + 2], x [n][m], y [n]; u64 FNV-1a
-   of all before. */
+   of all before. Version 3, of models with comparisons, steps or unscored rows: the u32 0 is the number of pairs, the step stands
+   behind the floor value, and u32 pairs [count][2] behind y. */
 MS_API size_t ms_gpr_save_size(const ms_gpr *gp);
 
 /* Writes ms_gpr_save_size(gp) bytes. */
@@ -1522,6 +1547,16 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
 
 /* ----------------------------------------------------------------------------------------------- LIKELIHOOD */
 
+/* What was said about a latent value g = f_row, or about a difference g = f_row - f_than: that g and its noise lie from low to high.
+   A score is low = high, a comparison 0 to MS_GPR__OPEN of a difference, a score of coarse steps a range. */
+typedef struct ms_gpr__link {
+    int row, than;    /* than < 0: one row */
+    double low, high;
+} ms_gpr__link;
+
+#define MS_GPR__OPEN 1e40  /* a bound that is none */
+#define MS_GPR__WEAK 1e-5  /* K / sf^2 that every row is held to the prior mean by, so that W can be inverted */
+
 /* What one evaluation needs. Rows and columns behind n stand for points that are independent of everything. */
 typedef struct ms_gpr__problem {
     const ms_gpr__kernels *kernels;
@@ -1535,6 +1570,11 @@ typedef struct ms_gpr__problem {
     double *inverse;  /* [n][stride] U'^-1 */
     double *weight;   /* [stride] a row of dL/dK * K */
     double *slope;    /* [m][8] */
+    int links, pairs; /* where not every row has one exact score: what was said, comparisons last; else 0 */
+    ms_gpr__link *link;
+    double *solved;   /* [n][stride] U'^-1 K */
+    double *latent;   /* [stride] f, the most probable latent values; alpha = K^-1 f */
+    double *list;     /* [5][stride] scratch, and behind it [pairs] */
 } ms_gpr__problem;
 
 /* K, upper triangle: sf^2 exp(-d^2 / 2), 0 for padding. */
@@ -1570,22 +1610,282 @@ static double ms_gpr__log_determinant(const double *upper, size_t stride, int n)
     return 2 * sum;
 }
 
-/* log p(y | X, theta) = -1/2 y' alpha - 1/2 log |K'| - n/2 log 2 pi, and its gradient [m + 2] with respect to log l_k, log sf,
-   log sn (NULL: not wanted):  1/2 tr((alpha alpha' - K'^-1) dK'/dtheta). 0 where K' is not positive definite. */
-static int ms_gpr__evaluate(const ms_gpr__problem *p, double sf2, double noise, double *likelihood, double *gradient)
+/* --- comparisons and coarse scores --- */
+
+/* log p(g in [low, high] after noise) of one link, and its derivatives. */
+typedef struct ms_gpr__opinion {
+    double value, slope, curvature, jerk;      /* l and its derivatives by g, the last two with their signs turned */
+    double value_s, slope_s, curvature_s;      /* the first three by the logarithm of the noise's deviation */
+} ms_gpr__opinion;
+
+/* (1 - Phi(x)) / phi(x) for x >= 0: Mills' ratio, by its continued fraction where erfc has few digits left. */
+static double ms_gpr__mills(double x)
+{
+    double tail = x;
+    int i;
+    if (x < 5) return 1.2533141373155003 * exp(0.5 * x * x) * erfc(0.7071067811865476 * x); /* root of pi / 2 */
+    for (i = 40; i > 0; --i) tail = x + i / tail;
+    return 1 / tail;
+}
+
+/* s: deviation of the noise of g. */
+static ms_gpr__opinion ms_gpr__opinion_of(const ms_gpr__link *link, double g, double s)
+{
+    ms_gpr__opinion r;
+    double a = (link->low - g) / s, b = (link->high - g) / s, sign = 1, ra, rb, q, e, d, q_s, e_s;
+    if (!(link->high > link->low)) { /* a density */
+        r.value = -0.5 * a * a - log(s) - 0.9189385332046727418; /* log(2 pi) / 2 */
+        r.slope = a / s;
+        r.curvature = 1 / (s * s);
+        r.jerk = 0;
+        r.value_s = a * a - 1;
+        r.slope_s = -2 * r.slope;
+        r.curvature_s = -2 * r.curvature;
+        return r;
+    }
+    if (a + b < 0) { /* the mirror image: a is the bound nearer to g */
+        double swap = a;
+        a = -b;
+        b = -swap;
+        sign = -1;
+    }
+    if (a < 0) {
+        double p = 0.5 * (erfc(0.7071067811865476 * a) - (b < 40 ? erfc(0.7071067811865476 * b) : 0));
+        r.value = log(p);
+        ra = a > -40 ? 0.3989422804014327 * exp(-0.5 * a * a) / p : 0; /* phi(a) / p, phi(b) / p */
+        rb = b < 40 ? 0.3989422804014327 * exp(-0.5 * b * b) / p : 0;
+    } else {
+        double fall = b - a < 80 ? exp(0.5 * (a - b) * (a + b)) : 0, p = ms_gpr__mills(a) - (fall > 0 ? fall * ms_gpr__mills(b) : 0);
+        r.value = log(p) - 0.5 * a * a - 0.9189385332046727418;
+        ra = 1 / p;
+        rb = ra * fall;
+    }
+    if (!(rb > 0)) b = 0;
+    if (!(ra > 0)) a = 0;
+    q = ra - rb;
+    e = b * rb - a * ra;
+    d = q * q + e;
+    if (!(d > 0)) d = 0;
+    q_s = a * a * ra - b * b * rb + q * e;
+    e_s = (b * b * b - b) * rb - (a * a * a - a) * ra + e * e;
+    r.slope = sign * q / s;
+    r.curvature = d / (s * s);
+    r.jerk = sign * ((1 - a * a) * ra - (1 - b * b) * rb - 2 * q * d - e * q) / (s * s * s);
+    r.value_s = -e;
+    r.slope_s = sign * (q_s - q) / s;
+    r.curvature_s = (2 * q * q_s + e_s - 2 * d) / (s * s);
+    return r;
+}
+
+static ms_gpr__opinion ms_gpr__opinion_at(const ms_gpr__problem *p, int i, double noise)
+{
+    const ms_gpr__link *l = &p->link[i];
+    return ms_gpr__opinion_of(l, p->latent[l->row] - (l->than < 0 ? 0 : p->latent[l->than]), sqrt(l->than < 0 ? noise : 2 * noise));
+}
+
+/* out = a v, a symmetric, of which the upper triangle is there. */
+static void ms_gpr__symmetric(const ms_gpr__kernels *f, const double *a, size_t stride, int padded, const double *v, double *out)
+{
+    int i, j;
+    memset(out, 0, (size_t)padded * sizeof *out);
+    for (i = 0; i < padded; ++i) {
+        const double *row = a + (size_t)i * stride;
+        int end = (i / MS_GPR__BLOCK + 1) * MS_GPR__BLOCK;
+        out[i] += row[i] * v[i];
+        for (j = i + 1; j < end; ++j) {
+            out[i] += row[j] * v[j];
+            out[j] += row[j] * v[i];
+        }
+        out[i] += f->dot(row + end, v + end, padded - end);
+        f->axpy(out + end, v[i], row + end, padded - end);
+    }
+}
+
+/* sum of l - alpha' f / 2, which Newton's method climbs. */
+static double ms_gpr__agreement(const ms_gpr__problem *p, double weak, double noise)
+{
+    double sum = 0;
+    int i;
+    for (i = 0; i < p->n; ++i) sum -= 0.5 * p->latent[i] * (p->alpha[i] + weak * p->latent[i]);
+    for (i = 0; i < p->links; ++i) sum += ms_gpr__opinion_at(p, i, noise).value;
+    return sum;
+}
+
+/* upper = the factor of K + W^-1, W = -l'' at the latent values; list[0] = f + W^-1 l', list[1] = l'. Returns log |W|, or 1e300 where
+   a factor fails. */
+static double ms_gpr__opinions(ms_gpr__problem *p, double weak, double noise)
+{
+    const ms_gpr__kernels *f = p->kernels;
+    int padded = ms_gpr__padded(p->n), i, j;
+    size_t row = (size_t)padded * sizeof(double);
+    double *z = p->list, *l1 = z + p->stride, determinant = 0;
+    for (i = 0; i < padded; ++i) {
+        if (p->pairs) memset(p->upper + (size_t)i * p->stride, 0, row);
+        p->upper[(size_t)i * (p->stride + 1)] = i < p->n ? weak : 1;
+        l1[i] = i < p->n ? -weak * p->latent[i] : 0;
+    }
+    for (i = 0; i < p->links; ++i) {
+        const ms_gpr__link *l = &p->link[i];
+        ms_gpr__opinion o = ms_gpr__opinion_at(p, i, noise);
+        p->upper[(size_t)l->row * (p->stride + 1)] += o.curvature;
+        l1[l->row] += o.slope;
+        if (l->than < 0) continue;
+        p->upper[(size_t)l->than * (p->stride + 1)] += o.curvature;
+        p->upper[(size_t)(l->row < l->than ? l->row : l->than) * p->stride + (size_t)(l->row < l->than ? l->than : l->row)] -= o.curvature;
+        l1[l->than] -= o.slope;
+    }
+    memcpy(z, l1, row);
+    if (p->pairs) {
+        if (!ms_gpr__cholesky(f, p->upper, p->stride, padded, 0)) return 1e300;
+        determinant = ms_gpr__log_determinant(p->upper, p->stride, p->n);
+        ms_gpr__forward_vector(f, p->upper, p->stride, padded, z);
+        ms_gpr__backward_vector(f, p->upper, p->stride, padded, z);
+        for (i = 0; i < padded; ++i) memset(p->inverse + (size_t)i * p->stride, 0, row);
+        ms_gpr__invert(f, p->upper, p->stride, padded, p->inverse);
+        for (i = 0; i < padded; ++i) memset(p->upper + (size_t)i * p->stride, 0, row);
+        f->reduce(p->upper, p->stride, p->inverse, p->stride, p->inverse, p->stride, padded, padded, padded, MS_GPR__UPPER | MS_GPR__LOWER);
+        for (i = 0; i < padded; ++i)
+            for (j = i; j < padded; ++j) {
+                size_t at = (size_t)i * p->stride + (size_t)j;
+                p->upper[at] = p->kernel[at] - p->upper[at];
+            }
+    } else {
+        for (i = 0; i < padded; ++i) {
+            size_t at = (size_t)i * p->stride;
+            double w = p->upper[at + (size_t)i];
+            if (i < p->n) determinant += log(w);
+            z[i] /= w;
+            memcpy(p->upper + at + (size_t)i, p->kernel + at + (size_t)i, (size_t)(padded - i) * sizeof(double));
+            p->upper[at + (size_t)i] += 1 / w;
+        }
+    }
+    for (i = 0; i < p->n; ++i) z[i] += p->latent[i];
+    return ms_gpr__cholesky(f, p->upper, p->stride, padded, 0) ? determinant : 1e300;
+}
+
+/* Laplace's approximation, from the alpha that is there: Newton's method in f (Rasmussen & Williams 2006, 3.4, with W that need not be
+   diagonal) to f and alpha, the factor of K + W^-1, and log p(y) = sum of l - alpha' f / 2 - log |I + K W| / 2. 0: no factor. */
+static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double *likelihood)
+{
+    const ms_gpr__kernels *f = p->kernels;
+    int padded = ms_gpr__padded(p->n), step, halving, i;
+    size_t row = (size_t)padded * sizeof(double);
+    double weak = MS_GPR__WEAK / sf2, determinant = 0, value, better;
+    double *z = p->list, *l1 = z + p->stride, *turn = l1 + p->stride, *move = turn + p->stride;
+    ms_gpr__symmetric(f, p->kernel, p->stride, padded, p->alpha, p->latent);
+    value = ms_gpr__agreement(p, weak, noise);
+    memcpy(turn, p->alpha, row);
+    memset(p->alpha, 0, row);
+    memcpy(move, p->latent, row);
+    memset(p->latent, 0, row);
+    better = ms_gpr__agreement(p, weak, noise);
+    if (!ms__finite(value) || better > value) {
+        value = better; /* nothing known is the better start */
+    } else {
+        memcpy(p->alpha, turn, row);
+        memcpy(p->latent, move, row);
+    }
+    for (step = 0; step < 100; ++step) {
+        double slope = 0;
+        determinant = ms_gpr__opinions(p, weak, noise);
+        if (determinant > 1e299 || !ms__finite(determinant)) return 0;
+        memcpy(turn, z, row);
+        ms_gpr__forward_vector(f, p->upper, p->stride, padded, turn);
+        ms_gpr__backward_vector(f, p->upper, p->stride, padded, turn);
+        ms_gpr__symmetric(f, p->kernel, p->stride, padded, turn, move);
+        for (i = 0; i < padded; ++i) {
+            turn[i] -= p->alpha[i];
+            move[i] -= p->latent[i];
+            slope += (l1[i] - p->alpha[i]) * move[i];
+        }
+        for (halving = 0; halving < 40; ++halving) {
+            double length = halving ? -0.5 / (1 << (halving < 30 ? halving - 1 : 29)) : 1; /* 1, then half of it back, ... */
+            f->axpy(p->alpha, length, turn, padded);
+            f->axpy(p->latent, length, move, padded);
+            if (slope < 1e-12 * (1 + fabs(value))) break;
+            if (halving == 1 && slope < 1e-8 * (1 + fabs(value))) break; /* rounding hides what is gained */
+            better = ms_gpr__agreement(p, weak, noise);
+            if (ms__finite(better) && better > value) break;
+        }
+        if (slope < 1e-12 * (1 + fabs(value)) || halving == 40 || !(better > value)) break;
+        value = better;
+    }
+    *likelihood = ms_gpr__agreement(p, weak, noise) -
+                  0.5 * (determinant + ms_gpr__log_determinant(p->upper, p->stride, p->n));
+    return 1;
+}
+
+/* What the gradient of Laplace's log p(y) has besides tr((alpha alpha' - (K + W^-1)^-1) dK) / 2 because f moves with theta (Rasmussen &
+   Williams 2006, 5.5.1): u' dK alpha with u = (I - (K + W^-1)^-1 K) s, s = -1/2 d log |I + K W| / df, into u; and by log sf and log sn
+   through the noise. upper is the factor of K + W^-1. */
+static void ms_gpr__laplace_moves(ms_gpr__problem *p, double sf2, double noise, double **moves, double *by_sf, double *by_sn)
+{
+    const ms_gpr__kernels *f = p->kernels;
+    int padded = ms_gpr__padded(p->n), first = p->links - p->pairs, i, j;
+    size_t row = (size_t)padded * sizeof(double);
+    double weak = MS_GPR__WEAK / sf2;
+    double *s = p->list, *u = s + p->stride, *h = u + p->stride, *l1_s = h + p->stride, *explained = l1_s + p->stride;
+    for (i = 0; i < padded; ++i)
+        for (j = i; j < padded; ++j)
+            p->solved[(size_t)i * p->stride + (size_t)j] = p->solved[(size_t)j * p->stride + (size_t)i] = p->kernel[(size_t)i * p->stride + (size_t)j];
+    ms_gpr__forward(f, p->upper, p->stride, padded, p->solved, p->stride, padded);
+    memset(explained, 0, (p->stride + (size_t)p->pairs) * sizeof *explained);
+    for (i = 0; i < p->n; ++i) {
+        const double *v = p->solved + (size_t)i * p->stride;
+        double *pair = explained + p->stride;
+        for (j = 0; j < p->n; ++j) explained[j] += v[j] * v[j];
+        for (j = first; j < p->links; ++j) {
+            double d = v[p->link[j].row] - v[p->link[j].than];
+            *pair++ += d * d;
+        }
+    }
+    memset(s, 0, 4 * p->stride * sizeof *s);
+    *by_sf = *by_sn = 0;
+    for (i = 0; i < p->links; ++i) { /* variances of g: a' (K - K (K + W^-1)^-1 K) a */
+        const ms_gpr__link *l = &p->link[i];
+        ms_gpr__opinion o = ms_gpr__opinion_at(p, i, noise);
+        double variance = sf2 - explained[l->row];
+        if (l->than >= 0)
+            variance = 2 * (sf2 - p->kernel[(size_t)(l->row < l->than ? l->row : l->than) * p->stride + (size_t)(l->row < l->than ? l->than : l->row)]) -
+                       explained[p->stride + (size_t)(i - first)];
+        s[l->row] -= 0.5 * o.jerk * variance;
+        l1_s[l->row] += o.slope_s;
+        if (l->than >= 0) s[l->than] += 0.5 * o.jerk * variance, l1_s[l->than] -= o.slope_s;
+        *by_sn += o.value_s - 0.5 * o.curvature_s * variance;
+    }
+    ms_gpr__symmetric(f, p->kernel, p->stride, padded, s, h);
+    memcpy(u, h, row);
+    ms_gpr__forward_vector(f, p->upper, p->stride, padded, u);
+    ms_gpr__backward_vector(f, p->upper, p->stride, padded, u);
+    for (i = 0; i < padded; ++i) u[i] = s[i] - u[i];
+    ms_gpr__symmetric(f, p->kernel, p->stride, padded, u, h);
+    *by_sn += f->dot(l1_s, h, padded);
+    for (i = 0; i < p->n; ++i) *by_sf += weak * (p->latent[i] * p->latent[i] + sf2 - explained[i] + 2 * p->latent[i] * h[i]);
+    *moves = u;
+}
+
+/* log p(y | X, theta) = -1/2 y' alpha - 1/2 log |K'| - n/2 log 2 pi, or Laplace's approximation, and its gradient [m + 2] with respect
+   to log l_k, log sf, log sn (NULL: not wanted):  1/2 tr((alpha alpha' - K'^-1) dK'/dtheta). 0 where K' is not positive definite. */
+static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double *likelihood, double *gradient)
 {
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), i, k;
     size_t row = (size_t)padded * sizeof(double);
-    double trace = 0, kernel_sum = 0;
+    double trace = 0, kernel_sum = 0, by_sf = 0, by_sn = 0, *moves = NULL;
     ms_gpr__covariance(f, p->points, p->stride, p->n, p->m, sf2, p->kernel);
-    if (!ms_gpr__factor(f, p->kernel, p->stride, p->n, sf2, noise, p->upper)) return 0;
-    memcpy(p->alpha, p->target, row);
-    ms_gpr__forward_vector(f, p->upper, p->stride, padded, p->alpha);
-    *likelihood = -0.5 * (f->dot(p->alpha, p->alpha, padded) + ms_gpr__log_determinant(p->upper, p->stride, p->n) +
-                          p->n * 1.8378770664093454836); /* log 2 pi */
+    if (p->link) {
+        for (i = 0; i < p->n; ++i) p->kernel[(size_t)i * (p->stride + 1)] = sf2;
+        if (!ms_gpr__laplace(p, sf2, noise, likelihood)) return 0;
+    } else {
+        if (!ms_gpr__factor(f, p->kernel, p->stride, p->n, sf2, noise, p->upper)) return 0;
+        memcpy(p->alpha, p->target, row);
+        ms_gpr__forward_vector(f, p->upper, p->stride, padded, p->alpha);
+        *likelihood = -0.5 * (f->dot(p->alpha, p->alpha, padded) + ms_gpr__log_determinant(p->upper, p->stride, p->n) +
+                              p->n * 1.8378770664093454836); /* log 2 pi */
+    }
     if (gradient == NULL) return 1;
-    ms_gpr__backward_vector(f, p->upper, p->stride, padded, p->alpha);
+    if (p->link) ms_gpr__laplace_moves(p, sf2, noise, &moves, &by_sf, &by_sn);
+    else ms_gpr__backward_vector(f, p->upper, p->stride, padded, p->alpha);
     for (i = 0; i < padded; ++i) memset(p->inverse + (size_t)i * p->stride, 0, row);
     ms_gpr__invert(f, p->upper, p->stride, padded, p->inverse);
     for (i = 0; i < padded; ++i) memset(p->upper + (size_t)i * p->stride, 0, row);
@@ -1594,7 +1894,12 @@ static int ms_gpr__evaluate(const ms_gpr__problem *p, double sf2, double noise, 
     for (i = 0; i < p->n; ++i) {
         int block = i / MS_GPR__BLOCK * MS_GPR__BLOCK, j;
         size_t at = (size_t)i * p->stride;
-        double own = p->alpha[i] * p->alpha[i] + p->upper[at + (size_t)i];
+        double own;
+        if (moves) {
+            f->axpy(p->upper + at + block, moves[i], p->alpha + block, padded - block);
+            f->axpy(p->upper + at + block, p->alpha[i], moves + block, padded - block);
+        }
+        own = p->alpha[i] * p->alpha[i] + p->upper[at + (size_t)i];
         for (j = block; j <= i; ++j) p->kernel[at + (size_t)j] = 0; /* each pair once; the diagonal has d = 0 */
         kernel_sum += f->weights(p->weight + block, p->upper + at + block, p->kernel + at + block, p->alpha + block, p->alpha[i],
                                  padded - block);
@@ -1605,23 +1910,27 @@ static int ms_gpr__evaluate(const ms_gpr__problem *p, double sf2, double noise, 
         const double *s = p->slope + MS_GPR__BLOCK * k;
         gradient[k] = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
     }
-    gradient[p->m] = sf2 * trace + 2 * kernel_sum; /* dK/dlog sf = 2 K */
-    gradient[p->m + 1] = noise * trace;            /* dK'/dlog sn = 2 sn^2 I */
+    gradient[p->m] = sf2 * trace + 2 * kernel_sum + by_sf; /* dK/dlog sf = 2 K */
+    gradient[p->m + 1] = p->link ? by_sn : noise * trace;  /* dK'/dlog sn = 2 sn^2 I */
     return 1;
 }
 
-static size_t ms_gpr__problem_doubles(int n, int m)
+/* links: 0, or how many there are, of which so many are pairs. */
+static size_t ms_gpr__problem_doubles(int n, int m, int links, int pairs)
 {
     size_t stride = ms_gpr__stride(n), padded = (size_t)ms_gpr__padded(n);
-    size_t matrices = ms__size_mul(ms__size_mul(3, padded), stride);
-    return ms__size_add(matrices, ms__size_add(ms__size_mul((size_t)m + 3, stride), ms__size_mul((size_t)m, MS_GPR__BLOCK)));
+    size_t matrices = ms__size_mul(ms__size_mul(links ? 4 : 3, padded), stride);
+    size_t lists = ms__size_add(ms__size_mul((size_t)m + 3, stride), ms__size_mul((size_t)m, MS_GPR__BLOCK));
+    if (links) lists = ms__size_add(lists, ms__size_add(ms__size_mul(6, stride), (size_t)links * 3 + (size_t)pairs + MS_GPR__BLOCK));
+    return ms__size_add(matrices, lists);
 }
 
-/* Lays a problem out in ms_gpr__problem_doubles(n, m) doubles; points and target are zero. */
-static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int n, int m, double *memory)
+/* Lays a problem out in ms_gpr__problem_doubles(n, m, links, pairs) doubles; points, target and alpha are zero. */
+static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int n, int m, int links, int pairs, double *memory)
 {
     ms_gpr__problem p;
     size_t matrix;
+    memset(&p, 0, sizeof p);
     p.kernels = kernels;
     p.n = n;
     p.m = m;
@@ -1635,7 +1944,15 @@ static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int 
     p.alpha = p.target + p.stride;
     p.weight = p.alpha + p.stride;
     p.slope = p.weight + p.stride;
-    memset(p.points, 0, (size_t)(m + 1) * p.stride * sizeof *p.points);
+    memset(p.points, 0, (size_t)(m + 2) * p.stride * sizeof *p.points);
+    if (links) {
+        p.links = links;
+        p.pairs = pairs;
+        p.solved = p.slope + (size_t)m * MS_GPR__BLOCK;
+        p.latent = p.solved + matrix;
+        p.list = p.latent + p.stride;
+        p.link = (ms_gpr__link *)(void *)(p.list + 5 * p.stride + pairs);
+    }
     return p;
 }
 
@@ -1651,7 +1968,10 @@ struct ms_gpr {
     int capacity;            /* points that there is room for */
     size_t stride;
     double mean, floor, floor_value; /* scores up to floor are taken as floor_value */
-    double jitter;
+    double jitter, likelihood; /* the latter of soft models */
+    double step;             /* of the scores; 0: exact */
+    int pair_count, pair_room, soft; /* soft: conditioned by Laplace's approximation */
+    int *pairs;              /* [pair_room][2] */
     ms_simd level;
     const ms_gpr__kernels *kernels;
     ms_allocator allocator;
@@ -1660,6 +1980,7 @@ struct ms_gpr {
     size_t doubles;
     double *x;               /* [capacity][m] */
     double *y;               /* [capacity] */
+    double *value;           /* [capacity] y, or what is predicted for a row without */
     double *theta;           /* [m + 2] */
     double *center;          /* [m] subtracted from inputs, so that offsets cost no digits */
     double *scale;           /* [m] 1 / l_k */
@@ -1675,7 +1996,7 @@ struct ms_gpr {
 static size_t ms_gpr__model_doubles(int capacity, int m)
 {
     size_t stride = ms_gpr__stride(capacity), columns = (size_t)m;
-    size_t rows = ms__size_add(ms__size_mul((size_t)capacity, columns + 1), ms__size_mul(columns, 5));
+    size_t rows = ms__size_add(ms__size_mul((size_t)capacity, columns + 2), ms__size_mul(columns, 5));
     size_t lists = ms__size_mul(stride, ms__size_add(ms__size_mul(2, columns), 4));
     return ms__size_add(ms__size_add(rows, lists), ms__size_add(ms__size_mul(stride, (size_t)ms_gpr__padded(capacity)), 4));
 }
@@ -1694,7 +2015,8 @@ static void ms_gpr__lay_out(ms_gpr *gp, int capacity, double *memory)
     gp->weight_f = gp->points_f + m * gp->stride;
     gp->x = gp->weight + gp->stride + (m + 1) * gp->stride;
     gp->y = gp->x + (size_t)capacity * m;
-    gp->theta = gp->y + capacity;
+    gp->value = gp->y + capacity;
+    gp->theta = gp->value + capacity;
     gp->center = gp->theta + m + 2;
     gp->scale = gp->center + m;
     gp->dimension = (int *)(void *)(gp->scale + m);
@@ -1706,7 +2028,7 @@ static double ms_gpr__sn2(const ms_gpr *gp) { return exp(2 * gp->theta[gp->m + 1
 /* What the model takes score i as, less the prior mean. */
 static double ms_gpr__target(const ms_gpr *gp, int i)
 {
-    return (gp->y[i] > gp->floor ? gp->y[i] : gp->floor_value) - gp->mean;
+    return gp->y[i] < 0.5 * MS_GPR_UNSCORED ? 0 : (gp->y[i] > gp->floor ? gp->y[i] : gp->floor_value) - gp->mean;
 }
 
 /* The input x [m] in length scales from the center, `spacing` apart. */
@@ -1729,18 +2051,28 @@ static void ms_gpr__place_training(ms_gpr *gp, int i)
     }
 }
 
-/* alpha = K'^-1 (y - mean) from the factor. */
-static void ms_gpr__solve_alpha(ms_gpr *gp)
+static int ms_gpr__scored(double y) { return y > 0.5 * MS_GPR_UNSCORED; }
+
+/* What follows from alpha. */
+static void ms_gpr__weigh(ms_gpr *gp)
 {
     int padded = ms_gpr__padded(gp->n), i;
     double sf2 = ms_gpr__sf2(gp);
-    for (i = 0; i < padded; ++i) gp->alpha[i] = i < gp->n ? ms_gpr__target(gp, i) : 0;
-    ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, gp->alpha);
-    ms_gpr__backward_vector(gp->kernels, gp->upper, gp->stride, padded, gp->alpha);
     for (i = 0; i < padded; ++i) {
         gp->weight[i] = sf2 * gp->alpha[i];
         gp->weight_f[i] = (float)gp->weight[i];
     }
+    memcpy(gp->value, gp->y, (size_t)gp->n * sizeof *gp->value);
+}
+
+/* alpha = K'^-1 (y - mean) from the factor. */
+static void ms_gpr__solve_alpha(ms_gpr *gp)
+{
+    int padded = ms_gpr__padded(gp->n), i;
+    for (i = 0; i < padded; ++i) gp->alpha[i] = i < gp->n ? ms_gpr__target(gp, i) : 0;
+    ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, gp->alpha);
+    ms_gpr__backward_vector(gp->kernels, gp->upper, gp->stride, padded, gp->alpha);
+    ms_gpr__weigh(gp);
 }
 
 /* log p(y | X, theta) from the factor. */
@@ -1752,20 +2084,100 @@ static double ms_gpr__likelihood_of(const ms_gpr *gp)
     return -0.5 * (fit + ms_gpr__log_determinant(gp->upper, gp->stride, gp->n) + gp->n * 1.8378770664093454836);
 }
 
-/* The least score that counts, where `known` is no floor: the least that was given; 0 where all are equal and above. */
+/* The least score that counts, where `known` is no floor: the least that was given; 0 where all are equal and above, or none is. */
 static double ms_gpr__floor(const double *y, int n, double known)
 {
-    double least = n ? y[0] : 0, most = least;
+    double least = MS_GPR__OPEN, most = -MS_GPR__OPEN;
     int i;
     if (known > MS_GPR__NO_FLOOR) return known;
-    for (i = 1; i < n; ++i) {
+    for (i = 0; i < n; ++i) {
+        if (!ms_gpr__scored(y[i])) continue;
         if (y[i] < least) least = y[i];
         if (y[i] > most) most = y[i];
     }
     return most > least || least < 0 ? least : 0;
 }
 
-/* Everything that follows from x, y and theta. The jitter, in units of sf^2, is the least power of ten that does. */
+/* What a score says about its row, less `mean` and over `unit`; `taken`: what a score at the floor is taken as. */
+static void ms_gpr__link_score(ms_gpr__link *l, int row, double y, double floor, double taken, double step, double mean, double unit)
+{
+    l->row = row;
+    l->than = -1;
+    l->low = l->high = ((y > floor ? y : step > 0 ? floor : taken) - mean) / unit;
+    if (!(step > 0)) return;
+    l->low = y > floor ? l->low - 0.5 * step / unit : -MS_GPR__OPEN;
+    l->high += 0.5 * step / unit;
+}
+
+/* Links of n scores and of the comparisons; returns how many. link NULL: only counts; 0 where all rows have one exact score. */
+static int ms_gpr__link_all(ms_gpr__link *link, const double *y, int n, double floor, double taken, double step, double mean, double unit,
+                            const int *pairs, int pair_count)
+{
+    int count = 0, i;
+    for (i = 0; i < n; ++i)
+        if (ms_gpr__scored(y[i])) {
+            if (link) ms_gpr__link_score(&link[count], i, y[i], floor, taken, step, mean, unit);
+            ++count;
+        }
+    if (pair_count == 0 && count == n && !(step > 0)) return 0;
+    for (i = 0; i < pair_count && link; ++i) {
+        ms_gpr__link *l = &link[count + i];
+        l->row = pairs[2 * i];
+        l->than = pairs[2 * i + 1];
+        l->low = 0;
+        l->high = MS_GPR__OPEN;
+    }
+    return count + pair_count;
+}
+
+static int ms_gpr__links(const ms_gpr *gp, ms_gpr__link *link)
+{
+    return ms_gpr__link_all(link, gp->y, gp->n, gp->floor, gp->floor_value, gp->step, gp->mean, 1, gp->pairs, gp->pair_count);
+}
+
+/* The problem of this model's data and theta; memory from the model's allocator, to be released as `block`. */
+static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **block, size_t *doubles, ms_error *error)
+{
+    double *memory;
+    int links = gp->soft ? ms_gpr__links(gp, NULL) : 0, i, k;
+    memset(p, 0, sizeof *p);
+    *doubles = ms_gpr__problem_doubles(gp->n, gp->m, gp->soft ? links + 1 : 0, gp->pair_count);
+    memory = ms_gpr__doubles(&gp->allocator, *doubles, block);
+    if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d points", gp->n);
+    *p = ms_gpr__problem_make(gp->kernels, gp->n, gp->active, gp->soft ? links + 1 : 0, gp->pair_count, memory);
+    for (k = 0; k < gp->active; ++k)
+        memcpy(p->points + (size_t)k * p->stride, gp->points + (size_t)k * gp->stride, (size_t)gp->n * sizeof(double));
+    for (i = 0; i < gp->n; ++i) p->target[i] = ms_gpr__target(gp, i);
+    if (gp->soft) p->links = ms_gpr__links(gp, p->link);
+    return MS_OK;
+}
+
+/* Laplace's approximation for K + jitter sf^2 I: alpha and the factor. */
+static ms_status ms_gpr__condition_soft(ms_gpr *gp, ms_error *error)
+{
+    ms_gpr__problem p;
+    void *block;
+    size_t doubles;
+    int padded = ms_gpr__padded(gp->n), i, found = 0;
+    double sf2 = ms_gpr__sf2(gp);
+    ms_status status = ms_gpr__problem_of(gp, &p, &block, &doubles, error);
+    if (status != MS_OK) return status;
+    for (gp->jitter = 0; gp->jitter < 2e-6 && !found; gp->jitter = found ? gp->jitter : gp->jitter > 0 ? 10 * gp->jitter : 1e-15) {
+        memcpy(p.alpha, gp->alpha, (size_t)padded * sizeof *p.alpha);
+        found = ms_gpr__evaluate(&p, sf2, ms_gpr__sn2(gp) + gp->jitter * sf2, &gp->likelihood, NULL);
+    }
+    if (found) {
+        for (i = 0; i < padded; ++i) memcpy(gp->upper + (size_t)i * gp->stride, p.upper + (size_t)i * p.stride, (size_t)padded * sizeof(double));
+        memcpy(gp->alpha, p.alpha, (size_t)padded * sizeof *p.alpha);
+        ms_gpr__weigh(gp);
+        for (i = 0; i < gp->n; ++i)
+            if (!ms_gpr__scored(gp->y[i])) gp->value[i] = gp->mean + p.latent[i];
+    }
+    ms_gpr__release_doubles(&gp->allocator, block, doubles);
+    return found ? MS_OK : ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix of %d points and what was said about them is not positive definite", gp->n);
+}
+
+/* Everything that follows from x, y, comparisons and theta. The jitter, in units of sf^2, is the least power of ten that does. */
 static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
 {
     size_t lists = (size_t)gp->m * gp->stride;
@@ -1782,6 +2194,9 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
     memset(gp->points, 0, lists * sizeof *gp->points);
     memset(gp->points_f, 0, lists * sizeof *gp->points_f);
     for (i = 0; i < gp->n; ++i) ms_gpr__place_training(gp, i);
+    gp->soft = gp->step > 0 || gp->pair_count > 0;
+    for (i = 0; i < gp->n; ++i) gp->soft |= !ms_gpr__scored(gp->y[i]);
+    if (gp->soft) return ms_gpr__condition_soft(gp, error);
     for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = gp->jitter > 0 ? 10 * gp->jitter : 1e-15) {
         ms_gpr__covariance(gp->kernels, gp->points, gp->stride, gp->n, gp->active, sf2, gp->upper);
         if (ms_gpr__factor(gp->kernels, gp->upper, gp->stride, gp->n, sf2, sn2 + gp->jitter * sf2, gp->upper)) {
@@ -1812,6 +2227,17 @@ static ms_status ms_gpr__check_rows(const double *x, int rows, int columns, doub
     return MS_OK;
 }
 
+static ms_status ms_gpr__check_scores(const double *y, int n, ms_error *error)
+{
+    double unscored = MS_GPR_UNSCORED;
+    int i;
+    for (i = 0; i < n; ++i)
+        if (memcmp(&y[i], &unscored, sizeof unscored) != 0 && (!ms__finite(y[i]) || !(fabs(y[i]) <= MS_GPR__LARGEST)))
+            return ms__fail(error, MS_BAD_DATA, (size_t)i + 1, "score %d is %g: expected a number from %g to %g", i + 1, y[i],
+                            -MS_GPR__LARGEST, MS_GPR__LARGEST);
+    return MS_OK;
+}
+
 static ms_status ms_gpr__check_data(const double *x, const double *y, int n, int m, ms_error *error)
 {
     ms_status status;
@@ -1819,7 +2245,19 @@ static ms_status ms_gpr__check_data(const double *x, const double *y, int n, int
     if (m < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d: expected at least 1", m);
     if (n > 0 && (x == NULL || y == NULL)) return ms_gpr__null(x ? "y" : "x", error);
     status = ms_gpr__check_rows(x, n, m, MS_GPR__LARGEST, "input", error);
-    return status == MS_OK ? ms_gpr__check_rows(y, n, 1, MS_GPR__LARGEST, "score", error) : status;
+    return status == MS_OK ? ms_gpr__check_scores(y, n, error) : status;
+}
+
+static ms_status ms_gpr__check_pairs(const int *pairs, int count, int n, ms_error *error)
+{
+    int i;
+    if (count < 0 || count > 10000000) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "there are %d pairs: expected 0 to 10000000", count);
+    if (count > 0 && pairs == NULL) return ms_gpr__null("pairs", error);
+    for (i = 0; i < count; ++i)
+        if (pairs[2 * i] < 0 || pairs[2 * i] >= n || pairs[2 * i + 1] < 0 || pairs[2 * i + 1] >= n || pairs[2 * i] == pairs[2 * i + 1])
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1, "pair %d is %d, %d: expected two rows from 0 to %d", i + 1, pairs[2 * i],
+                            pairs[2 * i + 1], n - 1);
+    return MS_OK;
 }
 
 static ms_status ms_gpr__check_theta(const double *theta, int m, ms_error *error)
@@ -1834,36 +2272,98 @@ static ms_status ms_gpr__check_theta(const double *theta, int m, ms_error *error
     return MS_OK;
 }
 
-static ms_status ms_gpr__make(const double *x, const double *y, int n, int m, const double *theta, double floor,
-                              double floor_value, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+/* What a model is made of. */
+typedef struct ms_gpr__data {
+    const double *x, *y, *theta;
+    int n, m, pair_count;
+    const int *pairs;
+    double floor, floor_value, step;
+} ms_gpr__data;
+
+/* A model with room for `capacity` points, everything copied, nothing conditioned. */
+static ms_status ms_gpr__copy(const ms_gpr__data *data, int capacity, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
 {
     ms_gpr *gp = (ms_gpr *)ms__alloc(&options->allocator, sizeof *gp);
+    size_t n = (size_t)data->n, m = (size_t)data->m, size = 2 * (size_t)data->pair_count * sizeof *data->pairs;
     double *memory;
-    ms_status status;
+    *out = NULL;
     if (gp == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model");
     memset(gp, 0, sizeof *gp);
-    gp->n = n;
-    gp->m = m;
+    gp->n = data->n;
+    gp->m = data->m;
     gp->mean = options->mean;
-    gp->floor = floor;
-    gp->floor_value = floor_value;
+    gp->floor = data->floor;
+    gp->floor_value = data->floor_value;
+    gp->step = data->step;
+    gp->pair_count = gp->pair_room = data->pair_count;
     gp->level = ms_gpr__simd_pick(options->simd);
     gp->kernels = ms_gpr__kernels_of(gp->level);
     gp->allocator = options->allocator;
     gp->parallel = options->parallel;
-    gp->doubles = ms_gpr__model_doubles(n, m);
-    memory = ms_gpr__doubles(&gp->allocator, gp->doubles, &gp->block);
+    gp->doubles = ms_gpr__model_doubles(capacity, gp->m);
+    if (size > 0) gp->pairs = (int *)ms__alloc(&gp->allocator, size);
+    memory = size > 0 && gp->pairs == NULL ? NULL : ms_gpr__doubles(&gp->allocator, gp->doubles, &gp->block);
     if (memory == NULL) {
+        ms__release(&options->allocator, gp->pairs, size);
         ms__release(&options->allocator, gp, sizeof *gp);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model of %d points and %d dimensions", n, m);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model of %d points and %d dimensions", data->n, data->m);
     }
-    ms_gpr__lay_out(gp, n, memory);
-    if (n > 0) memcpy(gp->x, x, (size_t)n * (size_t)m * sizeof *x);
-    if (n > 0) memcpy(gp->y, y, (size_t)n * sizeof *y);
-    memcpy(gp->theta, theta, ((size_t)m + 2) * sizeof *theta);
-    status = ms_gpr__condition(gp, error);
-    if (status != MS_OK) ms_gpr_destroy(gp);
-    else *out = gp;
+    ms_gpr__lay_out(gp, capacity, memory);
+    if (n > 0) memcpy(gp->x, data->x, n * m * sizeof *gp->x);
+    if (n > 0) memcpy(gp->y, data->y, n * sizeof *gp->y);
+    if (size > 0) memcpy(gp->pairs, data->pairs, size);
+    memcpy(gp->theta, data->theta, (m + 2) * sizeof *gp->theta);
+    memset(gp->alpha, 0, gp->stride * sizeof *gp->alpha);
+    *out = gp;
+    return MS_OK;
+}
+
+static ms_status ms_gpr__make(const ms_gpr__data *data, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+{
+    ms_status status = ms_gpr__copy(data, data->n, options, out, error);
+    if (status != MS_OK) return status;
+    status = ms_gpr__condition(*out, error);
+    if (status == MS_OK) return MS_OK;
+    ms_gpr_destroy(*out);
+    *out = NULL;
+    return status;
+}
+
+/* A copy of the model to be changed, with room for `more` points, and with these pairs. */
+static ms_status ms_gpr__edit(const ms_gpr *gp, int more, const int *pairs, int pair_count, ms_gpr **out, ms_error *error)
+{
+    ms_gpr_options options;
+    ms_gpr__data data;
+    ms_status status;
+    options.mean = gp->mean;
+    options.simd = gp->level;
+    options.allocator = gp->allocator;
+    options.parallel = gp->parallel;
+    data.x = gp->x;
+    data.y = gp->y;
+    data.theta = gp->theta;
+    data.n = gp->n;
+    data.m = gp->m;
+    data.pairs = pairs;
+    data.pair_count = pair_count;
+    data.floor = gp->floor;
+    data.floor_value = gp->floor_value;
+    data.step = gp->step;
+    status = ms_gpr__copy(&data, gp->n + more, &options, out, error);
+    if (status == MS_OK) memcpy((*out)->alpha, gp->alpha, (size_t)gp->n * sizeof *gp->alpha); /* where Newton's method starts */
+    return status;
+}
+
+/* Conditions the changed copy and puts it in the place of gp, which keeps its address; or drops it. */
+static ms_status ms_gpr__commit(ms_gpr *gp, ms_gpr *edited, ms_error *error)
+{
+    ms_status status = ms_gpr__condition(edited, error);
+    if (status == MS_OK) {
+        ms_gpr old = *gp;
+        *gp = *edited;
+        *edited = old;
+    }
+    ms_gpr_destroy(edited);
     return status;
 }
 
@@ -1871,6 +2371,7 @@ MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, c
                                    ms_gpr **out, ms_error *error)
 {
     ms_gpr_options defaults;
+    ms_gpr__data data;
     ms_status status;
     if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
@@ -1879,7 +2380,15 @@ MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, c
     status = ms_gpr__check_data(x, y, n, m, error);
     if (status == MS_OK) status = ms_gpr__check_theta(theta, m, error);
     if (status == MS_OK && !ms__finite(options->mean)) status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "the prior mean is not finite");
-    return status == MS_OK ? ms_gpr__make(x, y, n, m, theta, MS_GPR__NO_FLOOR, 0, options, out, error) : status;
+    if (status != MS_OK) return status;
+    memset(&data, 0, sizeof data);
+    data.x = x;
+    data.y = y;
+    data.n = n;
+    data.m = m;
+    data.theta = theta;
+    data.floor = MS_GPR__NO_FLOOR;
+    return ms_gpr__make(&data, options, out, error);
 }
 
 MS_API void ms_gpr_destroy(ms_gpr *gp)
@@ -1888,6 +2397,7 @@ MS_API void ms_gpr_destroy(ms_gpr *gp)
     if (gp == NULL) return;
     allocator = gp->allocator;
     ms_gpr__release_doubles(&allocator, gp->block, gp->doubles);
+    ms__release(&allocator, gp->pairs, 2 * (size_t)gp->pair_room * sizeof *gp->pairs);
     ms__release(&allocator, gp, sizeof *gp);
 }
 
@@ -1896,6 +2406,13 @@ static ms_status ms_gpr__try_theta(ms_gpr *gp, const double *theta, double *swap
 {
     size_t size = ((size_t)gp->m + 2) * sizeof *theta;
     ms_status status;
+    if (gp->soft) {
+        ms_gpr *edited;
+        status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
+        if (status != MS_OK) return status;
+        memcpy(edited->theta, theta, size);
+        return ms_gpr__commit(gp, edited, error);
+    }
     memcpy(swap, gp->theta, size);
     memcpy(gp->theta, theta, size);
     status = ms_gpr__condition(gp, error);
@@ -1969,27 +2486,14 @@ MS_API int ms_gpr_dimensions(const ms_gpr *gp) { return gp ? gp->m : 0; }
 MS_API const double *ms_gpr_theta(const ms_gpr *gp) { return gp ? gp->theta : NULL; }
 MS_API const double *ms_gpr_inputs(const ms_gpr *gp) { return gp ? gp->x : NULL; }
 MS_API const double *ms_gpr_scores(const ms_gpr *gp) { return gp ? gp->y : NULL; }
+MS_API const double *ms_gpr_values(const ms_gpr *gp) { return gp ? gp->value : NULL; }
+MS_API const int *ms_gpr_pairs(const ms_gpr *gp) { return gp ? gp->pairs : NULL; }
+MS_API int ms_gpr_pair_count(const ms_gpr *gp) { return gp ? gp->pair_count : 0; }
 MS_API double ms_gpr_mean(const ms_gpr *gp) { return gp ? gp->mean : 0; }
 MS_API double ms_gpr_floor(const ms_gpr *gp) { return gp ? ms_gpr__floor(gp->y, gp->n, gp->floor) : 0; }
 MS_API double ms_gpr_floor_value(const ms_gpr *gp) { return gp && gp->floor > MS_GPR__NO_FLOOR ? gp->floor_value : ms_gpr_floor(gp); }
 MS_API ms_simd ms_gpr_level(const ms_gpr *gp) { return gp ? gp->level : MS_SIMD_AUTO; }
 MS_API double ms_gpr_jitter(const ms_gpr *gp) { return gp ? gp->jitter : 0; }
-
-/* The problem of this model's data and theta; memory from the model's allocator, to be released as `block`. */
-static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **block, size_t *doubles, ms_error *error)
-{
-    double *memory;
-    int i, k;
-    memset(p, 0, sizeof *p);
-    *doubles = ms_gpr__problem_doubles(gp->n, gp->m);
-    memory = ms_gpr__doubles(&gp->allocator, *doubles, block);
-    if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d points", gp->n);
-    *p = ms_gpr__problem_make(gp->kernels, gp->n, gp->active, memory);
-    for (k = 0; k < gp->active; ++k)
-        memcpy(p->points + (size_t)k * p->stride, gp->points + (size_t)k * gp->stride, (size_t)gp->n * sizeof(double));
-    for (i = 0; i < gp->n; ++i) p->target[i] = ms_gpr__target(gp, i);
-    return MS_OK;
-}
 
 MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error)
 {
@@ -2027,6 +2531,8 @@ MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *va
     double *inverse, sum = 0;
     void *block;
     if (gp == NULL) return ms_gpr__null("gp", error);
+    if (gp->soft)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "comparisons and scores in steps cannot be left out one by one in closed form");
     stride = gp->stride;
     padded = ms_gpr__padded(gp->n);
     doubles = ms__size_mul((size_t)padded, stride);
@@ -2070,6 +2576,7 @@ static ms_status ms_gpr__grow(ms_gpr *gp, ms_error *error)
     ms_gpr__lay_out(gp, capacity, memory);
     memcpy(gp->x, old.x, n * m * sizeof *gp->x);
     memcpy(gp->y, old.y, n * sizeof *gp->y);
+    memcpy(gp->value, old.value, n * sizeof *gp->value);
     memcpy(gp->theta, old.theta, (m + 2) * sizeof *gp->theta);
     memcpy(gp->center, old.center, m * sizeof *gp->center);
     memcpy(gp->scale, old.scale, m * sizeof *gp->scale);
@@ -2110,6 +2617,15 @@ MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *
     ms_status status;
     if (gp == NULL) return ms_gpr__null("gp", error);
     status = ms_gpr__check_data(x, &y, 1, gp->m, error);
+    if (status == MS_OK && (gp->soft || !ms_gpr__scored(y))) {
+        ms_gpr *edited;
+        if (gp->n >= MS_GPR__N_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the model already has %d points", gp->n);
+        status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
+        if (status != MS_OK) return status;
+        memcpy(edited->x + (size_t)gp->n * (size_t)gp->m, x, (size_t)gp->m * sizeof *x);
+        edited->y[edited->n++] = y;
+        return ms_gpr__commit(gp, edited, error);
+    }
     if (status == MS_OK) status = ms_gpr__grow(gp, error);
     if (status != MS_OK) return status;
     n = gp->n;
@@ -2145,9 +2661,16 @@ MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error
 {
     ms_status status;
     if (gp == NULL) return ms_gpr__null("gp", error);
-    status = ms_gpr__check_rows(&y, 1, 1, MS_GPR__LARGEST, "score", error);
+    status = ms_gpr__check_scores(&y, 1, error);
     if (status != MS_OK) return status;
     if (index < 0 || index >= gp->n) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, gp->n - 1);
+    if (gp->soft || !ms_gpr__scored(y)) {
+        ms_gpr *edited;
+        status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
+        if (status != MS_OK) return status;
+        edited->y[index] = y;
+        return ms_gpr__commit(gp, edited, error);
+    }
     gp->y[index] = y;
     ms_gpr__solve_alpha(gp);
     return MS_OK;
@@ -2162,6 +2685,24 @@ MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error)
     stride = gp->stride;
     last = gp->n - 1;
     if (index < 0 || index > last) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, last);
+    if (gp->soft) {
+        ms_gpr *edited;
+        ms_status status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
+        if (status != MS_OK) return status;
+        memmove(edited->x + (size_t)index * m, edited->x + ((size_t)index + 1) * m, (size_t)(last - index) * m * sizeof *gp->x);
+        memmove(edited->y + index, edited->y + index + 1, (size_t)(last - index) * sizeof *gp->y);
+        memmove(edited->alpha + index, edited->alpha + index + 1, (size_t)(last - index) * sizeof *gp->alpha);
+        edited->alpha[last] = 0;
+        edited->n = last;
+        for (i = 0, j = 0; i < gp->pair_count; ++i) {
+            int better = gp->pairs[2 * i], worse = gp->pairs[2 * i + 1];
+            if (better == index || worse == index) continue;
+            edited->pairs[2 * j] = better - (better > index);
+            edited->pairs[2 * j++ + 1] = worse - (worse > index);
+        }
+        edited->pair_count = j;
+        return ms_gpr__commit(gp, edited, error);
+    }
     memmove(gp->x + (size_t)index * m, gp->x + ((size_t)index + 1) * m, (size_t)(last - index) * m * sizeof *gp->x);
     memmove(gp->y + index, gp->y + index + 1, (size_t)(last - index) * sizeof *gp->y);
     for (k = 0; k < gp->active; ++k) {
@@ -2191,6 +2732,24 @@ MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error)
     ms_gpr__pad(gp, last);
     ms_gpr__solve_alpha(gp);
     return MS_OK;
+}
+
+MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const int *pairs, int pair_count, ms_error *error)
+{
+    ms_gpr *edited;
+    ms_status status;
+    size_t m;
+    if (gp == NULL || (count > 0 && x == NULL)) return ms_gpr__null(gp ? "x" : "gp", error);
+    m = (size_t)gp->m;
+    if (count < 0 || count > MS_GPR__N_MAX - gp->n)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected 0 to %d", count, MS_GPR__N_MAX - gp->n);
+    status = ms_gpr__check_rows(x, count, gp->m, MS_GPR__LARGEST, "input", error);
+    if (status == MS_OK) status = ms_gpr__check_pairs(pairs, pair_count, gp->n + count, error);
+    if (status == MS_OK) status = ms_gpr__edit(gp, count, pairs, pair_count, &edited, error);
+    if (status != MS_OK) return status;
+    if (count > 0) memcpy(edited->x + (size_t)gp->n * m, x, (size_t)count * m * sizeof *x);
+    while (edited->n < gp->n + count) edited->y[edited->n++] = MS_GPR_UNSCORED;
+    return ms_gpr__commit(gp, edited, error);
 }
 
 /* ----------------------------------------------------------------------------------------------- PREDICTION */
@@ -2475,7 +3034,7 @@ static void ms_gpr__ranked_select(ms_gpr__ranked *list, int count, int first)
 
 /* Scores that a search looks at: all of them, or a part. Targets have mean 0 and standard deviation 1. */
 typedef struct ms_gpr__sample {
-    ms_gpr__problem problem;
+    ms_gpr__problem problem;  /* with the links of its scores and comparisons, where there are any */
     double *columns;          /* [m][stride] inputs in widths from their centers, by dimension */
 } ms_gpr__sample;
 
@@ -2493,6 +3052,7 @@ typedef struct ms_gpr__fit {
     ms_gpr__ranked *order;    /* [n + starts] */
     double *work;
     double mean, unit, floor, floor_value;
+    int links, scored;        /* of all rows; 0 links: every row has one exact score */
     int expected;             /* evaluations, about */
     ms_gpr_fit_report report;
 } ms_gpr__fit;
@@ -2528,28 +3088,34 @@ static int ms_gpr__fit_objective(void *context, const double *q, double *value, 
     return 1;
 }
 
-/* The floor, what scores there are taken as, and what makes mean 0 and standard deviation 1 of them. 0: all scores are equal. */
+/* The floor, what scores there are taken as, and what makes mean 0 and standard deviation 1 of them. 0: all scores are equal, and
+   nothing was compared. */
 static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
 {
-    double least = n ? y[0] : 0, most = least, sum = 0, sum2 = 0;
-    int i, pass, share = 0;
-    for (i = 1; i < n; ++i) {
+    double least = MS_GPR__OPEN, most = -MS_GPR__OPEN, sum = 0, sum2 = 0;
+    int i, pass, share = 0, scored = 0;
+    for (i = 0; i < n; ++i) {
+        if (!ms_gpr__scored(y[i])) continue;
         if (y[i] < least) least = y[i];
         if (y[i] > most) most = y[i];
+        ++scored;
     }
+    if (scored == 0) least = most = 0;
+    fit->scored = scored;
     fit->unit = fabs(most) > 0 ? fabs(most) : 1;
     fit->mean = 0.5 * (least + most);
     fit->floor = MS_GPR__NO_FLOOR;
-    for (i = 0; i < n; ++i) share += y[i] <= least;
+    for (i = 0; i < n; ++i) share += ms_gpr__scored(y[i]) && y[i] <= least;
     if (fit->o.floor) fit->floor = *fit->o.floor;
-    else if (share >= 2 && 8.0 * share >= n && share < n) fit->floor = least;
+    else if (share >= 2 && 8.0 * share >= scored && share < scored) fit->floor = least;
     fit->floor_value = fit->floor;
-    if (!(most - least > 1e-12 * (fabs(most) + fabs(least)))) return 0;
+    if (!(most - least > 1e-12 * (fabs(most) + fabs(least)))) return fit->o.pair_count > 0;
     for (pass = 0; pass < 2; ++pass) { /* of the scores, then of what they are taken as */
-        for (i = 0, sum = sum2 = 0; i < n; ++i) sum += (y[i] > fit->floor ? y[i] : fit->floor_value) / n;
+        for (i = 0, sum = sum2 = 0; i < n; ++i)
+            if (ms_gpr__scored(y[i])) sum += (y[i] > fit->floor ? y[i] : fit->floor_value) / scored;
         for (i = 0; i < n; ++i) {
             double d = (y[i] > fit->floor ? y[i] : fit->floor_value) - sum;
-            sum2 += d * d / n;
+            if (ms_gpr__scored(y[i])) sum2 += d * d / scored;
         }
         if (pass == 0 && fit->floor > MS_GPR__NO_FLOOR) fit->floor_value -= fit->o.floor_offset * sqrt(sum2);
     }
@@ -2584,13 +3150,15 @@ static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, const double *x, int n, i
 }
 
 /* Row `row` of the scores as row `to` of a sample. */
-static void ms_gpr__fit_place(const ms_gpr__fit *fit, ms_gpr__sample *sample, int to, const double *x, const double *y, int row, int m)
+static void ms_gpr__fit_place(ms_gpr__fit *fit, ms_gpr__sample *sample, int to, const double *x, const double *y, int row, int m)
 {
     int k;
     for (k = 0; k < fit->m; ++k)
         sample->columns[(size_t)k * sample->problem.stride + (size_t)to] =
             (x[(size_t)row * (size_t)m + (size_t)fit->column[k]] - fit->center[k]) / fit->width[k];
-    sample->problem.target[to] = ((y[row] > fit->floor ? y[row] : fit->floor_value) - fit->mean) / fit->unit;
+    if (!sample->problem.link) sample->problem.target[to] = ((y[row] > fit->floor ? y[row] : fit->floor_value) - fit->mean) / fit->unit;
+    else if (sample == &fit->part) /* of steps alone: every row has a score */
+        ms_gpr__link_score(&sample->problem.link[to], to, y[row], fit->floor, fit->floor_value, fit->o.step, fit->mean, fit->unit);
 }
 
 /* Priors, bounds, and where the searches start. */
@@ -2710,14 +3278,15 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 
 static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, ms_gpr_fit_options *o, ms_error *error)
 {
-    static const char *const name[] = {"length_start", "length_min", "length_max", "noise_min", "noise", "noise_spread", "length", "length_spread"};
-    double value[8];
+    static const char *const name[] = {"length_start", "length_min", "length_max", "noise_min", "noise", "noise_spread", "length", "length_spread", "step"};
+    double value[9];
     int i;
     memset(o, 0, sizeof *o);
     if (options) *o = *options;
     value[0] = o->length_start, value[1] = o->length_min, value[2] = o->length_max, value[3] = o->noise_min;
     value[4] = o->noise, value[5] = o->noise_spread, value[6] = o->length, value[7] = o->length_spread;
-    for (i = 0; i < 8; ++i)
+    value[8] = o->step;
+    for (i = 0; i < 9; ++i)
         if (!ms__finite(value[i]) || !(value[i] >= 0 && value[i] <= MS_GPR__LARGEST))
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i], value[i], MS_GPR__LARGEST);
     if ((int)o->method < 0 || (int)o->method > (int)MS_GPR_METHOD_ML)
@@ -2747,13 +3316,13 @@ static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, int part, ms_gpr_
 {
     const ms_gpr__kernels *f = ms_gpr__kernels_of(ms_gpr__simd_pick(fit->o.simd));
     size_t row = (size_t)m + 2;
-    double *memory = ms_gpr__take(arena, ms_gpr__problem_doubles(n, m), 1);
-    if (memory) fit->whole.problem = ms_gpr__problem_make(f, n, m, memory);
+    double *memory = ms_gpr__take(arena, ms_gpr__problem_doubles(n, m, fit->links, fit->o.pair_count), 1);
+    if (memory) fit->whole.problem = ms_gpr__problem_make(f, n, m, fit->links, fit->o.pair_count, memory);
     fit->whole.columns = ms_gpr__take(arena, (size_t)m, ms_gpr__stride(n));
     fit->part.columns = NULL;
     if (part < n) {
-        memory = ms_gpr__take(arena, ms_gpr__problem_doubles(part, m), 1);
-        if (memory) fit->part.problem = ms_gpr__problem_make(f, part, m, memory);
+        memory = ms_gpr__take(arena, ms_gpr__problem_doubles(part, m, fit->links ? part : 0, 0), 1);
+        if (memory) fit->part.problem = ms_gpr__problem_make(f, part, m, fit->links ? part : 0, 0, memory);
         fit->part.columns = ms_gpr__take(arena, (size_t)m, ms_gpr__stride(part));
     }
     fit->work = ms_gpr__take(arena, ms_gpr__minimize_doubles(m + 2), 1);
@@ -2784,6 +3353,9 @@ static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double
         fit->order[i].value = y[i];
         ms_gpr__fit_place(fit, &fit->whole, i, x, y, i, m);
     }
+    if (fit->links)
+        ms_gpr__link_all(fit->whole.problem.link, y, n, fit->floor, fit->floor_value, fit->o.step, fit->mean, fit->unit, fit->o.pairs,
+                         fit->o.pair_count);
     if (part < n) { /* the better half of the part is the best of all; the rest evenly from what is left */
         int best = part / 2, left = part - best;
         ms_gpr__ranked_sort(fit->order, n);
@@ -2797,7 +3369,7 @@ static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double
     if (differ && fit->m > 0) found = ms_gpr__fit_search(fit);
     else if (fit->starts > 2) memcpy(fit->q, fit->q + 2 * (fit->m + 2), ((size_t)fit->m + 2) * sizeof *fit->q);
     if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "the fit was cancelled after %d evaluations", fit->report.evaluations);
-    fit->report.objective = -found.value - n * log(fit->unit);
+    fit->report.objective = -found.value - (fit->o.step > 0 ? 0 : fit->scored) * log(fit->unit); /* of steps it is a probability */
     for (k = 0; k < m; ++k) fit->theta[k] = MS_GPR__DROPPED;
     for (k = 0; k < fit->m; ++k) fit->theta[fit->column[k]] = fit->q[k] + log(fit->width[k]);
     for (k = 0; k < 2; ++k) fit->theta[m + k] = fit->q[fit->m + k] + log(fit->unit);
@@ -2818,11 +3390,13 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     memset(&fit, 0, sizeof fit);
     status = ms_gpr__check_data(x, y, n, m, error);
     if (status == MS_OK) status = ms_gpr__fit_options(options, m, &fit.o, error);
+    if (status == MS_OK) status = ms_gpr__check_pairs(fit.o.pairs, fit.o.pair_count, n, error);
     if (status != MS_OK) return status;
+    fit.links = ms_gpr__link_all(NULL, y, n, 0, 0, fit.o.step, 0, 1, NULL, fit.o.pair_count);
     fit.starts = fit.o.start || fit.o.length_start > 0 ? 1 : 3 + fit.o.random_starts;
     fit.expected = 30 * fit.starts + fit.o.evaluations / 2;
     part = 4 * m > MS_GPR__PART ? 4 * m : MS_GPR__PART;
-    part = n / 2 < part || fit.o.method == MS_GPR_METHOD_ML || fit.starts == 1 ? n : n / 3 < part ? part : n / 3 < 400 ? n / 3 : 400;
+    part = n / 2 < part || fit.o.method == MS_GPR_METHOD_ML || fit.starts == 1 || (fit.links && fit.links != n) || fit.o.pair_count > 0 ? n : n / 3 < part ? part : n / 3 < 400 ? n / 3 : 400;
     ms_gpr__fit_layout(&fit, n, m, part, &arena);
     doubles = arena.used;
     arena.base = ms_gpr__doubles(&fit.o.allocator, doubles, &block);
@@ -2832,15 +3406,26 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     status = ms_gpr__fit_run(&fit, x, y, n, m, part, error);
     if (status == MS_OK) {
         ms_gpr_options model;
+        ms_gpr__data data;
+        data.x = x;
+        data.y = y;
+        data.theta = fit.theta;
+        data.n = n;
+        data.m = m;
+        data.pairs = fit.o.pairs;
+        data.pair_count = fit.o.pair_count;
+        data.floor = fit.floor;
+        data.floor_value = fit.floor_value;
+        data.step = fit.o.step;
         model.mean = fit.mean;
         model.simd = fit.o.simd;
         model.allocator = fit.o.allocator;
         model.parallel = fit.o.parallel;
-        status = ms_gpr__make(x, y, n, m, fit.theta, fit.floor, fit.floor_value, &model, out, error);
+        status = ms_gpr__make(&data, &model, out, error);
     }
     if (status == MS_OK && report) {
         *report = fit.report;
-        report->likelihood = ms_gpr__likelihood_of(*out);
+        report->likelihood = (*out)->soft ? (*out)->likelihood : ms_gpr__likelihood_of(*out);
         report->jitter = (*out)->jitter;
     }
     ms_gpr__release_doubles(&fit.o.allocator, block, doubles);
@@ -2873,58 +3458,69 @@ static uint64_t ms_gpr__checksum(const unsigned char *bytes, size_t size)
     return hash;
 }
 
-static size_t ms_gpr__file_doubles(size_t n, size_t m)
+/* Behind the header, a pair of comparisons as long as one. soft: 1 in version 3. */
+static size_t ms_gpr__file_doubles(size_t n, size_t m, size_t soft, size_t pairs)
 {
-    return ms__size_add(ms__size_add(m, 5), ms__size_mul(n, ms__size_add(m, 1)));
+    return ms__size_add(ms__size_add(m, 5 + soft), ms__size_add(pairs, ms__size_mul(n, ms__size_add(m, 1))));
 }
 
 MS_API size_t ms_gpr_save_size(const ms_gpr *gp)
 {
-    return gp ? MS_GPR__HEADER + 8 * ms_gpr__file_doubles((size_t)gp->n, (size_t)gp->m) + 8 : 0;
+    return gp ? MS_GPR__HEADER + 8 * ms_gpr__file_doubles((size_t)gp->n, (size_t)gp->m, (size_t)gp->soft, (size_t)gp->pair_count) + 8 : 0;
 }
 
 MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes)
 {
     unsigned char *start = (unsigned char *)bytes, *at = start + MS_GPR__HEADER;
-    const double *part[6];
-    size_t count[6], i;
+    const double *part[7];
+    size_t count[7], i;
     int k;
     if (gp == NULL || bytes == NULL) return;
     memcpy(start, "ms_gpr\r\n", 8);
-    ms_gpr__put(start + 8, 4, 2);
+    ms_gpr__put(start + 8, 4, gp->soft ? 3 : 2);
     ms_gpr__put(start + 12, 4, (uint64_t)gp->n);
     ms_gpr__put(start + 16, 4, (uint64_t)gp->m);
-    ms_gpr__put(start + 20, 4, 0);
+    ms_gpr__put(start + 20, 4, (uint64_t)gp->pair_count);
     part[0] = &gp->mean, count[0] = 1;
     part[1] = &gp->floor, count[1] = 1;
     part[2] = &gp->floor_value, count[2] = 1;
-    part[3] = gp->theta, count[3] = (size_t)gp->m + 2;
-    part[4] = gp->x, count[4] = (size_t)gp->n * (size_t)gp->m;
-    part[5] = gp->y, count[5] = (size_t)gp->n;
-    for (k = 0; k < 6; ++k) {
+    part[3] = &gp->step, count[3] = (size_t)gp->soft;
+    part[4] = gp->theta, count[4] = (size_t)gp->m + 2;
+    part[5] = gp->x, count[5] = (size_t)gp->n * (size_t)gp->m;
+    part[6] = gp->y, count[6] = (size_t)gp->n;
+    for (k = 0; k < 7; ++k) {
         for (i = 0; i < count[k]; ++i, at += 8) {
             uint64_t bits;
             memcpy(&bits, part[k] + i, 8);
             ms_gpr__put(at, 8, bits);
         }
     }
+    for (k = 0; k < 2 * gp->pair_count; ++k, at += 4) ms_gpr__put(at, 4, (uint64_t)gp->pairs[k]);
     ms_gpr__put(at, 8, ms_gpr__checksum(start, (size_t)(at - start)));
 }
 
-/* The doubles of a file whose frame is sound, into `value`. */
-static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_t m, double *value, ms_error *error)
+/* The doubles of a file whose frame is sound, into `value`, and pairs behind them. */
+static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_t m, size_t soft, size_t pairs, double *value, ms_error *error)
 {
-    size_t count = ms_gpr__file_doubles(n, m), i;
+    size_t count = ms_gpr__file_doubles(n, m, soft, 0), first = 3 + soft, i;
+    int *pair = (int *)(void *)(value + count);
     for (i = 0; i < count; ++i) {
         uint64_t bits = ms_gpr__get(bytes + MS_GPR__HEADER + 8 * i, 8);
         memcpy(&value[i], &bits, 8);
         if (!ms__finite(value[i]))
             return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * i, "value %z is not finite", i + 1);
     }
-    if (ms_gpr__check_theta(value + 3, (int)m, NULL) != MS_OK)
-        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 24, "a hyperparameter is out of range");
-    if (ms_gpr__check_rows(value + 5 + m, (int)n, (int)m + 1, MS_GPR__LARGEST, "value of row", NULL) != MS_OK)
-        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * (5 + m), "an input or a score is beyond 1e30");
+    if (soft && !(value[3] >= 0 && value[3] <= MS_GPR__LARGEST)) return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 24, "the step is out of range");
+    if (ms_gpr__check_theta(value + first, (int)m, NULL) != MS_OK)
+        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * first, "a hyperparameter is out of range");
+    if (ms_gpr__check_data(value + first + m + 2, value + first + m + 2 + n * m, (int)n, (int)m, NULL) != MS_OK)
+        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * (first + m + 2), "an input or a score is beyond 1e30");
+    for (i = 0; i < 2 * pairs; ++i) {
+        uint64_t row = ms_gpr__get(bytes + MS_GPR__HEADER + 8 * count + 4 * i, 4);
+        if (row >= n || (i % 2 && (int)row == pair[i - 1]))
+            return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * count + 4 * i, "a comparison names a row that is not there, or twice the same");
+        pair[i] = (int)row;
+    }
     return MS_OK;
 }
 
@@ -2932,7 +3528,7 @@ MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_option
 {
     const unsigned char *b = (const unsigned char *)bytes;
     ms_gpr_options o;
-    size_t n, m, expected, doubles;
+    size_t n, m, soft, pairs, expected, doubles;
     double *value;
     ms_status status;
     if (out == NULL) return ms_gpr__null("out", error);
@@ -2940,14 +3536,16 @@ MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_option
     if (bytes == NULL) return ms_gpr__null("bytes", error);
     if (size < MS_GPR__HEADER + 8 || memcmp(b, "ms_gpr\r\n", 8) != 0)
         return ms__fail(error, MS_BAD_DATA, 0, "not a model: it does not start with \"ms_gpr\" and a line end, or is cut short");
-    if (ms_gpr__get(b + 8, 4) != 2)
-        return ms__fail(error, MS_UNSUPPORTED, 8, "version %z: expected 2", (size_t)ms_gpr__get(b + 8, 4));
+    soft = ms_gpr__get(b + 8, 4) == 3;
+    if (!soft && ms_gpr__get(b + 8, 4) != 2)
+        return ms__fail(error, MS_UNSUPPORTED, 8, "version %z: expected 2 or 3", (size_t)ms_gpr__get(b + 8, 4));
     n = (size_t)ms_gpr__get(b + 12, 4);
     m = (size_t)ms_gpr__get(b + 16, 4);
-    if (n > MS_GPR__N_MAX || m < 1 || m > 0x7fffff || ms_gpr__get(b + 20, 4) != 0)
-        return ms__fail(error, MS_BAD_DATA, 12, "%z points of %z dimensions: expected at most %d points, 1 to 8388607 dimensions, and 0 "
-                                                "in bytes 20 to 23", n, m, MS_GPR__N_MAX);
-    doubles = ms_gpr__file_doubles(n, m);
+    pairs = (size_t)ms_gpr__get(b + 20, 4);
+    if (n > MS_GPR__N_MAX || m < 1 || m > 0x7fffff || pairs > (soft ? 10000000 : 0))
+        return ms__fail(error, MS_BAD_DATA, 12, "%z points of %z dimensions, %z pairs: expected at most %d points, 1 to 8388607 dimensions, and "
+                                                "at most 10000000 pairs, none in version 2", n, m, pairs, MS_GPR__N_MAX);
+    doubles = ms_gpr__file_doubles(n, m, soft, pairs);
     expected = ms__size_add(ms__size_mul(doubles, 8), MS_GPR__HEADER + 8);
     if (size != expected)
         return ms__fail(error, MS_BAD_DATA, size < expected ? size : expected, "%z bytes: expected %z for %z points of %z dimensions", size,
@@ -2958,11 +3556,21 @@ MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_option
     if (options) o = *options;
     value = (double *)ms__alloc(&o.allocator, doubles * sizeof *value);
     if (value == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to read %z values", doubles);
-    status = ms_gpr__load_values(b, n, m, value, error);
+    status = ms_gpr__load_values(b, n, m, soft, pairs, value, error);
     if (status == MS_OK) {
-        double *x = value + 5 + m;
+        ms_gpr__data data;
         o.mean = value[0];
-        status = ms_gpr__make(x, x + n * m, (int)n, (int)m, value + 3, value[1], value[2], &o, out, error);
+        data.floor = value[1];
+        data.floor_value = value[2];
+        data.step = soft ? value[3] : 0;
+        data.theta = value + 3 + soft;
+        data.x = data.theta + m + 2;
+        data.y = data.x + n * m;
+        data.n = (int)n;
+        data.m = (int)m;
+        data.pair_count = (int)pairs;
+        data.pairs = (const int *)(const void *)(data.y + n);
+        status = ms_gpr__make(&data, &o, out, error);
     }
     ms__release(&o.allocator, value, doubles * sizeof *value);
     return status;
@@ -3476,7 +4084,7 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
     int pilot = MS_GPR__PILOT * MS_GPR__BATCH, i, k;
     for (k = 0; k < gp->active; ++k) h->unit[k] = h->width[gp->dimension[k]] * gp->scale[gp->dimension[k]];
     for (i = 0; i < gp->n; ++i)
-        if (gp->y[i] > top) top = gp->y[i];
+        if (gp->value[i] > top) top = gp->value[i];
     if (gp->n > 0 && ms_gpr__hunt_single(h, top - least)) {
         h->lines = &gp->kernels->lines_f;
         h->points = gp->points_f;
@@ -3987,9 +4595,9 @@ static double ms_gpr__pool_parents(const ms_gpr__pool *p, double *parent)
     int i, j;
     for (i = 0; i < gp->n; ++i) {
         double crowd = 0;
-        for (j = 0; j < gp->n && gp->y[i] > p->floor; ++j)
-            if (gp->y[j] > p->floor) crowd += exp(-0.5 * ms_gpr__distance2(gp->points + i, gp->stride, gp->points + j, gp->stride, gp->active));
-        parent[i] = gp->y[i] > p->floor ? (gp->y[i] - p->floor) / crowd : 0;
+        for (j = 0; j < gp->n && gp->value[i] > p->floor; ++j)
+            if (gp->value[j] > p->floor) crowd += exp(-0.5 * ms_gpr__distance2(gp->points + i, gp->stride, gp->points + j, gp->stride, gp->active));
+        parent[i] = gp->value[i] > p->floor ? (gp->value[i] - p->floor) / crowd : 0;
         sum += parent[i];
     }
     return sum;
@@ -4068,7 +4676,7 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     p->count = count;
     p->floor = ms_gpr_floor(gp);
     for (q = 0, top = p->floor; q < gp->n; ++q)
-        if (gp->y[q] > top) top = gp->y[q];
+        if (gp->value[q] > top) top = gp->value[q];
     p->threshold = p->floor + 0.6 * (top - p->floor);
     if (o.kind == MS_GPR_GALLERY_ACTIVE && !(top > p->floor)) p->kind = MS_GPR_GALLERY_SPREAD; /* nothing is liked yet */
     drawn = p->kind == MS_GPR_GALLERY_UNIFORM || p->kind == MS_GPR_GALLERY_SPREAD;

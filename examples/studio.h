@@ -6,14 +6,20 @@
      studio_gallery(&s, 10, x, planes, &error);  materials to be scored next                         any state
      studio_score(&s, x, 7, &error);             whenever the user has scored a material             any state -> SCORED
      studio_rescore(&s, 3, 2, &error);           thought again about the fourth one
-     studio_undo(&s, &error);                    takes back the last of these two
+     studio_pick(&s, x, 9, best, 2, &error);     of 9 materials that were shown the two that were clicked     any state -> SCORED
+     studio_better(&s, a, b, &error);            this one rather than that one
+     studio_like(&s, x, 3, &error);              more like these
+     studio_avoid(&s, x, &error);                not like this one
+     studio_undo(&s, &error);                    takes back the last of these six
      studio_update(&s, &error);                  every frame until s.settled                         SCORED    -> LEARNED
      studio_recommend(&s, 8, x, planes, &error); a row of recommendations                            LEARNED
      studio_choose(&s, x, &error);               a material was picked: the plane around it          LEARNED   -> EXPLORING
      studio_move(&s, dx, dy, &view, &error);     the mouse moved                                     EXPLORING
      studio_close(&s);
 
-   Scores may come one by one with updates between them, in any order, on any scale. LEARNED and EXPLORING outlast further scores:
+   Scores may come one by one with updates between them, in any order, on any scale, and picks beside or in place of them: after five
+   galleries of "the best 2 of 9" half as many scores do. Without any score predictions have a scale of their own: 0 is indifferent.
+   LEARNED and EXPLORING outlast further scores and picks:
    the model takes them up at once, with the length scales it has, and s.settled says that studio_update has something to do
    again. A call in the wrong state is MS_INVALID_ARGUMENT and changes nothing. */
 #ifndef EXAMPLES_STUDIO_H
@@ -23,7 +29,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STUDIO_LIKED = 15 /* materials in the plane besides the chosen one */, STUDIO_UNDO = 64 };
+enum { STUDIO_LIKED = 15 /* materials in the plane besides the chosen one */, STUDIO_OTHERS = 20 /* that likes are compared with */, STUDIO_UNDO = 64 };
 
 typedef enum studio_state { STUDIO_EMPTY, STUDIO_SCORED, STUDIO_LEARNED, STUDIO_EXPLORING } studio_state;
 
@@ -49,7 +55,11 @@ typedef struct studio {
     double *theta, reached;    /* [m + 2] how far that start has come, and its objective */
     double *x;                 /* [m] a material, */
     float *row, *planes;       /* [m] the same, and its picture */
-    struct { int index; double score; } undo[STUDIO_UNDO]; /* index < 0: the last score was added */
+    double least;              /* what "none of these" scores; may be set after studio_open where scores do not begin at 0 */
+    double *others, *avoid;    /* [STUDIO_OTHERS][m] what likes are compared with; [avoids][m] what recommendations keep away from */
+    int avoids;
+    struct { int kind, index; double score; int pairs; } undo[STUDIO_UNDO]; /* kind: the row `index` was added, scored anew, rows from
+                                                                 `index` on and comparisons were added, a material is avoided */
     int undos;
 } studio;
 
@@ -77,6 +87,8 @@ static inline void studio_close(studio *s)
     free(s->x);
     free(s->row);
     free(s->planes);
+    free(s->others);
+    free(s->avoid);
     memset(s, 0, sizeof *s);
 }
 
@@ -107,11 +119,15 @@ static inline void studio__changed(studio *s)
     memcpy(s->theta, ms_gpr_theta(s->gp), ((size_t)s->renderer.parameters + 2) * sizeof(double));
 }
 
-static inline void studio__remember(studio *s, int index, double score)
+enum { STUDIO__ADDED, STUDIO__SCORED, STUDIO__COMPARED, STUDIO__AVOIDED };
+
+static inline void studio__remember(studio *s, int kind, int index, double score, int pairs)
 {
     if (s->undos == STUDIO_UNDO) memmove(s->undo, s->undo + 1, sizeof s->undo - sizeof s->undo[0]), --s->undos;
+    s->undo[s->undos].kind = kind;
     s->undo[s->undos].index = index;
-    s->undo[s->undos++].score = score;
+    s->undo[s->undos].score = score;
+    s->undo[s->undos++].pairs = pairs;
 }
 
 /* n^2 multiply-adds for the n-th score. */
@@ -119,7 +135,7 @@ static inline ms_status studio_score(studio *s, const double *x, double score, m
 {
     ms_status status = ms_gpr_append(s->gp, x, score, error);
     if (status != MS_OK) return status;
-    studio__remember(s, -1, 0);
+    studio__remember(s, STUDIO__ADDED, ms_gpr_count(s->gp) - 1, 0, 0);
     studio__changed(s);
     if (s->state == STUDIO_EMPTY) s->state = STUDIO_SCORED;
     return MS_OK;
@@ -131,20 +147,160 @@ static inline ms_status studio_rescore(studio *s, int index, double score, ms_er
     double before = index >= 0 && index < ms_gpr_count(s->gp) ? ms_gpr_scores(s->gp)[index] : 0;
     ms_status status = ms_gpr_rescore(s->gp, index, score, error);
     if (status != MS_OK) return status;
-    studio__remember(s, index, before);
+    studio__remember(s, STUDIO__SCORED, index, before, 0);
     studio__changed(s);
     return MS_OK;
 }
 
-/* Takes back the last studio_score or studio_rescore, up to STUDIO_UNDO of them. */
+/* The rows of materials x [count][m] in the model, into row [count]: those that are there already, or new ones behind them, which are
+   copied to fresh [count][m]. How many are fresh. */
+static inline int studio__rows(const studio *s, const double *x, int count, int *row, double *fresh)
+{
+    const double *rows = ms_gpr_inputs(s->gp);
+    int m = s->renderer.parameters, n = ms_gpr_count(s->gp), added = 0, i, k;
+    size_t size = (size_t)m * sizeof *x;
+    for (i = 0; i < count; ++i, x += m) {
+        for (k = 0; k < n + added; ++k)
+            if (memcmp(k < n ? rows + (size_t)k * (size_t)m : fresh + (size_t)(k - n) * (size_t)m, x, size) == 0) break;
+        if (k == n + added) memcpy(fresh + (size_t)added++ * (size_t)m, x, size);
+        row[i] = k;
+    }
+    return added;
+}
+
+/* The first `better` of the materials x [count][m] are preferred to each of the others; 0: all have the least score. */
+static inline ms_status studio__prefer(studio *s, const double *x, int count, int better, ms_error *error)
+{
+    int n = ms_gpr_count(s->gp), before = ms_gpr_pair_count(s->gp), pairs = before, added, i, k;
+    int *row = (int *)malloc((size_t)count * sizeof *row), *pair = (int *)malloc(2 * (size_t)(before + better * (count - better) + 1) * sizeof *pair);
+    double *fresh = (double *)malloc((size_t)count * (size_t)s->renderer.parameters * sizeof *fresh);
+    ms_status status = row && pair && fresh ? MS_OK : studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
+    if (status == MS_OK) {
+        added = studio__rows(s, x, count, row, fresh);
+        if (before > 0) memcpy(pair, ms_gpr_pairs(s->gp), 2 * (size_t)before * sizeof *pair);
+        for (i = 0; i < better; ++i)
+            for (k = better; k < count; ++k) {
+                if (row[i] == row[k]) continue;
+                pair[2 * pairs] = row[i];
+                pair[2 * pairs++ + 1] = row[k];
+            }
+        status = ms_gpr_compare(s->gp, fresh, added, pair, pairs, error);
+        for (i = 0; i < count && better == 0 && status == MS_OK; ++i)
+            if (row[i] >= n) status = ms_gpr_rescore(s->gp, row[i], s->least, error);
+    }
+    free(row), free(pair), free(fresh);
+    if (status != MS_OK) return status;
+    studio__remember(s, STUDIO__COMPARED, n, 0, before);
+    studio__changed(s);
+    if (s->state == STUDIO_EMPTY) s->state = STUDIO_SCORED;
+    return MS_OK;
+}
+
+/* Of the materials x [count][m] that were shown those whose indices picked [picks] names, rather than all the others: "the best 2 of 9".
+   picks 0: none of these; those that were not scored before get the least score. Some 2 n^3 multiply-adds, n the materials that were scored or shown. */
+static inline ms_status studio_pick(studio *s, const double *x, int count, const int *picked, int picks, ms_error *error)
+{
+    int m = s->renderer.parameters, at = 0, pass, i, k;
+    double *sorted;
+    ms_status status;
+    if (count < 1 || picks < 0 || picks >= count) return studio__refuse(error, MS_INVALID_ARGUMENT, "a pick is of none, or some, but not of all");
+    for (i = 0; i < picks; ++i) {
+        if (picked[i] < 0 || picked[i] >= count) return studio__refuse(error, MS_INVALID_ARGUMENT, "a picked material was not shown");
+        for (k = 0; k < i; ++k)
+            if (picked[i] == picked[k]) return studio__refuse(error, MS_INVALID_ARGUMENT, "a material was picked twice");
+    }
+    sorted = (double *)malloc((size_t)count * (size_t)m * sizeof *sorted);
+    if (sorted == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
+    for (pass = 1; pass >= 0; --pass)
+        for (i = 0; i < count; ++i) {
+            int is = 0;
+            for (k = 0; k < picks; ++k) is |= picked[k] == i;
+            if (is == pass) memcpy(sorted + (size_t)at++ * (size_t)m, x + (size_t)i * (size_t)m, (size_t)m * sizeof *x);
+        }
+    status = studio__prefer(s, sorted, count, picks, error);
+    free(sorted);
+    return status;
+}
+
+/* Material a [m] rather than b [m]. */
+static inline ms_status studio_better(studio *s, const double *a, const double *b, ms_error *error)
+{
+    size_t m = (size_t)s->renderer.parameters;
+    double *both = (double *)malloc(2 * m * sizeof *both);
+    ms_status status;
+    if (both == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
+    memcpy(both, a, m * sizeof *both);
+    memcpy(both + m, b, m * sizeof *both);
+    status = memcmp(a, b, m * sizeof *a) ? studio__prefer(s, both, 2, 1, error) : studio__refuse(error, MS_INVALID_ARGUMENT, "both materials are the same");
+    free(both);
+    return status;
+}
+
+/* More like these, x [count][m]: each is preferred to materials that are spread evenly over all there are. */
+static inline ms_status studio_like(studio *s, const double *x, int count, ms_error *error)
+{
+    size_t m = (size_t)s->renderer.parameters;
+    double *all;
+    ms_status status = MS_OK;
+    if (count < 1) return studio__refuse(error, MS_INVALID_ARGUMENT, "nothing is liked");
+    if (s->others == NULL) {
+        ms_gpr_gallery_options options;
+        memset(&options, 0, sizeof options);
+        options.kind = MS_GPR_GALLERY_SPREAD;
+        s->others = (double *)malloc(STUDIO_OTHERS * m * sizeof *s->others);
+        if (s->others == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
+        status = ms_gpr_gallery(s->gp, &options, STUDIO_OTHERS, s->others, error);
+        if (status != MS_OK) {
+            free(s->others);
+            s->others = NULL;
+            return status;
+        }
+    }
+    all = (double *)malloc(((size_t)count + STUDIO_OTHERS) * m * sizeof *all);
+    if (all == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
+    memcpy(all, x, (size_t)count * m * sizeof *all);
+    memcpy(all + (size_t)count * m, s->others, STUDIO_OTHERS * m * sizeof *all);
+    status = studio__prefer(s, all, count + STUDIO_OTHERS, count, error);
+    free(all);
+    return status;
+}
+
+/* Not like this one, x [m]: recommendations keep away from it; what was learned stays as it is. */
+static inline ms_status studio_avoid(studio *s, const double *x, ms_error *error)
+{
+    size_t m = (size_t)s->renderer.parameters;
+    double *more = (double *)realloc(s->avoid, ((size_t)s->avoids + 1) * m * sizeof *more);
+    if (more == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a material");
+    s->avoid = more;
+    memcpy(s->avoid + (size_t)s->avoids++ * m, x, m * sizeof *x);
+    studio__remember(s, STUDIO__AVOIDED, 0, 0, 0);
+    return MS_OK;
+}
+
+/* Takes back the last score, rescore, pick, like or avoid, up to STUDIO_UNDO of them. */
 static inline ms_status studio_undo(studio *s, ms_error *error)
 {
-    ms_status status;
+    ms_status status = MS_OK;
+    int index, n = ms_gpr_count(s->gp), i;
     if (s->undos == 0) return studio__refuse(error, MS_INVALID_ARGUMENT, "there is nothing to undo");
-    status = s->undo[s->undos - 1].index < 0 ? ms_gpr_drop(s->gp, ms_gpr_count(s->gp) - 1, error)
-                                             : ms_gpr_rescore(s->gp, s->undo[s->undos - 1].index, s->undo[s->undos - 1].score, error);
+    index = s->undo[s->undos - 1].index;
+    switch (s->undo[s->undos - 1].kind) {
+    case STUDIO__ADDED: status = ms_gpr_drop(s->gp, index, error); break;
+    case STUDIO__SCORED: status = ms_gpr_rescore(s->gp, index, s->undo[s->undos - 1].score, error); break;
+    case STUDIO__COMPARED: {
+        size_t size = 2 * (size_t)s->undo[s->undos - 1].pairs * sizeof(int);
+        int *pairs = (int *)malloc(size + 1);
+        if (pairs == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for comparisons");
+        if (size > 0) memcpy(pairs, ms_gpr_pairs(s->gp), size);
+        status = ms_gpr_compare(s->gp, NULL, 0, pairs, s->undo[s->undos - 1].pairs, error);
+        free(pairs);
+        for (i = n - 1; i >= index && status == MS_OK; --i) status = ms_gpr_drop(s->gp, i, error);
+        break;
+    }
+    default: --s->avoids;
+    }
     if (status != MS_OK) return status;
-    --s->undos;
+    if (s->undo[--s->undos].kind == STUDIO__AVOIDED) return MS_OK;
     studio__changed(s);
     if (ms_gpr_count(s->gp) == 0) s->state = STUDIO_EMPTY;
     return MS_OK;
@@ -157,7 +313,7 @@ static inline ms_status studio_update(studio *s, ms_error *error)
     static const double length[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
     int n = ms_gpr_count(s->gp), m = s->renderer.parameters;
     size_t size = ((size_t)m + 2) * sizeof(double);
-    double evaluations = 8e7 / (0.5 * n * n * n + (double)n * n * m + 1), gain;
+    double evaluations = 8e7 / ((ms_gpr_pair_count(s->gp) ? 4 : 0.5) * n * n * n + (double)n * n * m + 1), gain;
     ms_gpr_fit_options options = s->learn;
     ms_gpr_fit_report report;
     ms_gpr *found;
@@ -167,6 +323,8 @@ static inline ms_status studio_update(studio *s, ms_error *error)
     if (s->search == 0 || s->reached > -1e300) options.start = s->theta;
     else options.length_start = length[s->search - 1] * sqrt((double)m);
     options.evaluations = evaluations < 3 ? 3 : evaluations > 40 ? 40 : (int)evaluations;
+    options.pairs = ms_gpr_pairs(s->gp);
+    options.pair_count = ms_gpr_pair_count(s->gp);
     status = ms_gpr_fit(ms_gpr_inputs(s->gp), ms_gpr_scores(s->gp), n, m, &options, &found, &report, error);
     if (status != MS_OK) return status;
     memcpy(s->theta, ms_gpr_theta(found), size);
@@ -218,6 +376,8 @@ static inline ms_status studio_recommend(studio *s, int count, double *x, float 
     if (s->state < STUDIO_LEARNED) return studio__refuse(error, MS_INVALID_ARGUMENT, "no taste was learned yet");
     memset(&options, 0, sizeof options);
     options.seed = s->seed++;
+    options.avoid = s->avoid;
+    options.avoid_count = s->avoids;
     status = ms_gpr_recommend(s->gp, &options, count, x, NULL, NULL, NULL, error);
     for (i = 0; i < count && planes && status == MS_OK; ++i) studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
     return status;
@@ -227,7 +387,7 @@ static inline ms_status studio_recommend(studio *s, int count, double *x, float 
    one of them (NULL: nothing is). */
 static inline int studio_liked(const ms_gpr *gp, int limit, const double *x, double *liked)
 {
-    const double *y = ms_gpr_scores(gp), *rows = ms_gpr_inputs(gp);
+    const double *y = ms_gpr_values(gp), *rows = ms_gpr_inputs(gp);
     int n = ms_gpr_count(gp), count = 0, last = -1, i;
     size_t m = (size_t)ms_gpr_dimensions(gp);
     while (count < limit) {

@@ -52,6 +52,89 @@ static int settle(studio *s)
     return updates;
 }
 
+/* The indices of the best `most` of `count` materials that are liked at all, into picked; how many. */
+static int best_of(const double *x, int count, int most, int *picked)
+{
+    int picks, i, k;
+    for (picks = 0; picks < most; ++picks) {
+        int best = -1;
+        for (i = 0; i < count; ++i) {
+            for (k = 0; k < picks && picked[k] != i; ++k) {}
+            if (k == picks && taste(x + i * M) > 0 && (best < 0 || taste(x + i * M) > taste(x + best * M))) best = i;
+        }
+        if (best < 0) break;
+        picked[picks] = best;
+    }
+    return picks;
+}
+
+/* Somebody who only clicks: five galleries of the best 2 of 9, recommendations, more like these, not like that, some scores, and
+   everything taken back again. */
+static void test_picks(void)
+{
+    static float planes[9 * 192];
+    neural net;
+    studio s;
+    studio_renderer renderer = renderer_of(&net);
+    double x[9 * M], found[50 * M], mean[2] = {0, 0}, at[2 * M], before[2], after[2];
+    uint64_t state = test_seed + 77;
+    int picked[2] = {0, 0}, twice[2] = {3, 3}, g, i, n, pairs;
+    ms_error error;
+    CHECK(neural_load(network, &net) == NULL);
+    CHECK_INT(studio_open(&s, &renderer, &error), MS_OK);
+    CHECK_INT(studio_pick(&s, x, 9, picked, 9, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(studio_pick(&s, x, 9, twice, 2, &error), MS_INVALID_ARGUMENT);
+    picked[0] = 9;
+    CHECK_INT(studio_pick(&s, x, 9, picked, 1, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(s.state, STUDIO_EMPTY);
+    for (g = 0; g < 5; ++g) {
+        CHECK_INT(studio_gallery(&s, 9, x, planes, &error), MS_OK);
+        CHECK_INT(studio_pick(&s, x, 9, picked, best_of(x, 9, 2, picked), &error), MS_OK);
+        CHECK_INT(ms_gpr_count(s.gp), 9 * (g + 1));
+        settle(&s);
+    }
+    CHECK_INT(s.state, STUDIO_LEARNED);
+    CHECK_INT(studio_recommend(&s, 50, found, NULL, &error), MS_OK);
+    for (i = 0; i < 50; ++i) mean[0] += taste(found + i * M) / 50;
+    CHECK(mean[0] > 4); /* uniform materials have 1.0 */
+    for (i = 0; i < 2; ++i) random_material(&state, at + i * M);
+    CHECK_INT(ms_gpr_predict(s.gp, at, 2, before, NULL, NULL), MS_OK);
+    n = ms_gpr_count(s.gp);
+    pairs = ms_gpr_pair_count(s.gp);
+    CHECK_INT(studio_better(&s, x, x, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(studio_better(&s, at, at + M, &error), MS_OK);
+    CHECK_INT(studio_better(&s, at, x, &error), MS_OK); /* rows that are there are not there twice */
+    CHECK_INT(ms_gpr_count(s.gp), n + 2);
+    CHECK_INT(ms_gpr_pair_count(s.gp), pairs + 2);
+    CHECK_INT(studio_like(&s, found, 2, &error), MS_OK);
+    CHECK_INT(ms_gpr_count(s.gp), n + 2 + 2 + STUDIO_OTHERS);
+    CHECK_INT(studio_score(&s, found + 2 * M, 6, &error), MS_OK);
+    CHECK_INT(studio_rescore(&s, n + 4 + STUDIO_OTHERS, 7, &error), MS_OK);
+    CHECK_INT(studio_avoid(&s, found, &error), MS_OK);
+    CHECK_INT(studio_recommend(&s, 49, found + M, NULL, &error), MS_OK);
+    for (i = 1; i < 50; ++i) { /* not like the first one */
+        double sum = 0;
+        int k;
+        for (k = 0; k < M; ++k) sum += (found[i * M + k] - found[k]) * (found[i * M + k] - found[k]) / (int)M;
+        CHECK(sqrt(sum) >= 0.15);
+    }
+    for (i = 0; i < 6; ++i) CHECK_INT(studio_undo(&s, &error), MS_OK);
+    CHECK_INT(ms_gpr_count(s.gp), n);
+    CHECK_INT(ms_gpr_pair_count(s.gp), pairs);
+    CHECK_INT(ms_gpr_predict(s.gp, at, 2, after, NULL, NULL), MS_OK);
+    for (i = 0; i < 2; ++i) CHECK_NEAR(after[i], before[i], 1e-6); /* where Newton's method ends */
+    CHECK_INT(studio_choose(&s, found, &error), MS_OK); /* picked materials make a plane too */
+    for (g = 0; g < 5; ++g) CHECK_INT(studio_undo(&s, &error), MS_OK);
+    CHECK_INT(ms_gpr_count(s.gp), 0);
+    CHECK_INT(s.state, STUDIO_EMPTY);
+    CHECK_INT(studio_like(&s, x, 1, &error), MS_OK); /* from nothing: one like alone */
+    settle(&s);
+    CHECK_INT(studio_recommend(&s, 50, found, NULL, &error), MS_OK);
+    TEST_NOTE("mean true score of 50 after five galleries of the best 2 of 9: %.1f", mean[0]);
+    studio_close(&s);
+    neural_free(&net);
+}
+
 static void test_states(void)
 {
     neural net;
@@ -386,7 +469,7 @@ static void test_materialx(void)
     TEST_NOTE("shares differ by %.1e at most", worst);
 }
 
-static const test_case cases[] = {{"states", test_states},       {"session", test_session},     {"orders", test_orders},
+static const test_case cases[] = {{"states", test_states}, {"picks", test_picks},       {"session", test_session},     {"orders", test_orders},
                                   {"nothing liked", test_nothing_liked},     {"neural", test_neural},
                                   {"materials", test_materials}, {"materialx", test_materialx}};
 TEST_MAIN(cases)
