@@ -38,7 +38,6 @@
    Which call
    ----------
      a diffusion profile for rendering (half-space, g = 0)   ms_mcml_profile_make: no noise, milliseconds
-     a half-space at many albedos, with errors               ms_mcml_white_run
      layers, g: totals, rings, depth without noise           ms_mcml_layered_solve
      layers, g, glass, absorption, angles, time              ms_mcml_simulate, or for jobs that are split:
                                                              ms_mcml_create, _run, _save, _load, _merge, _results
@@ -85,7 +84,7 @@
    Limits: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear layers, transmission within a mean free
    path of the axis and below 3e-3 of its energy. One thread.
 
-   DIFFUSION PROFILES (materials, half-space solver, white Monte Carlo)
+   DIFFUSION PROFILES (materials, half-space solver)
 
    ms_mcml_profile_make turns mu_a, mu_s, eta of any number of channels into R_d(r): averages over rings that the caller
    chooses, the energy within each edge, and the pre-integrated kernel a_p. The default is the half-space solver: Galerkin's
@@ -101,12 +100,11 @@
 
    Valid for index ratios 0.1 to 10 and every albedo, 1 included. Media with g other than 0 and layers go to the layered
    solver, a tenth of a second to a second a channel; similarity, mu_s (1 - g), is an option, whose totals are off by 0.3% at reduced albedo 0.99, 6% at 0.9, 60% at 0.5 and
-   whose profile is off by 100% and more within a mean free path of the beam. White Monte
-   Carlo needs 1.5 us a photon for all albedos together, direct Monte Carlo 0.1 to 3 us a photon and channel; 1e6 photons
-   leave about 1% of noise in a profile (relative L2 over rings of a twentieth of a mean free path).
+   whose profile is off by 100% and more within a mean free path of the beam. Monte Carlo of 1e6 photons leaves about 1% of
+   noise in a profile (relative L2 over rings of a twentieth of a mean free path).
 
    Memory: 0.3 MB while the solver runs (0.3 MB a channel with options.parallel), 32 bytes a ring and channel for the
-   result; white runs 1.7 MB of counts at the default rings. Stack: less than 40 KB. Calls without a common object may
+   result. Stack: less than 40 KB. Calls without a common object may
    overlap. The same bits for any thread count; the solver is plain C at every level.
    Sources: Williams, "The searchlight problem in radiative transfer with internal reflection" (2007) for the equation;
    Case & Zweifel, "Linear Transport Theory" (1967) for nu_0; Lawson & Hanson, "Solving Least Squares Problems" (1974);
@@ -500,46 +498,6 @@ MS_API double ms_mcml_halfspace_spectrum(const ms_mcml_halfspace *solution, doub
    there on; at 0 half the total. */
 MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *solution, double x_mm);
 
-/* --- white Monte Carlo ------------------------------------------------------------------------------------- */
-
-/* Photons that left a half-space of isotropic scattering without absorption, counted by ring and by the number of
-   collisions j before they left: R_d(r) of any albedo a is the sum over j of a^j times the share of j. One run serves
-   every albedo and mean free path at one refractive index. */
-typedef struct ms_mcml_white ms_mcml_white;
-
-typedef struct ms_mcml_white_options {
-    uint64_t photons;       /* at most 2^32; 0: 1000000 */
-    uint64_t first_photon;  /* photons first_photon to first_photon + photons - 1 of the seed's sequence */
-    uint64_t seed;
-    const double *edge_mfp; /* [rings + 1] increasing, from >= 0, in mean free paths; NULL: 0, then 0.05 to 2000, 8% apart */
-    int rings;              /* with edge_mfp: 1 to 65535 */
-    ms_simd simd;
-    ms_parallel parallel;
-    ms_progress progress;   /* asked after every 2^18 photons: half a second on one AVX2 core */
-    ms_allocator allocator;
-} ms_mcml_white_options;
-
-/* Runs the photons; about 260 collisions each. options may be NULL. A photon draws its numbers from (seed, its index,
-   its collision), and the tallies are counts, so the result is the same for any thread count and any split; levels of
-   instruction sets differ in the last bit of a path, so that a photon may fall into a neighbouring ring.
-   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED: *white NULL. Release with ms_mcml_white_destroy. */
-MS_API ms_status ms_mcml_white_run(ms_mcml_white **white, double eta, const ms_mcml_white_options *options, ms_error *error);
-
-/* Adds the photons of other, made with the same eta and rings, to white. MS_INVALID_ARGUMENT if they differ. */
-MS_API ms_status ms_mcml_white_merge(ms_mcml_white *white, const ms_mcml_white *other, ms_error *error);
-
-/* Ring averages and totals for one albedo in [0, 1], lengths in mean free paths.
-   rd, rd_error  [rings] per mean free path squared, and one standard error; either may be NULL
-   total, total_error  of all that leaves, beyond the last ring too; either may be NULL */
-MS_API ms_status ms_mcml_white_profile(const ms_mcml_white *white, double albedo, double *rd, double *rd_error, double *total,
-                                       double *total_error, ms_error *error);
-
-/* The rings in use; *rings (may be NULL) gets their number. Lives as long as white. */
-MS_API const double *ms_mcml_white_edges(const ms_mcml_white *white, int *rings);
-
-/* NULL is fine. */
-MS_API void ms_mcml_white_destroy(ms_mcml_white *white);
-
 /* --- layered solver ---------------------------------------------------------------------------------------- */
 
 #define MS_MCML_LAYERED_RATES 96
@@ -603,22 +561,10 @@ MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *solution, int s
 
 /* --- diffusion profiles ------------------------------------------------------------------------------------ */
 
-/* Three ways to a profile; times on one AVX2 core, three channels, from tests/bench/bench_profile.c (README has the table):
-
-     deterministic   the half-space solver where g = 0: rings to 1e-4, totals to 1e-8; the layered solver elsewhere, whose
-                     rings have errors beside them. The default
-     white           1.5 us a photon for all channels together, whatever they absorb. For a table over many albedos run
-                     ms_mcml_white_run once instead
-     direct          0.1 us a photon and channel at albedo 0.95, 1 to 3 us at 0.9999; the only way that is exact for g
-
-   1e6 photons leave an error of about 1% of the profile (L2). */
-
 typedef enum ms_mcml_method {
-    MS_MCML_AUTO = 0,          /* deterministic if photons = 0; else direct, but white (where it can) for edge_mm and where a
-                                  channel absorbs less than 1e-3 of what it meets: there it needs less time */
-    MS_MCML_DETERMINISTIC = 1, /* no noise: the half-space solver where g = 0, else the layered one */
-    MS_MCML_WHITE = 2,         /* Monte Carlo, one run for all channels; g = 0 and one eta only */
-    MS_MCML_DIRECT = 3         /* Monte Carlo of each channel: any g, layers */
+    MS_MCML_AUTO = 0,          /* deterministic if photons = 0, else direct */
+    MS_MCML_DETERMINISTIC = 1, /* no noise: the half-space solver where g = 0 (rings to 1e-4, totals to 1e-8), else the layered one */
+    MS_MCML_DIRECT = 2         /* Monte Carlo of each channel */
 } ms_mcml_method;
 
 typedef struct ms_mcml_profile_options {
@@ -4986,120 +4932,7 @@ MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *s, int side, do
     return 0.5 * (sum > 0 ? sum : 0);
 }
 
-/* --- white Monte Carlo ------------------------------------------------------------------------------------- */
-
-/* Lengths in mean free paths. Flight j of a photon takes the four words of the Philox block (seed, photon, j): length,
-   cosine, azimuth, and what happens at the surface (upper bits) or at a halving (lowest bit). At collisions 1024,
-   2048, 4096, ... half of the photons end and the rest count double, so that P_j needs no cutoff: it falls as j^-3/2,
-   and the mean number of flights stays near 260. A photon leaves at most once, with a weight that j alone fixes;
-   counts are therefore all that has to be kept, for the means and for their errors. */
-
-#define MS_MCML__HALVING 1024u      /* first halving, a power of 2 */
-#define MS_MCML__BATCH 32768        /* photons a task: the longest path of a batch runs alone */
-
-/* Where and after how many collisions photons first .. first + count - 1 leave: r squared and j; j = 0: ended. */
-typedef struct ms_mcml__white_batch {
-    uint64_t seed, first;
-    int count;
-    float eta;
-    float *r2;     /* [count] */
-    uint32_t *j;   /* [count] */
-} ms_mcml__white_batch;
-
-#define MS_MCML__WHITE_STREAM 0x57484954u /* word 1 of the counter: apart from ms__rng streams of the same seed */
-
-typedef void (*ms_mcml__white_function)(const ms_mcml__white_batch *batch);
-static ms_mcml__white_function ms_mcml__white_kernel(ms_simd level);
-
-/* Collision numbers in bins: one each below 256, then 128 an octave. */
-#define MS_MCML__WHITE_BINS (256 + 23 * 128)
-
-static int ms_mcml__white_bin(uint32_t j)
-{
-    int octave = 0;
-    while (j >> (octave + 8)) ++octave; /* j < 2^(8 + octave) */
-    if (octave > 23) return MS_MCML__WHITE_BINS - 1;
-    return octave ? 128 + 128 * octave + (int)((j >> octave) - 128) : (int)j;
-}
-
-/* Mean collision number of a bin. */
-static double ms_mcml__white_bin_mean(int bin)
-{
-    int octave = bin < 256 ? 0 : (bin - 128) / 128;
-    double low = bin < 256 ? bin : (double)((bin - 128) % 128 + 128) * (double)(1u << octave);
-    return low + 0.5 * ((double)(1u << octave) - 1);
-}
-
-/* What a photon counts for that leaves after j collisions. */
-static double ms_mcml__white_weight(double j)
-{
-    double weight = 1;
-    for (; j >= MS_MCML__HALVING; j *= 0.5) weight *= 2;
-    return weight;
-}
-
-struct ms_mcml_white {
-    ms_allocator allocator;
-    size_t size;
-    double eta, photons;
-    int rings;
-    double *edge;    /* [rings + 1] */
-    double *square;  /* [rings + 1] edge squared */
-    uint32_t *count; /* [bins][rings + 1]; the last is beyond the rings (and inside the first edge) */
-};
-
-/* Photons in waves of 8 batches, each wave tallied in the order of its photons on the calling thread. */
-#define MS_MCML__WAVE 8
-
-typedef struct ms_mcml__white_wave {
-    ms_mcml__white_batch batch[MS_MCML__WAVE];
-    ms_mcml__white_function kernel;
-} ms_mcml__white_wave;
-
-static void ms_mcml__white_task(void *context, int index)
-{
-    const ms_mcml__white_wave *wave = (const ms_mcml__white_wave *)context;
-    wave->kernel(&wave->batch[index]);
-}
-
-static ms_status ms_mcml__white_photons(double eta, uint64_t first, uint64_t photons, uint64_t seed, ms_simd simd,
-                                        const ms_parallel *parallel, const ms_progress *progress,
-                                        const ms_allocator *allocator,
-                                        void (*tally)(void *context, const float *r2, const uint32_t *j, int count),
-                                        void *context, ms_error *error)
-{
-    const size_t events = (size_t)MS_MCML__WAVE * MS_MCML__BATCH, size = events * (sizeof(float) + sizeof(uint32_t));
-    float *r2 = (float *)ms__alloc(allocator, size);
-    uint32_t *j;
-    uint64_t done = 0;
-    ms_mcml__white_wave wave;
-    ms_status status = MS_OK;
-    if (r2 == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for a wave of photons", size);
-    j = (uint32_t *)(void *)(r2 + events);
-    wave.kernel = ms_mcml__white_kernel(ms__simd_pick(simd));
-    while (done < photons) {
-        int total = photons - done < events ? (int)(photons - done) : (int)events, tasks = 0, at;
-        for (at = 0; at < total; at += MS_MCML__BATCH) {
-            ms_mcml__white_batch *batch = &wave.batch[tasks++];
-            batch->seed = seed;
-            batch->first = first + done + (uint64_t)at;
-            batch->count = total - at < MS_MCML__BATCH ? total - at : MS_MCML__BATCH;
-            batch->eta = (float)eta;
-            batch->r2 = r2 + at;
-            batch->j = j + at;
-        }
-        ms__run(parallel, tasks, ms_mcml__white_task, &wave);
-        tally(context, r2, j, total);
-        done += (uint64_t)total;
-        if (progress && progress->report && done < photons &&
-            progress->report(progress->user, (double)done / (double)photons)) {
-            status = ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
-            break;
-        }
-    }
-    ms__release(allocator, r2, size);
-    return status;
-}
+/* --- diffusion profiles ------------------------------------------------------------------------------------ */
 
 static ms_status ms_mcml__check_edges(const double *edge, int rings, int most, ms_error *error)
 {
@@ -5122,136 +4955,6 @@ static ms_status ms_mcml__check_photons(uint64_t photons, double eta, ms_error *
     return MS_OK;
 }
 
-static void ms_mcml__white_tally(void *context, const float *r2, const uint32_t *j, int count)
-{
-    ms_mcml_white *white = (ms_mcml_white *)context;
-    int i;
-    for (i = 0; i < count; ++i)
-        if (j[i])
-            white->count[(size_t)ms_mcml__white_bin(j[i]) * (size_t)(white->rings + 1) +
-                         (size_t)ms_mcml__ring_of(white->square, white->rings, (double)r2[i])]++;
-    white->photons += count;
-}
-
-MS_API ms_status ms_mcml_white_run(ms_mcml_white **white, double eta, const ms_mcml_white_options *options, ms_error *error)
-{
-    ms_mcml_white_options o;
-    ms_mcml_white *w;
-    size_t head = (sizeof *w + 63) / 64 * 64, edges, counts;
-    ms_status status;
-    int i;
-    if (white == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "white must not be NULL");
-    *white = NULL;
-    memset(&o, 0, sizeof o);
-    if (options) o = *options;
-    if (o.photons == 0) o.photons = 1000000;
-    if (o.edge_mfp == NULL) o.rings = 138; /* 0.05 * 1.08^138 is 2050 */
-    status = ms_mcml__check_photons(o.photons, eta, error);
-    if (status == MS_OK) status = ms_mcml__check_edges(o.edge_mfp, o.rings, 65535, error);
-    if (status) return status;
-    edges = ms__size_mul((size_t)o.rings + 1, 2 * sizeof(double));
-    counts = ms__size_mul(ms__size_mul((size_t)o.rings + 1, MS_MCML__WHITE_BINS), sizeof(uint32_t));
-    w = (ms_mcml_white *)ms__alloc(&o.allocator, ms__size_add(head, ms__size_add(edges, counts)));
-    if (w == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the counts of %d rings", o.rings);
-    w->allocator = o.allocator;
-    w->size = head + edges + counts;
-    w->eta = eta;
-    w->photons = 0;
-    w->rings = o.rings;
-    w->edge = (double *)(void *)((char *)w + head);
-    w->square = w->edge + o.rings + 1;
-    w->count = (uint32_t *)(void *)(w->square + o.rings + 1);
-    memset(w->count, 0, counts);
-    for (i = 0; i <= o.rings; ++i) {
-        w->edge[i] = o.edge_mfp ? o.edge_mfp[i] : i ? 0.05 * pow(1.08, i - 1) : 0;
-        w->square[i] = w->edge[i] * w->edge[i];
-    }
-    status = ms_mcml__white_photons(eta, o.first_photon, o.photons, o.seed, o.simd, &o.parallel, &o.progress, &o.allocator,
-                                    ms_mcml__white_tally, w, error);
-    if (status) {
-        ms_mcml_white_destroy(w);
-        return status;
-    }
-    *white = w;
-    return MS_OK;
-}
-
-MS_API ms_status ms_mcml_white_merge(ms_mcml_white *white, const ms_mcml_white *other, ms_error *error)
-{
-    size_t i, n;
-    if (white == NULL || other == NULL || white == other)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "two different runs expected");
-    if (white->eta < other->eta || white->eta > other->eta || white->rings != other->rings ||
-        memcmp(white->edge, other->edge, ((size_t)white->rings + 1) * sizeof(double)) != 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "runs of eta %g and %g, %d and %d rings: expected the same eta and edges",
-                        white->eta, other->eta, white->rings, other->rings);
-    if (white->photons + other->photons > 4294967295.0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%g photons together, expected at most 2^32 - 1",
-                        white->photons + other->photons);
-    n = ((size_t)white->rings + 1) * MS_MCML__WHITE_BINS;
-    for (i = 0; i < n; ++i) white->count[i] += other->count[i];
-    white->photons += other->photons;
-    return MS_OK;
-}
-
-/* Mean of n photons whose scores sum to `sum`, their squares to `squares`; its standard error. */
-static double ms_mcml__mean_error(double sum, double squares, double n)
-{
-    double variance = squares / n - (sum / n) * (sum / n);
-    return n > 1 && variance > 0 ? sqrt(variance / (n - 1)) : 0;
-}
-
-MS_API ms_status ms_mcml_white_profile(const ms_mcml_white *white, double albedo, double *rd, double *rd_error, double *total,
-                                       double *total_error, ms_error *error)
-{
-    double power[MS_MCML__WHITE_BINS], entering, sum_all = 0, squares_all = 0;
-    int ring, bin;
-    if (white == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "white must not be NULL");
-    if (!ms__finite(albedo) || albedo < 0 || albedo > 1)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "albedo is %g, expected 0 to 1", albedo);
-    entering = (white->eta - 1) / (white->eta + 1);
-    entering = 1 - entering * entering;
-    for (bin = 0; bin < MS_MCML__WHITE_BINS; ++bin) {
-        double j = ms_mcml__white_bin_mean(bin);
-        power[bin] = entering * ms_mcml__white_weight(j) * (albedo > 0 ? exp(j * log(albedo)) : 0);
-    }
-    for (ring = 0; ring <= white->rings; ++ring) {
-        const uint32_t *count = white->count + ring;
-        double sum = 0, squares = 0;
-        for (bin = 0; bin < MS_MCML__WHITE_BINS; ++bin) {
-            double n = count[(size_t)bin * (size_t)(white->rings + 1)];
-            sum += n * power[bin];
-            squares += n * power[bin] * power[bin];
-        }
-        sum_all += sum;
-        squares_all += squares;
-        if (ring < white->rings) {
-            double area = 3.14159265358979324 * (white->square[ring + 1] - white->square[ring]);
-            if (rd) rd[ring] = sum / white->photons / area;
-            if (rd_error) rd_error[ring] = ms_mcml__mean_error(sum, squares, white->photons) / area;
-        }
-    }
-    if (total) *total = sum_all / white->photons;
-    if (total_error) *total_error = ms_mcml__mean_error(sum_all, squares_all, white->photons);
-    return MS_OK;
-}
-
-MS_API const double *ms_mcml_white_edges(const ms_mcml_white *white, int *rings)
-{
-    if (rings) *rings = white->rings;
-    return white->edge;
-}
-
-MS_API void ms_mcml_white_destroy(ms_mcml_white *white)
-{
-    ms_allocator allocator;
-    if (white == NULL) return;
-    allocator = white->allocator;
-    ms__release(&allocator, white, white->size);
-}
-
-/* --- diffusion profiles ------------------------------------------------------------------------------------ */
-
 /* Everything that tasks share; a task is a channel. */
 typedef struct ms_mcml__profile_job {
     const ms_mcml_medium *media;
@@ -5263,8 +4966,6 @@ typedef struct ms_mcml__profile_job {
     const ms_mcml_profile_options *options;
     ms_mcml_layered *layered;    /* [channels], where one needs it; rd < 0: by the half-space solver */
     ms_error *failure;           /* [channels] */
-    double *sum, *squares;       /* [channels][rings + 2] scores: inside the first edge, rings, beyond the last */
-    double *log_albedo, *mu_t;   /* [channels] */
 } ms_mcml__profile_job;
 
 /* A channel's layers, in cm; layer is for a medium. */
@@ -5353,29 +5054,6 @@ static void ms_mcml__profile_fill(void *context, int channel)
     p->total_error[channel] = 0;
 }
 
-/* Each photon of a wave counts in every channel with its own albedo, at a radius that its own mean free path sets. */
-static void ms_mcml__profile_tally(void *context, const float *r2, const uint32_t *j, int count)
-{
-    const ms_mcml__profile_job *job = (const ms_mcml__profile_job *)context;
-    const ms_mcml_profile *p = job->profile;
-    int channel, i, rings = p->rings;
-    for (channel = 0; channel < p->channels; ++channel) {
-        double *sum = job->sum + (size_t)channel * (size_t)(rings + 2), scale = 1 / job->mu_t[channel];
-        double *squares = job->squares + (size_t)channel * (size_t)(rings + 2), log_albedo = job->log_albedo[channel];
-        double first = p->edge_mm[0];
-        for (i = 0; i < count; ++i) {
-            double r, weight;
-            size_t ring;
-            if (j[i] == 0) continue;
-            weight = ms_mcml__white_weight((double)j[i]) * exp((double)j[i] * log_albedo);
-            r = scale * sqrt((double)r2[i]);
-            ring = r < first ? 0 : (size_t)ms_mcml__ring_of(p->edge_mm, rings, r) + 1;
-            sum[ring] += weight;
-            squares[ring] += weight * weight;
-        }
-    }
-}
-
 /* Radius beyond which a channel has 1e-5 of its energy left. */
 static double ms_mcml__profile_radius(const ms_mcml_halfspace *s, const ms_mcml_layered *y)
 {
@@ -5422,36 +5100,6 @@ static void ms_mcml__profile_equal_rings(const ms_mcml_medium *media, int channe
     rings = ceil(32 * longest / (shortest / 20));
     o->rings = rings < 65535 ? (int)rings : 65535;
     o->ring_mm = rings < 65535 ? shortest / 20 : 32 * longest / 65535;
-}
-
-static ms_status ms_mcml__profile_white(ms_mcml__profile_job *job, const ms_mcml_profile_options *o, ms_error *error)
-{
-    ms_mcml_profile *p = job->profile;
-    double eta = job->media[0].eta, entering = (eta - 1) / (eta + 1), n = (double)o->photons;
-    size_t stride = (size_t)p->rings + 2;
-    ms_status status;
-    int c, i;
-    entering = 1 - entering * entering;
-    status = ms_mcml__white_photons(eta, 0, o->photons, o->seed, o->simd, &o->parallel, &o->progress, &o->allocator,
-                                    ms_mcml__profile_tally, job, error);
-    if (status) return status;
-    for (c = 0; c < p->channels; ++c) {
-        const double *sum = job->sum + (size_t)c * stride, *squares = job->squares + (size_t)c * stride;
-        size_t row = (size_t)c * (size_t)p->rings;
-        double *within = p->within + row + c, all = sum[0] + sum[p->rings + 1], all_squares = squares[0] + squares[p->rings + 1];
-        within[0] = entering * sum[0] / n;
-        for (i = 0; i < p->rings; ++i) {
-            double area = 3.14159265358979324 * (p->edge_mm[i + 1] - p->edge_mm[i]) * (p->edge_mm[i + 1] + p->edge_mm[i]);
-            p->rd_per_mm2[row + (size_t)i] = entering * sum[i + 1] / n / area;
-            p->rd_error_per_mm2[row + (size_t)i] = entering * ms_mcml__mean_error(sum[i + 1], squares[i + 1], n) / area;
-            within[i + 1] = within[i] + entering * sum[i + 1] / n;
-            all += sum[i + 1];
-            all_squares += squares[i + 1];
-        }
-        p->total[c] = entering * all / n;
-        p->total_error[c] = entering * ms_mcml__mean_error(all, all_squares, n);
-    }
-    return MS_OK;
 }
 
 /* Progress of one channel as progress of all. */
@@ -5531,34 +5179,27 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     ms_mcml_profile_options o;
     ms_mcml_profile p;
     ms_mcml__profile_job job;
-    size_t solve_size = 0, tally_size = 0, n, c;
+    size_t solve_size = 0, n, c;
     ms_status status = MS_OK;
-    double least = 1; /* absorption, as a part of mu_a + mu_s */
-    int i, anisotropic = 0, layers = 0, solve;
+    int i, layers = 0, solve;
     if (profile) memset(profile, 0, sizeof *profile);
     if (profile == NULL || (media == NULL && !(options && options->tissues)) || channels < 1 || channels > 65536)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d channels, expected 1 to 65536; profile and media not NULL", channels);
     memset(&o, 0, sizeof o);
     if (options) o = *options;
     for (i = 0; i < channels && o.tissues; ++i) {
-        anisotropic = layers = 1;
+        layers = 1;
         status = ms_mcml__check_tissue(&o.tissues[i], error);
         if (status) return status;
     }
     for (i = 0; i < channels && !o.tissues; ++i) {
-        double absorption;
         status = ms_mcml__check_medium(&media[i], error);
         if (status) return status;
-        absorption = media[i].mu_a_per_mm / (media[i].mu_a_per_mm + media[i].mu_s_per_mm);
         layers |= (media[i].g < 0 || media[i].g > 0) && !o.similarity;
-        anisotropic |= media[i].g < 0 || media[i].g > 0 || media[i].eta < media[0].eta || media[i].eta > media[0].eta;
-        if (absorption < least) least = absorption;
     }
     if (o.method < MS_MCML_AUTO || o.method > MS_MCML_DIRECT)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected one of ms_mcml_method", o.method);
-    if (o.method == MS_MCML_AUTO)
-        o.method = o.photons == 0 ? MS_MCML_DETERMINISTIC
-                   : !anisotropic && (o.edge_mm || least < 1e-3) ? MS_MCML_WHITE : MS_MCML_DIRECT;
+    if (o.method == MS_MCML_AUTO) o.method = o.photons == 0 ? MS_MCML_DETERMINISTIC : MS_MCML_DIRECT;
     if (o.photons == 0) o.photons = 1000000;
     status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
     if (status == MS_OK) status = ms_mcml__check_photons(o.photons, o.tissues ? 1 : media[0].eta, error);
@@ -5566,8 +5207,6 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     if (status) return status;
     if (o.edge_mm == NULL && o.rings != 0 && !(ms__finite(o.ring_mm) && o.ring_mm > 0 && o.ring_mm <= 1e100))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected a positive number", o.ring_mm);
-    if (o.method == MS_MCML_WHITE && anisotropic)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "white Monte Carlo needs g = 0 and one eta for all channels");
     if (o.method == MS_MCML_DIRECT && o.rings == 0 && o.tissues)
         return ms__fail(error, MS_UNSUPPORTED, 0, "direct Monte Carlo of layers needs rings: edge_mm or ring_mm");
     if (o.method == MS_MCML_DIRECT && o.rings == 0) ms_mcml__profile_equal_rings(media, channels, &o);
@@ -5622,26 +5261,8 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
         for (i = 0; o.rings != 0 && i <= p.rings; ++i) p.edge_mm[i] = o.edge_mm ? o.edge_mm[i] : i * o.ring_mm;
         if (o.method == MS_MCML_DETERMINISTIC) {
             ms__run(&o.parallel, channels, ms_mcml__profile_fill, &job);
-        } else if (o.method == MS_MCML_DIRECT) {
-            status = ms_mcml__profile_direct(&job, &o, error);
-            p.ap_per_mm = NULL;
         } else {
-            tally_size = ms__size_mul(ms__size_mul(c, 2 * n + 6), sizeof(double));
-            job.sum = (double *)ms__alloc(&o.allocator, tally_size);
-            if (job.sum == NULL) {
-                status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tallies", tally_size);
-            } else {
-                job.squares = job.sum + c * (n + 2);
-                job.log_albedo = job.squares + c * (n + 2);
-                job.mu_t = job.log_albedo + c;
-                memset(job.sum, 0, tally_size);
-                for (i = 0; i < channels; ++i) {
-                    job.mu_t[i] = media[i].mu_a_per_mm + media[i].mu_s_per_mm;
-                    job.log_albedo[i] = log(media[i].mu_s_per_mm / job.mu_t[i]);
-                }
-                status = ms_mcml__profile_white(&job, &o, error);
-                ms__release(&o.allocator, job.sum, tally_size);
-            }
+            status = ms_mcml__profile_direct(&job, &o, error);
             p.ap_per_mm = NULL;
         }
     } else {
@@ -5741,18 +5362,6 @@ static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
 #endif /* MS__X64 */
 #undef MS_MCML__PASS
 
-static ms_mcml__white_function ms_mcml__white_kernel(ms_simd level)
-{
-#if defined(MS__X64)
-    if (level >= MS_SIMD_AVX2) return ms_mcml__white_avx2; /* sixteen lanes were no faster: the longest path of a batch runs alone */
-#endif
-#if defined(MS__X64) || defined(MS__NEON)
-    if (level == MS_SIMD_BASE) return ms_mcml__white_base;
-#endif
-    (void)level;
-    return ms_mcml__white_scalar;
-}
-
 static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 {
 #if defined(MS__X64)
@@ -5775,7 +5384,6 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #undef MS_MCML__SHAPES
 #undef MS_MCML__SPAN
 #undef MS_MCML__STRATA
-#undef MS_MCML__BATCH
 #undef MS_MCML__BLOCK
 #undef MS_MCML__CHANCE
 #undef MS_MCML__COLUMNS_MAX
@@ -5785,7 +5393,6 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #undef MS_MCML__FIT_DOUBLES
 #undef MS_MCML__FN
 #undef MS_MCML__GROUPS
-#undef MS_MCML__HALVING
 #undef MS_MCML__HALVING_EVENTS
 #undef MS_MCML__HEAD
 #undef MS_MCML__JOIN
@@ -5798,9 +5405,6 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #undef MS_MCML__STRETCH
 #undef MS_MCML__TASKS
 #undef MS_MCML__UNITS
-#undef MS_MCML__WAVE
-#undef MS_MCML__WHITE_BINS
-#undef MS_MCML__WHITE_STREAM
 #endif /* MS_MCML_IMPLEMENTATION */
 
 #if defined(MS_MCML_IMPLEMENTATION) && defined(MS_MCML__PASS)
@@ -5838,7 +5442,6 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define MS_MCML__U_RIGHT(a, n) ((a) >> (n))
 #define MS_MCML__U_LEFT(a, n) ((a) << (n))
 #define MS_MCML__U_IS_ZERO(a) ((a) == 0)
-#define MS_MCML__U_WIDE(a, m, high, low) ((high) = (uint32_t)(((uint64_t)(a) * (m)) >> 32), (low) = (a) * (m))
 #define MS_MCML__V_NMADD(a, b, c) ((c) - (a) * (b))
 #define MS_MCML__V_MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MS_MCML__V_ABS(a) fabsf(a)
@@ -5878,13 +5481,6 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define MS_MCML__U_RIGHT(a, n) _mm_srli_epi32(a, n)
 #define MS_MCML__U_LEFT(a, n) _mm_slli_epi32(a, n)
 #define MS_MCML__U_IS_ZERO(a) _mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))
-#define MS_MCML__U_WIDE(a, m, high, low) /* even lanes, odd lanes, and sorted together again */                         \
-    do {                                                                                                       \
-        __m128i even_ = _mm_mul_epu32(a, m), odd_ = _mm_mul_epu32(_mm_srli_epi64(a, 32), m);                   \
-        __m128i upper_ = _mm_set_epi32(-1, 0, -1, 0);                                                          \
-        (high) = _mm_or_si128(_mm_srli_epi64(even_, 32), _mm_and_si128(odd_, upper_));                         \
-        (low) = _mm_or_si128(_mm_andnot_si128(upper_, even_), _mm_slli_epi64(odd_, 32));                       \
-    } while (0)
 #define MS_MCML__V_NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
 #define MS_MCML__V_MIN(a, b) _mm_min_ps(a, b)
 #define MS_MCML__V_ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
@@ -5926,13 +5522,6 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define MS_MCML__U_RIGHT(a, n) vshrq_n_u32(a, n)
 #define MS_MCML__U_LEFT(a, n) vshlq_n_u32(a, n)
 #define MS_MCML__U_IS_ZERO(a) vceqq_u32(a, vdupq_n_u32(0))
-#define MS_MCML__U_WIDE(a, m, high, low)                                                                                \
-    do {                                                                                                       \
-        uint32x4_t first_ = vreinterpretq_u32_u64(vmull_u32(vget_low_u32(a), vget_low_u32(m)));                \
-        uint32x4_t second_ = vreinterpretq_u32_u64(vmull_u32(vget_high_u32(a), vget_high_u32(m)));             \
-        (low) = vuzp1q_u32(first_, second_);                                                                   \
-        (high) = vuzp2q_u32(first_, second_);                                                                  \
-    } while (0)
 #define MS_MCML__V_NMADD(a, b, c) vfmsq_f32(c, a, b)
 #define MS_MCML__V_MIN(a, b) vminq_f32(a, b)
 #define MS_MCML__V_ABS(a) vabsq_f32(a)
@@ -5972,12 +5561,6 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #define MS_MCML__U_RIGHT(a, n) _mm256_srli_epi32(a, n)
 #define MS_MCML__U_LEFT(a, n) _mm256_slli_epi32(a, n)
 #define MS_MCML__U_IS_ZERO(a) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))
-#define MS_MCML__U_WIDE(a, m, high, low)                                                                                \
-    do {                                                                                                       \
-        __m256i even_ = _mm256_mul_epu32(a, m), odd_ = _mm256_mul_epu32(_mm256_srli_epi64(a, 32), m);          \
-        (high) = _mm256_blend_epi32(_mm256_srli_epi64(even_, 32), odd_, 0xAA);                                 \
-        (low) = _mm256_blend_epi32(even_, _mm256_slli_epi64(odd_, 32), 0xAA);                                  \
-    } while (0)
 #define MS_MCML__V_NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
 #define MS_MCML__V_MIN(a, b) _mm256_min_ps(a, b)
 #define MS_MCML__V_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
@@ -6211,141 +5794,6 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
     }
 }
 
-#if MS_MCML__ISA < 4
-/* A photon a lane; a lane whose photon ended takes the next one of the batch. An iteration is collision j (0: the entry)
-   and the flight from there. */
-static void MS_MCML__FN(white)(const ms_mcml__white_batch *batch)
-{
-    float lane_x[MS_MCML__L], lane_y[MS_MCML__L], lane_z[MS_MCML__L], lane_r2[MS_MCML__L];
-    uint32_t lane_j[MS_MCML__L], lane_low[MS_MCML__L], lane_high[MS_MCML__L], lane_word[MS_MCML__L], key0[10], key1[10];
-    int slot[MS_MCML__L], lane, next = 0, active = 0, round;
-    const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f), eta = MS_MCML__V_SET(batch->eta);
-    const MS_MCML__U m0 = MS_MCML__U_SET(0xD2511F53u), m1 = MS_MCML__U_SET(0xCD9E8D57u);
-    MS_MCML__V x = zero, y = zero, z = zero;
-    MS_MCML__U j = MS_MCML__U_SET(0u), low, high;
-    for (round = 0; round < 10; ++round) {
-        key0[round] = (uint32_t)batch->seed + 0x9E3779B9u * (uint32_t)round;
-        key1[round] = (uint32_t)(batch->seed >> 32) + 0xBB67AE85u * (uint32_t)round;
-    }
-    for (lane = 0; lane < MS_MCML__L; ++lane) {
-        uint64_t photon = batch->first + (uint64_t)next;
-        slot[lane] = next < batch->count ? next++ : -1;
-        active += slot[lane] >= 0;
-        lane_low[lane] = (uint32_t)photon;
-        lane_high[lane] = (uint32_t)(photon >> 32);
-    }
-    low = MS_MCML__U_LOAD(lane_low);
-    high = MS_MCML__U_LOAD(lane_high);
-    while (active > 0) {
-        MS_MCML__U c0 = j, c1 = MS_MCML__U_SET(MS_MCML__WHITE_STREAM), c2 = low, c3 = high, high0, low0, high1, low1, bits;
-        MS_MCML__V u, t, s, mu, dx, dy, z_next;
-        MS_MCML__M mask;
-        unsigned leaves, ends;
-        for (round = 0; round < 10; ++round) { /* ms__philox */
-            MS_MCML__U_WIDE(c0, m0, high0, low0);
-            MS_MCML__U_WIDE(c2, m1, high1, low1);
-            c0 = MS_MCML__U_XOR(MS_MCML__U_XOR(high1, c1), MS_MCML__U_SET(key0[round]));
-            c2 = MS_MCML__U_XOR(MS_MCML__U_XOR(high0, c3), MS_MCML__U_SET(key1[round]));
-            c1 = low1;
-            c3 = low0;
-        }
-        /* s = -log(u), u = (1 + t) 2^e with 1 + t in [sqrt(1/2), sqrt(2)): log(1 + t) = t - t^2 / 2 + t^3 P(t), error 1e-8 */
-        u = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(c0, 1)), MS_MCML__V_SET(1.0f / 2147483648.0f), MS_MCML__V_SET(1.0f / 4294967296.0f));
-        bits = MS_MCML__U_ADD(MS_MCML__U_SUB(MS_MCML__U_BITS(u), MS_MCML__U_SET(0x3f3504f3u)), MS_MCML__U_SET(64u << 23));
-        t = MS_MCML__V_SUB(MS_MCML__V_BITS(MS_MCML__U_ADD(MS_MCML__U_AND(bits, MS_MCML__U_SET(0x7fffffu)), MS_MCML__U_SET(0x3f3504f3u))), one);
-        s = MS_MCML__V_MADD(t, MS_MCML__V_SET(-0.0810155815f), MS_MCML__V_SET(0.127123076f));
-        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(-0.12972239f));
-        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(0.142021738f));
-        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(-0.166422476f));
-        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(0.200014686f));
-        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(-0.250002965f));
-        s = MS_MCML__V_MADD(s, t, MS_MCML__V_SET(0.333333286f));
-        s = MS_MCML__V_MADD(MS_MCML__V_MADD(s, t, MS_MCML__V_SET(-0.5f)), MS_MCML__V_MUL(t, t), t);
-        s = MS_MCML__V_MADD(MS_MCML__V_SUB(MS_MCML__V_SET(64.0f), MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(bits, 23))), MS_MCML__V_SET(0.693147181f), MS_MCML__V_SUB(zero, s));
-        /* Direction: the cosine even in (-1, 1], the azimuth in a quarter turn, mirrored and turned by two bits. */
-        mu = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(c1, 8)), MS_MCML__V_SET(-1.0f / 8388608.0f), one);
-        mu = MS_MCML__V_SELECT(MS_MCML__U_IS_ZERO(j), one, mu);
-        u = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(c2, 8)), MS_MCML__V_SET(1.57079633f / 16777216.0f), MS_MCML__V_SET(-0.785398163f));
-        t = MS_MCML__V_MUL(u, u);
-        dx = MS_MCML__V_MADD(MS_MCML__V_MADD(t, MS_MCML__V_SET(-0.000195879498f), MS_MCML__V_SET(0.00833274863f)), t, MS_MCML__V_SET(-0.166666647f));
-        dx = MS_MCML__V_MADD(MS_MCML__V_MUL(dx, t), u, u);
-        dy = MS_MCML__V_MADD(MS_MCML__V_MADD(t, MS_MCML__V_SET(2.45497663e-05f), MS_MCML__V_SET(-0.0013888317f)), t, MS_MCML__V_SET(0.0416666649f));
-        dy = MS_MCML__V_MADD(MS_MCML__V_MADD(dy, t, MS_MCML__V_SET(-0.5f)), t, one);
-        dy = MS_MCML__V_BITS(MS_MCML__U_XOR(MS_MCML__U_BITS(dy), MS_MCML__U_LEFT(c2, 31)));
-        mask = MS_MCML__U_IS_ZERO(MS_MCML__U_AND(c2, MS_MCML__U_SET(2u)));
-        u = MS_MCML__V_SELECT(mask, dx, dy);
-        dy = MS_MCML__V_SELECT(mask, dy, dx);
-        t = MS_MCML__V_MUL(MS_MCML__V_SQRT(MS_MCML__V_MAX(zero, MS_MCML__V_SUB(one, MS_MCML__V_MUL(mu, mu)))), s);
-        dx = MS_MCML__V_MUL(u, t);
-        dy = MS_MCML__V_MUL(dy, t);
-        z_next = MS_MCML__V_MADD(s, mu, z);
-
-        leaves = MS_MCML__M_BITS(MS_MCML__V_LESS(z_next, zero));
-        if (leaves) { /* Fresnel, unpolarised: T = 2 eta mu mu_out (1 / a^2 + 1 / b^2), 0 beyond the critical angle */
-            MS_MCML__V in = MS_MCML__V_SUB(zero, mu), square = MS_MCML__V_SUB(one, MS_MCML__V_MUL(MS_MCML__V_MUL(eta, eta), MS_MCML__V_SUB(one, MS_MCML__V_MUL(mu, mu))));
-            MS_MCML__V out = MS_MCML__V_SQRT(MS_MCML__V_MAX(zero, square)), a = MS_MCML__V_MADD(eta, in, out), b = MS_MCML__V_MADD(eta, out, in), ab = MS_MCML__V_MUL(a, b);
-            u = MS_MCML__V_MUL(MS_MCML__V_ADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(c3, 8)), MS_MCML__V_SET(0.5f)), MS_MCML__V_SET(1.0f / 16777216.0f));
-            t = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_ADD(eta, eta), in), out), MS_MCML__V_MADD(a, a, MS_MCML__V_MUL(b, b)));
-            leaves &= MS_MCML__M_BITS(MS_MCML__V_LESS(MS_MCML__V_MUL(u, MS_MCML__V_MUL(ab, ab)), t));
-        }
-        ends = MS_MCML__M_BITS(MS_MCML__U_IS_ZERO(MS_MCML__U_AND(j, MS_MCML__U_SET(MS_MCML__HALVING - 1))));
-        if (ends) { /* half of the photons end at collisions 1024, 2048, 4096, ... */
-            unsigned candidates = ends;
-            MS_MCML__U_STORE(lane_j, j);
-            MS_MCML__U_STORE(lane_word, c3);
-            for (ends = 0, lane = 0; lane < MS_MCML__L; ++lane)
-                if (candidates >> lane & 1 && lane_j[lane] && (lane_j[lane] & (lane_j[lane] - 1)) == 0 && lane_word[lane] & 1)
-                    ends |= 1u << lane;
-        }
-        if (leaves | ends) {
-            /* The part of the flight before the surface; anything finite where it isn't reached (a flight may be level). */
-            t = MS_MCML__V_DIV(z, MS_MCML__V_SELECT(MS_MCML__V_LESS(z_next, zero), MS_MCML__V_SUB(z, z_next), one));
-            u = MS_MCML__V_MADD(dx, t, x);
-            t = MS_MCML__V_MADD(dy, t, y);
-            MS_MCML__V_STORE(lane_r2, MS_MCML__V_MADD(u, u, MS_MCML__V_MUL(t, t)));
-            MS_MCML__U_STORE(lane_j, j);
-            x = MS_MCML__V_ADD(x, dx);
-            y = MS_MCML__V_ADD(y, dy);
-            MS_MCML__V_STORE(lane_x, x);
-            MS_MCML__V_STORE(lane_y, y);
-            MS_MCML__V_STORE(lane_z, z_next);
-            MS_MCML__U_STORE(lane_low, low);
-            MS_MCML__U_STORE(lane_high, high);
-            for (lane = 0; lane < MS_MCML__L; ++lane) {
-                uint64_t photon = batch->first + (uint64_t)next;
-                if (!((leaves | ends) >> lane & 1)) {
-                    lane_j[lane]++;
-                    continue;
-                }
-                if (slot[lane] >= 0) {
-                    int left = !(ends >> lane & 1);
-                    batch->j[slot[lane]] = left ? lane_j[lane] : 0;
-                    batch->r2[slot[lane]] = left ? lane_r2[lane] : 0;
-                    --active;
-                }
-                slot[lane] = next < batch->count ? next++ : -1;
-                active += slot[lane] >= 0;
-                lane_x[lane] = lane_y[lane] = lane_z[lane] = 0;
-                lane_j[lane] = 0;
-                lane_low[lane] = (uint32_t)photon;
-                lane_high[lane] = (uint32_t)(photon >> 32);
-            }
-            x = MS_MCML__V_LOAD(lane_x);
-            y = MS_MCML__V_LOAD(lane_y);
-            z_next = MS_MCML__V_LOAD(lane_z);
-            j = MS_MCML__U_LOAD(lane_j);
-            low = MS_MCML__U_LOAD(lane_low);
-            high = MS_MCML__U_LOAD(lane_high);
-        } else {
-            x = MS_MCML__V_ADD(x, dx);
-            y = MS_MCML__V_ADD(y, dy);
-            j = MS_MCML__U_ADD(j, MS_MCML__U_SET(1u));
-        }
-        z = MS_MCML__V_BITS(MS_MCML__U_AND(MS_MCML__U_BITS(z_next), MS_MCML__U_SET(0x7fffffffu))); /* reflected: the mirror image */
-    }
-}
-#endif
-
 #undef MS_MCML__DRAW
 #undef MS_MCML__LEVEL
 #undef MS_MCML__ISA
@@ -6365,7 +5813,6 @@ static void MS_MCML__FN(white)(const ms_mcml__white_batch *batch)
 #undef MS_MCML__U_SET
 #undef MS_MCML__U_STORE
 #undef MS_MCML__U_SUB
-#undef MS_MCML__U_WIDE
 #undef MS_MCML__U_XOR
 #undef MS_MCML__V
 #undef MS_MCML__V_ABS

@@ -1,9 +1,10 @@
-/* Half-space solver, white Monte Carlo, profiles and materials of ms_mcml.h: against adding-doubling and Galerkin
+/* Half-space solver, profiles and materials of ms_mcml.h: against adding-doubling and Galerkin
    tables, against an independent solution by H functions that this file contains, and against each other. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #include "json.h"
 #include "test.h"
+#include "white.h"
 
 #define PI 3.14159265358979324
 
@@ -416,17 +417,7 @@ static void narrow_and_wide_rings(void)
     CHECK(ms_mcml_halfspace_ring(&s, 1e8, 1e9) >= 0);
 }
 
-/* --- white Monte Carlo --- */
-
-static ms_mcml_white_options white_options(uint64_t photons, uint64_t first)
-{
-    ms_mcml_white_options o;
-    memset(&o, 0, sizeof o);
-    o.photons = photons;
-    o.first_photon = first;
-    o.seed = test_seed;
-    return o;
-}
+/* --- against walks --- */
 
 /* Photons for a test: fewer where there are no vectors, so that it ends in the same time. */
 static uint64_t scaled(uint64_t photons)
@@ -434,30 +425,27 @@ static uint64_t scaled(uint64_t photons)
     return ms__simd_pick(MS_SIMD_AUTO) > MS_SIMD_BASE ? photons : photons / 4;
 }
 
-static void white_agrees_with_the_solver(void)
+static void walks_agree_with_the_solver(void)
 {
     static const double eta[] = {1.0, 1.3, 1.5}, albedo[] = {0.02, 0.5, 0.9, 0.99, 0.999, 1};
+    static white w;
     unsigned k, q;
     double least = 1;
+    uint64_t seed = test_seed + 6;
     for (k = 0; k < 3; ++k) {
-        ms_mcml_white *white = NULL;
-        ms_mcml_white_options o = white_options(test_full ? 4000000 : 400000, 0); /* fewer leave too few rings at albedo 0.02 */
-        static double rd[1000], se[1000];
-        const double *edge;
-        int rings, i;
-        CHECK_INT(ms_mcml_white_run(&white, eta[k], &o, NULL), MS_OK);
-        if (white == NULL) return;
-        edge = ms_mcml_white_edges(white, &rings);
+        double rd[WHITE_RINGS], se[WHITE_RINGS];
+        int i;
+        white_run(&w, eta[k], test_full ? 2000000 : 200000, &seed);
         for (q = 0; q < 6; ++q) {
             ms_mcml_halfspace s = solve(medium_of(albedo[q], eta[k]));
             double total = 0, total_se = 0, chi2 = 0, p;
             int n = 0;
-            CHECK_INT(ms_mcml_white_profile(white, albedo[q], rd, se, &total, &total_se, NULL), MS_OK);
+            white_profile(&w, albedo[q], rd, se, &total, &total_se);
             CHECK_NEAR(total, s.total, 4.5 * total_se); /* 18 totals: 1e-4 that one fails by chance, for some seed */
-            for (i = 0; i < rings; ++i) {
-                double z = (rd[i] - ms_mcml_halfspace_ring(&s, edge[i], edge[i + 1])) / se[i];
+            for (i = 0; i < WHITE_RINGS; ++i) {
+                double z = (rd[i] - ms_mcml_halfspace_ring(&s, w.edge[i], w.edge[i + 1])) / se[i];
                 /* at least 150 photons' worth, and not so far out that the few short paths there decide: normal enough */
-                if (!(se[i] < 0.08 * rd[i]) || ms_mcml_halfspace_beyond(&s, edge[i]) < 1e-3 * s.total) continue;
+                if (!(se[i] < 0.08 * rd[i]) || ms_mcml_halfspace_beyond(&s, w.edge[i]) < 1e-3 * s.total) continue;
                 chi2 += z * z;
                 ++n;
             }
@@ -466,99 +454,8 @@ static void white_agrees_with_the_solver(void)
             if (!(p > 1e-4)) TEST_FAIL("eta %g albedo %g: chi2 %g of %d rings", eta[k], albedo[q], chi2, n);
             if (p < least) least = p;
         }
-        ms_mcml_white_destroy(white);
     }
     TEST_NOTE("18 profiles, least p of chi-square %.3f", least);
-}
-
-static void white_is_the_same_however_it_is_split(void)
-{
-    ms_mcml_white *whole = NULL, *part = NULL, *rest = NULL;
-    ms_mcml_white_options o = white_options(70000, 5);
-    int threads;
-    CHECK_INT(ms_mcml_white_run(&whole, 1.4, &o, NULL), MS_OK);
-    for (threads = 2; threads <= 7; threads += 5) {
-        test_pool pool;
-        o.parallel = test_parallel(&pool, threads);
-        CHECK_INT(ms_mcml_white_run(&part, 1.4, &o, NULL), MS_OK);
-        CHECK(memcmp(whole->count, part->count, (size_t)(whole->rings + 1) * (256 + 23 * 128) * sizeof *whole->count) == 0);
-        ms_mcml_white_destroy(part);
-    }
-    o = white_options(12345, 5);
-    CHECK_INT(ms_mcml_white_run(&part, 1.4, &o, NULL), MS_OK);
-    o = white_options(70000 - 12345, 5 + 12345);
-    CHECK_INT(ms_mcml_white_run(&rest, 1.4, &o, NULL), MS_OK);
-    CHECK_INT(ms_mcml_white_merge(part, rest, NULL), MS_OK);
-    CHECK(memcmp(whole->count, part->count, (size_t)(whole->rings + 1) * (256 + 23 * 128) * sizeof *whole->count) == 0);
-    CHECK_NEAR(part->photons, 70000, 0);
-    ms_mcml_white_destroy(rest);
-    o.photons = 10;
-    CHECK_INT(ms_mcml_white_run(&rest, 1.5, &o, NULL), MS_OK);
-    CHECK_INT(ms_mcml_white_merge(part, rest, NULL), MS_INVALID_ARGUMENT); /* another eta */
-    CHECK_INT(ms_mcml_white_merge(part, part, NULL), MS_INVALID_ARGUMENT);
-    ms_mcml_white_destroy(rest);
-    ms_mcml_white_destroy(part);
-    ms_mcml_white_destroy(whole);
-    ms_mcml_white_destroy(NULL);
-}
-
-/* Every level walks the same paths but for rounding: the ring and collision of nearly all photons are the same. */
-static void white_levels(void)
-{
-    static float r2[2][4000];
-    static uint32_t j[2][4000];
-    ms_mcml__white_batch batch;
-    int level, i;
-    memset(&batch, 0, sizeof batch);
-    batch.seed = 77;
-    batch.first = 0xfffffff0u; /* across the 32-bit border of the counter */
-    batch.count = 4000;
-    batch.eta = 1.3f;
-    batch.r2 = r2[0];
-    batch.j = j[0];
-    ms_mcml__white_kernel(MS_SIMD_SCALAR)(&batch);
-    batch.r2 = r2[1];
-    batch.j = j[1];
-    for (level = MS_SIMD_BASE; level <= MS_SIMD_AVX512; ++level) {
-        int same = 0;
-        if ((int)ms__simd_pick((ms_simd)level) != level) {
-            TEST_NOTE("%s: not on this machine", ms_simd_string((ms_simd)level));
-            continue;
-        }
-        ms_mcml__white_kernel((ms_simd)level)(&batch);
-        for (i = 0; i < 4000; ++i) same += j[0][i] == j[1][i] && fabsf(r2[0][i] - r2[1][i]) <= 1e-3f * r2[0][i] + 1e-6f;
-        CHECK(same >= 3950); /* a rounding of 1e-7 changes a decision about once in 1e6 flights, and then the whole path */
-        TEST_NOTE("%s: %d of 4000 paths as the scalar ones", ms_simd_string((ms_simd)level), same);
-    }
-}
-
-/* Reported errors against the spread of 40 runs. */
-static void white_standard_errors(void)
-{
-    double sum[2] = {0, 0}, squares[2] = {0, 0}, reported[2] = {0, 0};
-    int run, k;
-    for (run = 0; run < 40; ++run) {
-        ms_mcml_white *white = NULL;
-        ms_mcml_white_options o = white_options(3000, (uint64_t)run * 3000);
-        double rd[138], se[138], total = 0, total_se = 0, v[2], e[2];
-        CHECK_INT(ms_mcml_white_run(&white, 1.3, &o, NULL), MS_OK);
-        CHECK_INT(ms_mcml_white_profile(white, 0.95, rd, se, &total, &total_se, NULL), MS_OK);
-        v[0] = total;
-        e[0] = total_se;
-        v[1] = rd[40];
-        e[1] = se[40];
-        for (k = 0; k < 2; ++k) {
-            sum[k] += v[k];
-            squares[k] += v[k] * v[k];
-            reported[k] += e[k] * e[k] / 40;
-        }
-        ms_mcml_white_destroy(white);
-    }
-    for (k = 0; k < 2; ++k) { /* chi-square with 39 degrees of freedom: 0.48 to 1.8 at 1e-4 on either side */
-        double ratio = (squares[k] - sum[k] * sum[k] / 40) / 39 / reported[k];
-        CHECK(ratio > 0.48 && ratio < 1.8);
-        TEST_NOTE("variance seen / reported %.2f", ratio);
-    }
 }
 
 /* --- profiles of several channels --- */
@@ -673,42 +570,6 @@ static void profile_rings_of_all_kinds(void)
     ms_mcml_profile_destroy(&p);
 }
 
-/* The profile by white Monte Carlo is the white run itself where the rings are the same in mean free paths. */
-static void profile_by_white_monte_carlo(void)
-{
-    ms_mcml_medium media[3];
-    ms_mcml_profile p, d, q;
-    ms_mcml_profile_options o;
-    test_pool pool;
-    double chi2 = 0, value;
-    int c, i, n = 0;
-    for (i = 0; i < 3; ++i) media[i] = ms_mcml_material_medium(ms_mcml_find_material("skin1"), i);
-    memset(&o, 0, sizeof o);
-    CHECK_INT(ms_mcml_profile_make(&d, media, 3, &o, NULL), MS_OK);
-    o.photons = scaled(150000);
-    o.seed = test_seed + 1;
-    o.method = MS_MCML_WHITE;
-    CHECK_INT(ms_mcml_profile_make(&p, media, 3, &o, NULL), MS_OK);
-    CHECK_INT(p.method, MS_MCML_WHITE);
-    CHECK(p.rings == d.rings && p.ap_per_mm == NULL);
-    for (c = 0; c < 3; ++c) CHECK_NEAR(p.total[c], d.total[c], 4.5 * p.total_error[c]);
-    for (i = 0; i < p.rings; ++i) { /* red alone: the channels share their photons */
-        if (!(p.rd_error_per_mm2[i] < 0.08 * p.rd_per_mm2[i])) continue;
-        value = (p.rd_per_mm2[i] - d.rd_per_mm2[i]) / p.rd_error_per_mm2[i];
-        chi2 += value * value;
-        ++n;
-    }
-    CHECK(test_chi2_p(chi2, n) > 1e-4);
-    TEST_NOTE("chi2 %.1f of %d", chi2, n);
-    o.parallel = test_parallel(&pool, 3);
-    CHECK_INT(ms_mcml_profile_make(&q, media, 3, &o, NULL), MS_OK);
-    CHECK(memcmp(p.total, q.total, 6 * sizeof(double)) == 0);
-    CHECK(memcmp(p.rd_per_mm2, q.rd_per_mm2, 3 * (size_t)p.rings * sizeof(double)) == 0);
-    ms_mcml_profile_destroy(&p);
-    ms_mcml_profile_destroy(&q);
-    ms_mcml_profile_destroy(&d);
-}
-
 static void profile_by_direct_monte_carlo(void)
 {
     ms_mcml_medium media[3];
@@ -747,7 +608,7 @@ static void profile_by_direct_monte_carlo(void)
     ms_mcml_profile_destroy(&p);
     ms_mcml_profile_destroy(&q);
     ms_mcml_profile_destroy(&d);
-    media[0].mu_a_per_mm = 0; /* paths without a mean length, and anisotropic, which white Monte Carlo cannot do */
+    media[0].mu_a_per_mm = 0; /* paths without a mean length */
     media[0].g = 0.5;
     o.photons = 20000;
     CHECK_INT(ms_mcml_profile_make(&p, media, 1, &o, NULL), MS_OK);
@@ -906,11 +767,9 @@ static void bad_arguments(void)
     ms_mcml_profile p;
     ms_mcml_profile_options o;
     ms_mcml_halfspace_options h;
-    ms_mcml_white *white = NULL;
-    ms_mcml_white_options w;
     ms_mcml_medium good = medium_of(0.9, 1.3), two[2], m;
     ms_error error;
-    double fraction = 0, edges[] = {0, 1, 1, 2}, nan_value = strtod("nan", NULL), rd;
+    double fraction = 0, edges[] = {0, 1, 1, 2}, nan_value = strtod("nan", NULL);
     static const double wrong[][4] = {{-1, 1, 0, 1.3}, {1, -1, 0, 1.3}, {0, 0, 0, 1.3}, {1, 1, 1, 1.3}, {1, 1, -1, 1.3},
                                       {1, 1, 0, 0}, {1, 1, 0, 11}, {1, 1, 0, -1.3}, {1e200, 1e200, 0, 1.3}};
     static const char *const says[] = {"mu_a", "mu_s", "mu_a", "g is", "g is", "eta", "eta", "eta", "mu_a"};
@@ -967,31 +826,18 @@ static void bad_arguments(void)
     CHECK_INT(ms_mcml_profile_make(NULL, &good, 1, &o, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_mcml_profile_make(&p, NULL, 1, &o, &error), MS_INVALID_ARGUMENT);
     two[0] = good;
-    two[1] = medium_of(0.9, 1.5);
-    o.method = MS_MCML_WHITE;
-    CHECK_INT(ms_mcml_profile_make(&p, two, 2, &o, &error), MS_UNSUPPORTED);
-    two[1].eta = 1.3;
-    two[1].g = 0.5;
-    CHECK_INT(ms_mcml_profile_make(&p, two, 2, &o, &error), MS_UNSUPPORTED);
     memset(&o, 0, sizeof o);
     o.method = MS_MCML_DIRECT;
     o.photons = (uint64_t)1 << 40;
     CHECK_INT(ms_mcml_profile_make(&p, two, 1, &o, &error), MS_INVALID_ARGUMENT);
     CHECK(strstr(error.message, "photons") != NULL);
-
-    w = white_options(300000, 0);
-    w.progress.user = &fraction;
-    w.progress.report = stop_at_once;
-    CHECK_INT(ms_mcml_white_run(&white, 1.3, &w, &error), MS_CANCELLED);
-    CHECK(white == NULL && fraction > 0 && fraction < 1);
-    w = white_options(100, 0);
-    CHECK_INT(ms_mcml_white_run(&white, nan_value, &w, &error), MS_INVALID_ARGUMENT);
-    CHECK_INT(ms_mcml_white_run(NULL, 1.3, &w, &error), MS_INVALID_ARGUMENT);
-    CHECK_INT(ms_mcml_white_run(&white, 1.3, &w, &error), MS_OK);
-    CHECK_INT(ms_mcml_white_profile(white, 1.5, NULL, NULL, &rd, NULL, &error), MS_INVALID_ARGUMENT);
-    CHECK_INT(ms_mcml_white_profile(white, nan_value, NULL, NULL, &rd, NULL, &error), MS_INVALID_ARGUMENT);
-    CHECK_INT(ms_mcml_white_profile(NULL, 0.5, NULL, NULL, &rd, NULL, &error), MS_INVALID_ARGUMENT);
-    ms_mcml_white_destroy(white);
+    memset(&o, 0, sizeof o);
+    fraction = -1;
+    o.photons = 300000;
+    o.progress.user = &fraction;
+    o.progress.report = stop_at_once;
+    CHECK_INT(ms_mcml_profile_make(&p, &good, 1, &o, &error), MS_CANCELLED);
+    CHECK(p.memory == NULL && fraction >= 0 && fraction < 1);
 }
 
 static void memory_runs_out(void)
@@ -1022,23 +868,6 @@ static void memory_runs_out(void)
         status = ms_mcml_profile_make(&p, media, 2, &o, NULL);
         ms_mcml_profile_destroy(&p);
     });
-    TEST_ALLOCATION_SWEEP(10, {
-        ms_mcml_profile p;
-        ms_mcml_profile_options o;
-        memset(&o, 0, sizeof o);
-        o.allocator = allocator;
-        o.photons = 100;
-        o.method = MS_MCML_WHITE;
-        status = ms_mcml_profile_make(&p, media, 2, &o, NULL);
-        ms_mcml_profile_destroy(&p);
-    });
-    TEST_ALLOCATION_SWEEP(10, {
-        ms_mcml_white *white = NULL;
-        ms_mcml_white_options o = white_options(100, 0);
-        o.allocator = allocator;
-        status = ms_mcml_white_run(&white, 1.3, &o, NULL);
-        ms_mcml_white_destroy(white);
-    });
 }
 
 static const test_case cases[] = {
@@ -1054,13 +883,9 @@ static const test_case cases[] = {
     {"bessel_k1", bessel_k1},
     {"rings_spectrum_and_line_agree", rings_spectrum_and_line_agree},
     {"narrow_and_wide_rings", narrow_and_wide_rings},
-    {"white_agrees_with_the_solver", white_agrees_with_the_solver},
-    {"white_is_the_same_however_it_is_split", white_is_the_same_however_it_is_split},
-    {"white_levels", white_levels},
-    {"white_standard_errors", white_standard_errors},
+    {"walks_agree_with_the_solver", walks_agree_with_the_solver},
     {"profile_of_all_channels_at_once", profile_of_all_channels_at_once},
     {"profile_rings_of_all_kinds", profile_rings_of_all_kinds},
-    {"profile_by_white_monte_carlo", profile_by_white_monte_carlo},
     {"profile_by_direct_monte_carlo", profile_by_direct_monte_carlo},
     {"similarity", similarity},
     {"automatic_method", automatic_method},

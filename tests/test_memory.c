@@ -30,7 +30,7 @@ static const char *scratch(void)
 
 /* --- workflows --- */
 
-/* Optical coefficients to profiles: the solver, direct and white Monte Carlo, a tally that goes through bytes, an .mci file. */
+/* Optical coefficients to profiles: the solver, Monte Carlo, a tally that goes through bytes, an .mci file. */
 static ms_status transport(const ms_allocator *allocator)
 {
     static const char mci[] = "1.0\n1\nx.mco A\n10\n0.1 0.1\n4 4 1\n1\n1\n1.4 1 90 0.5 0.1\n1\n";
@@ -44,8 +44,6 @@ static ms_status transport(const ms_allocator *allocator)
     ms_mcml_result result;
     ms_mcml_mci file;
     ms_mcml *tally = NULL, *copy = NULL;
-    ms_mcml_white_options many;
-    ms_mcml_white *white = NULL;
     ms_status status;
     void *bytes = NULL;
     memset(&result, 0, sizeof result);
@@ -53,7 +51,6 @@ static ms_status transport(const ms_allocator *allocator)
     memset(&grid, 0, sizeof grid);
     memset(&medium, 0, sizeof medium);
     memset(&how, 0, sizeof how);
-    memset(&many, 0, sizeof many);
     tissue.n_above = tissue.n_below = 1;
     tissue.layer_count = 1;
     tissue.layers = &layer;
@@ -64,8 +61,7 @@ static ms_status transport(const ms_allocator *allocator)
     medium.mu_s_per_mm = 1;
     medium.eta = 1.3;
     how.depth_step = how.frequency_step = 1;
-    many.photons = 100;
-    options.allocator = how.allocator = many.allocator = *allocator;
+    options.allocator = how.allocator = *allocator;
     status = ms_mcml_create(&tissue, &grid, &options, &tally, NULL);
     STEP(ms_mcml_run(tally, 0, 10, NULL));
     if (status == MS_OK) {
@@ -82,10 +78,8 @@ static ms_status transport(const ms_allocator *allocator)
         CHECK(f != NULL && fwrite(mci, 1, sizeof mci - 1, f) == sizeof mci - 1 && fclose(f) == 0);
         status = ms_mcml_mci_load(scratch(), allocator, &file, NULL);
     }
-    STEP(ms_mcml_white_run(&white, 1.3, &many, NULL));
     STEP(ms_mcml_profile_make(&profile, &medium, 1, &how, NULL));
     if (status == MS_OK) ms_mcml_profile_destroy(&profile);
-    ms_mcml_white_destroy(white);
     ms_mcml_mci_destroy(&file);
     ms_mcml_result_destroy(&result);
     ms_mcml_destroy(copy);

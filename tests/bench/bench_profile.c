@@ -138,8 +138,8 @@ static double scene_error(const scene *s, const double *rd)
     return sqrt(mean);
 }
 
-enum { PLAIN, WHITE, DIRECT, SOLVER, WAYS };
-static const char *const way_name[] = {"original-style Monte Carlo", "white Monte Carlo", "direct Monte Carlo, SIMD", "half-space solver"};
+enum { PLAIN, DIRECT, SOLVER, WAYS };
+static const char *const way_name[] = {"original-style Monte Carlo", "direct Monte Carlo, SIMD", "half-space solver"};
 
 typedef struct run {
     const scene *s;
@@ -271,9 +271,9 @@ int main(void)
     static const char *const material[] = {"skin1", "ketchup", "cream"};
     static const double plain_photons[] = {1e3, 1e4, 5e4}, photons[] = {3e4, 3e5, 3e6};
     static const double knob[][2] = {{0.8, 0.8}, {0.5, 0.4}, {0.3, 0.25}};
-    static const char *const way_short[] = {"original-style", "white", "direct", "solver"};
+    static const char *const way_short[] = {"original-style", "direct", "solver"};
     static const char *const color[][3] = {
-        {"#5f6b75", "#8b959d", "#b3bbc1"}, {"#d1495b", "#de7c89", "#eab0b8"}, {"#1b6ca8", "#5a97c4", "#9cc2dd"}, {"#2e933c", "#6db377", "#a9d2af"}};
+        {"#5f6b75", "#8b959d", "#b3bbc1"}, {"#1b6ca8", "#5a97c4", "#9cc2dd"}, {"#2e933c", "#6db377", "#a9d2af"}};
     static scene s[3];
     static double x[3 * WAYS][3], y[3 * WAYS][3];
     static char label[3 * WAYS][64];
@@ -302,13 +302,13 @@ int main(void)
                 r.photons = way == PLAIN ? plain_photons[k] : photons[k];
                 r.o = s[m].rings;
                 r.o.photons = way == SOLVER ? 0 : (uint64_t)r.photons;
-                r.o.method = way == WHITE ? MS_MCML_WHITE : way == DIRECT ? MS_MCML_DIRECT : MS_MCML_DETERMINISTIC;
+                r.o.method = way == DIRECT ? MS_MCML_DIRECT : MS_MCML_DETERMINISTIC;
                 if (way == SOLVER) {
                     r.o.depth_step = knob[k][0];
                     r.o.frequency_step = knob[k][1];
                     snprintf(setting, sizeof setting, k == 2 ? "default" : "steps %g, %g", knob[k][0], knob[k][1]);
                 } else {
-                    snprintf(setting, sizeof setting, "%.0e photons%s", r.photons, way == WHITE ? " for all channels" : " a channel");
+                    snprintf(setting, sizeof setting, "%.0e photons a channel", r.photons);
                 }
                 r.rd = (double *)malloc((size_t)(3 * s[m].exact.rings) * sizeof(double));
                 if (r.rd == NULL) return 1;
