@@ -38,6 +38,7 @@
    Which call
    ----------
      a diffusion profile for rendering (half-space, g = 0)   ms_mcml_profile_make: no noise, milliseconds
+     a picked color and a path length to a medium            ms_mcml_medium_from_color
      layers, g: totals, rings, depth without noise           ms_mcml_layered_solve
      layers, g, glass, absorption, angles, time              ms_mcml_simulate, or for jobs that are split:
                                                              ms_mcml_create, _run, _save, _load, _merge, _results
@@ -497,6 +498,44 @@ MS_API double ms_mcml_halfspace_spectrum(const ms_mcml_halfspace *solution, doub
 /* Energy that leaves at x > x_mm >= 0 on one side of the beam: the integral of the pre-integrated kernel a_p from
    there on; at 0 half the total. */
 MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *solution, double x_mm);
+
+/* --- colours ----------------------------------------------------------------------------------------------- */
+
+/* What a length stands for. With A the color below, Christensen, Burley 2015 (Approximate reflectance profiles for efficient
+   subsurface scattering, equations 6 and 8) give the last two. */
+typedef enum ms_mcml_length {
+    MS_MCML_MEAN_FREE_PATH = 0, /* 1 / (mu_a + mu_s) */
+    MS_MCML_REDUCED_PATH = 1,   /* 1 / (mu_a + mu_s (1 - g)); Unreal's mean free path */
+    MS_MCML_BURLEY_D = 2,       /* reduced path / (1.85 - A + 7 |A - 0.8|^3): d of ms_sss_profile_from_burley, HDRP's scattering distance */
+    MS_MCML_DIFFUSE_PATH = 3    /* d (3.5 + 100 (A - 0.33)^4): Unreal's diffuse mean free path */
+} ms_mcml_length;
+
+/* Total diffuse reflectance of a half-space, what ms_mcml_profile_make calls total, without the profile: tenths of a millisecond, no
+   memory. Within 1e-8 at g = 0, 1e-6 up to |g| = 0.5, 1e-5 at 0.8, 1e-4 at 0.9, 1e-3 at 0.99. NaN where the medium is not valid or g < -0.7. */
+MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium);
+
+/* The medium that looks so: of this color and this length. ms_mcml_reflectance of it gives the color back to 1e-7.
+   color      0 to 1: reflectance over 1 - specular, the part of the light let in that comes out again: a renderer's albedo beside a
+              specular lobe. One channel, linear, not sRGB
+   length_mm  > 0; kind: an ms_mcml_length
+   About 1 ms; no memory. MS_INVALID_ARGUMENT: out of these ranges; MS_UNSUPPORTED: g < -0.7. *medium is untouched then.
+
+   An artist's skin, Unreal's mean free path color (1, 0.35, 0.2) times 0.12 cm, at eta 1.4, and the same for HDRP:
+
+      const double color[3] = {0.80, 0.52, 0.39}, path_mm[3] = {1.2, 0.42, 0.24};
+      for (c = 0; c < 3; ++c) {
+          ms_mcml_medium_from_color(color[c], path_mm[c], MS_MCML_DIFFUSE_PATH, 0, 1.4, &medium[c], NULL);
+          hdrp_distance_mm[c] = ms_mcml_medium_length(&medium[c], MS_MCML_BURLEY_D);
+      }
+      ms_mcml_profile_make(&profile, medium, 3, NULL, NULL);
+
+   The profile is that of a medium, not Burley's curve. */
+MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double g, double eta, ms_mcml_medium *medium,
+                                           ms_error *error);
+
+/* A length of a medium in mm, an ms_mcml_length; NaN where medium or kind is not valid. */
+MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind);
+
 
 /* --- layered solver ---------------------------------------------------------------------------------------- */
 
@@ -4932,6 +4971,241 @@ MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *s, int side, do
     return 0.5 * (sum > 0 ? sum : 0);
 }
 
+/* --- colours ----------------------------------------------------------------------------------------------- */
+
+#define MS_MCML__NODES 32
+
+/* Inverse of a symmetric positive matrix in place, rows of NODES apart, by sweeping its lower half; the logarithm of its determinant. */
+static double ms_mcml__inverse(double a[][MS_MCML__NODES], int n)
+{
+    double column[MS_MCML__NODES], log_determinant = 0;
+    int i, j, k;
+    for (k = 0; k < n; ++k) {
+        const double p = 1 / a[k][k];
+        log_determinant += log(a[k][k]);
+        for (i = 0; i < n; ++i) column[i] = i < k ? a[k][i] : a[i][k];
+        column[k] = -1;
+        for (i = 0; i < n; ++i) {
+            const double q = p * column[i];
+            if (i == k) continue;
+            for (j = 0; j <= i; ++j) a[i][j] -= q * column[j];
+            if (i > k) a[i][k] = q;
+        }
+        for (j = 0; j < k; ++j) a[k][j] = p * column[j];
+        a[k][k] = -p;
+    }
+    for (i = 0; i < n; ++i)
+        for (j = 0; j <= i; ++j) a[j][i] = a[i][j] = -a[i][j];
+    return log_determinant;
+}
+
+/* Diffuse reflectance of a half-space of Henyey-Greenstein scattering under a beam at normal incidence. By reciprocity it is the
+   radiance along the normal under even light from outside. Discrete ordinates, Gauss on both sides of the critical angle (Stamnes et
+   al. 1988 for the equations); with S and D the sums and differences of up and down, M the cosines,
+     M S' = -A D,  M D' = -B S,  A, B = 1 - albedo x odd, even moments,
+   the solution that decays is D = Y S, Y A Y = B: symmetric after scaling by sqrt(M), where it is the geometric mean of B and 1 / A,
+   found by Newton's iteration (Denman & Beavers 1976, with Higham's scaling). Single scattering with the whole phase function
+   (Nakajima & Tanaka 1988). nodes: of each of the two panels. */
+static double ms_mcml__half_space_total(double absorbed, double g, double eta, int nodes)
+{
+    enum { N = MS_MCML__NODES };
+    double a[N][N], x[N][N], v[N][N], t[N][N], legendre[N + 1][N], mu[N], w[N], rho[N], root[N], s[N], q[N], y[N], z[N];
+    const double cut = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0, r = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
+    const int most = nodes + nodes / 4, below = eta > 1 ? most / 2 + 1 : 0, n = nodes + below;
+    const double f = g > 0 ? pow(g, most + 1) : 0, left = absorbed + (1 - absorbed) * (1 - f), albedo = (1 - absorbed) * (1 - f) / left;
+    double out = 0, odd = 0, single = 0, even = 1, power;
+    int i, j, l, turn;
+    ms_mcml__legendre_nodes(nodes, mu, w);
+    for (i = 0; i < nodes; ++i) { /* the root at the critical angle becomes smooth */
+        w[i] *= 2 * (1 - cut) * mu[i];
+        mu[i] = cut + (1 - cut) * mu[i] * mu[i];
+    }
+    ms_mcml__legendre_nodes(below, mu + nodes, w + nodes);
+    for (i = nodes; i < n; ++i) {
+        mu[i] *= cut;
+        w[i] *= cut;
+    }
+    for (i = 0; i < n; ++i) {
+        double p0 = 1, p1 = mu[i];
+        rho[i] = ms_mcml__fresnel_nu(eta, 1, eta * sqrt((1 - mu[i]) * (1 + mu[i])));
+        root[i] = sqrt(mu[i]);
+        for (l = 0; l <= most; ++l) {
+            legendre[l][i] = p0 * sqrt(w[i]);
+            power = ((2 * l + 3) * mu[i] * p1 - (l + 1) * p0) / (l + 2);
+            p0 = p1;
+            p1 = power;
+        }
+        for (j = 0; j < n; ++j) a[i][j] = x[i][j] = i == j;
+    }
+    for (l = 0, power = 1; l <= most; ++l, power *= g) {
+        const double moment = (2 * l + 1) * albedo * (power - f) / (1 - f);
+        double surplus = 0; /* of the quadrature, which would make or lose light: it goes to or comes from straight ahead */
+        for (i = 0; i < n; ++i) {
+            surplus += l > 0 ? legendre[l][i] * sqrt(w[i]) : 0;
+            for (j = 0; j <= i; ++j) (l & 1 ? a : x)[i][j] -= moment * legendre[l][i] * legendre[l][j];
+        }
+        for (i = 0; i < n && !(l & 1); ++i) {
+            const double ahead = moment * surplus * legendre[l][i] / sqrt(w[i]);
+            x[i][i] += ahead;
+            a[i][i] += ahead;
+        }
+        if (!(l & 1)) even += moment / albedo * surplus;
+    }
+    for (i = 0; i < n; ++i)
+        for (j = 0; j <= i; ++j) {
+            x[j][i] = x[i][j] /= root[i] * root[j];
+            v[j][i] = v[i][j] = a[j][i] = a[i][j] /= root[i] * root[j];
+        }
+    for (turn = 0; turn < 40; ++turn) { /* x to Z, v to 1 / Z */
+        double change = 0, scale;
+        memcpy(t, x, sizeof t);
+        memcpy(legendre, v, sizeof v);
+        scale = ms_mcml__inverse(t, n);
+        scale += ms_mcml__inverse(legendre, n);
+        scale = turn < 6 ? exp(-scale / (2 * n)) : 1;
+        for (i = 0; i < n; ++i)
+            for (j = 0; j < n; ++j) {
+                const double b = 0.5 * (scale * x[i][j] + legendre[i][j] / scale);
+                v[i][j] = 0.5 * (scale * v[i][j] + t[i][j] / scale);
+                if (i == j && fabs(b - x[i][j]) > change * b) change = fabs(b - x[i][j]) / b;
+                x[i][j] = b;
+            }
+        if (turn > 2 && change < 1e-9) break; /* quadratic: the next would be 1e-18 */
+    }
+    /* at the surface: ((1 + rho) Z (1 + rho) + (1 + rho) (1 - rho)) u = (1 + rho) (1 - Z) s, u: up, s: what comes in */
+    for (i = 0; i < n; ++i) s[i] = (1 - rho[i]) * root[i] * sqrt(w[i]);
+    for (i = 0; i < n; ++i) {
+        q[i] = s[i];
+        for (j = 0; j < n; ++j) {
+            q[i] -= x[i][j] * s[j];
+            t[i][j] = (1 + rho[i]) * x[i][j] * (1 + rho[j]) + (i == j ? (1 + rho[i]) * (1 - rho[i]) : 0);
+        }
+        q[i] *= 1 + rho[i];
+    }
+    ms_mcml__inverse(t, n);
+    for (i = 0; i < n; ++i)
+        for (j = 0; j < n; ++j) s[i] += (1 + rho[i]) * t[i][j] * q[j];
+    /* integrals times exp(-depth): of D (1 / Z + A) z = s, of S z / Z */
+    for (i = 0; i < n; ++i)
+        for (j = 0; j < n; ++j) t[i][j] = v[i][j] + a[i][j];
+    ms_mcml__inverse(t, n);
+    for (i = 0; i < n; ++i)
+        for (z[i] = 0, j = 0; j < n; ++j) z[i] += t[i][j] * s[j];
+    for (i = 0; i < n; ++i)
+        for (y[i] = 0, j = 0; j < n; ++j) y[i] += v[i][j] * z[j];
+    for (i = 0; i < n; ++i) { /* scattered along the normal, and what the peak of the phase function adds to single scattering */
+        const double b = 1 + g * g + 2 * g * mu[i], whole = (1 - absorbed) / left * (1 - g * g) / (b * sqrt(b));
+        double p0 = 1, p1 = -mu[i], phase = 0;
+        for (l = 0, power = 1; l <= most; ++l, power *= g) {
+            const double moment = (2 * l + 1) * albedo * (power - f) / (1 - f), next = ((2 * l + 3) * -mu[i] * p1 - (l + 1) * p0) / (l + 2);
+            const double here = (l & 1 ? -moment * p0 : moment * p0) * sqrt(w[i]); /* p0: P_l(-mu) */
+            if (l & 1) odd += here * z[i] / root[i];
+            else out += here * y[i] / root[i];
+            phase += moment * p0;
+            p0 = p1;
+            p1 = next;
+        }
+        single += w[i] * mu[i] / (1 + mu[i]) * (whole - phase) * (1 - rho[i]);
+    }
+    return 0.5 * ((out - odd) / even + single) * (1 - r);
+}
+
+/* Part of the light that enters. */
+static double ms_mcml__let_in(double eta) { return 1 - (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1)); }
+
+/* Coarse or fine. Below an absorption of 1e-12 the matrices are singular, and what is lost goes as its root. */
+static double ms_mcml__total_of(double absorbed, double g, double eta, int fine)
+{
+    const double least = 1e-12, at = absorbed > least ? absorbed : least;
+    const double total = ms_mcml__half_space_total(at, g, eta, !fine ? 8 : fabs(g) < 0.5 ? 14 : 19), most = ms_mcml__let_in(eta);
+    return absorbed < least ? most - (most - total) * sqrt(absorbed / least) : total;
+}
+
+MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium)
+{
+    if (medium == NULL || ms_mcml__check_medium(medium, NULL) != MS_OK || medium->g < -0.7) return ms_mcml__nan();
+    if (!(medium->mu_s_per_mm > 0)) return 0;
+    return ms_mcml__total_of(medium->mu_a_per_mm / (medium->mu_a_per_mm + medium->mu_s_per_mm), medium->g, medium->eta, 1);
+}
+
+/* 1 - albedo of a reflectance. In s = sqrt((1 - albedo) / (1 - albedo g)) (van de Hulst 1980) the reflectance falls almost along a
+   line: false position (Illinois) with few nodes, then its slope with many. */
+static double ms_mcml__absorbed_of(double reflectance, double g, double eta)
+{
+    const double most = ms_mcml__let_in(eta);
+    double low = 0, high = 1, at_low = most - reflectance, at_high = -reflectance, s = 1 - reflectance / most, slope = -most;
+    double error, before = 0, last = 0;
+    int turn, side = 0;
+    for (turn = 0; turn < 30 && s > low && s < high; ++turn) {
+        error = ms_mcml__total_of(s * s * (1 - g) / (1 - s * s * g), g, eta, 0) - reflectance;
+        if (turn && fabs(s - last) > 1e-9 * s) slope = (error - before) / (s - last);
+        before = error;
+        last = s;
+        if (error > 0) {
+            low = s, at_low = error;
+            if (side > 0) at_high *= 0.5;
+            side = 1;
+        } else {
+            high = s, at_high = error;
+            if (side < 0) at_low *= 0.5;
+            side = -1;
+        }
+        if (fabs(error) < 1e-5 * reflectance) break;
+        s = low + (high - low) * at_low / (at_low - at_high);
+    }
+    for (turn = 0; turn < 9; ++turn) {
+        error = ms_mcml__total_of(s * s * (1 - g) / (1 - s * s * g), g, eta, 1) - reflectance;
+        if (turn && fabs(s - last) > 1e-9 * s) slope = (error - before) / (s - last);
+        before = error;
+        last = s;
+        if (fabs(error) < 1e-7 * reflectance) break;
+        s -= error / slope;
+        s = s > 0 ? s < 1 ? s : 0.5 * (1 + last) : 0.5 * last;
+    }
+    return s * s * (1 - g) / (1 - s * s * g);
+}
+
+/* Reduced path over a length of the kind. */
+static double ms_mcml__path_of(int kind, double absorbed, double g, double color)
+{
+    const double x = fabs(color - 0.8), y = (color - 0.33) * (color - 0.33), d = 1.85 - color + 7 * x * x * x;
+    if (kind == MS_MCML_MEAN_FREE_PATH) return 1 / (absorbed + (1 - absorbed) * (1 - g));
+    return kind == MS_MCML_REDUCED_PATH ? 1 : kind == MS_MCML_BURLEY_D ? d : d / (3.5 + 100 * y * y);
+}
+
+MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double g, double eta, ms_mcml_medium *medium,
+                                           ms_error *error)
+{
+    ms_mcml_medium m;
+    ms_status status;
+    double absorbed, mu_t;
+    if (medium == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "medium is NULL");
+    m.mu_a_per_mm = m.mu_s_per_mm = 1;
+    m.g = g;
+    m.eta = eta;
+    if ((status = ms_mcml__check_medium(&m, error)) != MS_OK) return status;
+    if (g < -0.7) return ms__fail(error, MS_UNSUPPORTED, 0, "g is %g, expected -0.7 or more", g);
+    if (!ms_mcml__between(color, 0, 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "color is %g, expected 0 to 1", color);
+    if (!ms_mcml__between(length_mm, 1e-30, 1e30))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_mm is %g, expected above 0", length_mm);
+    if (kind < MS_MCML_MEAN_FREE_PATH || kind > MS_MCML_DIFFUSE_PATH)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kind is %d, expected one of ms_mcml_length", kind);
+    absorbed = !(color > 0) ? 1 : color < 1 ? ms_mcml__absorbed_of(color * ms_mcml__let_in(eta), g, eta) : 0;
+    mu_t = 1 / ((absorbed + (1 - absorbed) * (1 - g)) * length_mm * ms_mcml__path_of(kind, absorbed, g, color));
+    m.mu_a_per_mm = absorbed * mu_t;
+    m.mu_s_per_mm = (1 - absorbed) * mu_t;
+    *medium = m;
+    return MS_OK;
+}
+
+MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind)
+{
+    const double color = ms_mcml_reflectance(medium) / (medium ? ms_mcml__let_in(medium->eta) : 1);
+    if (!ms__finite(color) || kind < MS_MCML_MEAN_FREE_PATH || kind > MS_MCML_DIFFUSE_PATH) return ms_mcml__nan();
+    return 1 / ((medium->mu_a_per_mm + medium->mu_s_per_mm * (1 - medium->g)) *
+                ms_mcml__path_of(kind, medium->mu_a_per_mm / (medium->mu_a_per_mm + medium->mu_s_per_mm), medium->g, color));
+}
+
 /* --- diffusion profiles ------------------------------------------------------------------------------------ */
 
 static ms_status ms_mcml__check_edges(const double *edge, int rings, int most, ms_error *error)
@@ -5377,6 +5651,7 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 
 #undef MS_MCML__AZIMUTHS
 #undef MS_MCML__EVEN_MAX
+#undef MS_MCML__NODES
 #undef MS_MCML__ODD_MAX
 #undef MS_MCML__ORDER_MAX
 #undef MS_MCML__PANELS_MAX

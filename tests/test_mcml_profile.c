@@ -417,6 +417,110 @@ static void narrow_and_wide_rings(void)
     CHECK(ms_mcml_halfspace_ring(&s, 1e8, 1e9) >= 0);
 }
 
+/* --- colors --- */
+
+/* The forward map against both solvers. */
+static void reflectance_without_a_profile(void)
+{
+    static const double eta[] = {0.5, 1, 1.1, 1.4, 2.5, 10}, albedo[] = {1e-3, 0.3, 0.9, 0.999, 0.999999, 1}, g[] = {-0.5, 0.5, 0.8, 0.9};
+    static const double bound[] = {1e-5, 1e-5, 2e-5, 1e-4}; /* as stated, and the layered solver's own error */
+    double worst = 0, worst_g[4] = {0, 0, 0, 0};
+    unsigned i, j, k;
+    for (i = 0; i < 6; ++i)
+        for (j = 0; j < 6; ++j) {
+            ms_mcml_medium m = medium_of(albedo[j], eta[i]);
+            double d = fabs(ms_mcml_reflectance(&m) - solve(m).total);
+            if (!(d <= worst)) worst = d;
+        }
+    CHECK_LE(worst, 1e-8);
+    for (k = 0; k < 4; ++k)
+        for (j = 1; j < 4; ++j) {
+            ms_mcml_layer layer = {1.4, 1 - albedo[j], albedo[j], g[k], 1e8};
+            ms_mcml_tissue tissue = {1, 1, 1, &layer};
+            ms_mcml_layered_options o;
+            ms_mcml_layered y;
+            ms_mcml_medium m = medium_of(albedo[j], 1.4);
+            m.g = g[k];
+            memset(&o, 0, sizeof o);
+            o.totals_only = 1;
+            CHECK_INT(ms_mcml_layered_solve(&tissue, &o, &y, NULL), MS_OK);
+            worst_g[k] = fmax(worst_g[k], fabs(ms_mcml_reflectance(&m) - y.rd));
+        }
+    for (k = 0; k < 4; ++k) CHECK_LE(worst_g[k], bound[k]);
+    TEST_NOTE("g 0 %.1e, -0.5 %.1e, 0.5 %.1e, 0.8 %.1e, 0.9 %.1e", worst, worst_g[0], worst_g[1], worst_g[2], worst_g[3]);
+}
+
+/* An artist picks colors and lengths: the medium has them, of every index and g, and its profile the color. */
+static void medium_from_a_color(void)
+{
+    static const double color[] = {1e-6, 1e-3, 0.04, 0.39, 0.52, 0.8, 0.97, 0.999, 0.9999999}, eta[] = {0.6, 1, 1.33, 1.5, 3}, g[] = {-0.6, 0, 0.3, 0.8, 0.95};
+    double worst = 0, worst_length = 0, total;
+    unsigned i, j, k;
+    int kind;
+    ms_mcml_medium m;
+    for (i = 0; i < 9; ++i)
+        for (j = 0; j < 5; ++j)
+            for (k = 0; k < 5; ++k) {
+                double specular = (eta[j] - 1) / (eta[j] + 1), back;
+                kind = (int)(i + j + k) % 4;
+                CHECK_INT(ms_mcml_medium_from_color(color[i], 0.7, kind, g[k], eta[j], &m, NULL), MS_OK);
+                back = ms_mcml_reflectance(&m) / (1 - specular * specular);
+                worst = fmax(worst, fabs(back / color[i] - 1));
+                worst_length = fmax(worst_length, fabs(ms_mcml_medium_length(&m, kind) / 0.7 - 1));
+                if (!(m.mu_a_per_mm >= 0 && m.mu_s_per_mm >= 0)) TEST_FAIL("color %g eta %g g %g: mu_a %g, mu_s %g", color[i], eta[j], g[k], m.mu_a_per_mm, m.mu_s_per_mm);
+            }
+    CHECK_LE(worst, 3e-7); /* the iteration's own bound of 1e-7, and rounding in matrices that are nearly singular */
+    CHECK_LE(worst_length, 1e-6); /* Burley's fits amplify the error of the color by up to 6 */
+    for (i = 1; i < 8; ++i) { /* by the other solver: its total */
+        CHECK_INT(ms_mcml_medium_from_color(color[i], 1, MS_MCML_MEAN_FREE_PATH, 0, 1.5, &m, NULL), MS_OK);
+        total = solve(m).total;
+        CHECK_NEAR(total, 0.96 * color[i], 1e-6 * color[i] + 1e-8);
+        CHECK_NEAR(m.mu_a_per_mm + m.mu_s_per_mm, 1, 1e-14);
+    }
+    /* Christensen and Burley's figures: A = 0.8 has s = 1.05 of the path, 3.5 + 100 * 0.47^4 of the diffuse path */
+    CHECK_INT(ms_mcml_medium_from_color(0.8, 2.1, MS_MCML_REDUCED_PATH, 0.5, 1.4, &m, NULL), MS_OK);
+    CHECK_NEAR(m.mu_a_per_mm + 0.5 * m.mu_s_per_mm, 1 / 2.1, 1e-14);
+    CHECK_NEAR(ms_mcml_medium_length(&m, MS_MCML_BURLEY_D), 2, 1e-6);
+    CHECK_NEAR(ms_mcml_medium_length(&m, MS_MCML_DIFFUSE_PATH), 2 * (3.5 + 100 * 0.47 * 0.47 * 0.47 * 0.47), 1e-5);
+    CHECK_INT(ms_mcml_medium_from_color(0, 2, 0, 0, 1.4, &m, NULL), MS_OK); /* black and white */
+    CHECK_NEAR(m.mu_a_per_mm, 0.5, 1e-15);
+    CHECK_NEAR(m.mu_s_per_mm, 0, 0);
+    CHECK_INT(ms_mcml_medium_from_color(1, 2, 0, 0, 1.4, &m, NULL), MS_OK);
+    CHECK_NEAR(m.mu_a_per_mm, 0, 0);
+    TEST_NOTE("color %.1e, length %.1e", worst, worst_length);
+}
+
+static void colors_refused(void)
+{
+    static const double wrong[][5] = {{-0.1, 1, 0, 0, 1.3}, {1.1, 1, 0, 0, 1.3}, {0.5, 0, 0, 0, 1.3}, {0.5, -1, 0, 0, 1.3}, {0.5, 1, 4, 0, 1.3},
+                                      {0.5, 1, -1, 0, 1.3}, {0.5, 1, 0, 1, 1.3}, {0.5, 1, 0, 0, 0.01}, {0.5, 1, 0, -0.8, 1.3}};
+    static const char *const says[] = {"color", "color", "length_mm", "length_mm", "kind", "kind", "g is", "eta", "g is"};
+    ms_mcml_medium m = medium_of(0.5, 1.3), same = m;
+    ms_error error;
+    double bad;
+    unsigned i;
+    for (i = 0; i < 9; ++i) {
+        CHECK_INT(ms_mcml_medium_from_color(wrong[i][0], wrong[i][1], (int)wrong[i][2], wrong[i][3], wrong[i][4], &m, &error),
+                  i == 8 ? MS_UNSUPPORTED : MS_INVALID_ARGUMENT);
+        CHECK(strstr(error.message, says[i]) != NULL);
+        CHECK(memcmp(&m, &same, sizeof m) == 0);
+    }
+    CHECK_INT(ms_mcml_medium_from_color(0.5, 1, 0, 0, 1.3, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_medium_from_color(strtod("nan", NULL), 1, 0, 0, 1.3, &m, &error), MS_INVALID_ARGUMENT);
+    bad = ms_mcml_reflectance(NULL);
+    CHECK(bad != bad);
+    bad = ms_mcml_medium_length(NULL, 0);
+    CHECK(bad != bad);
+    bad = ms_mcml_medium_length(&m, 4);
+    CHECK(bad != bad);
+    m.g = -0.9;
+    bad = ms_mcml_reflectance(&m);
+    CHECK(bad != bad);
+    m.g = 0;
+    m.mu_s_per_mm = 0;
+    CHECK_NEAR(ms_mcml_reflectance(&m), 0, 0);
+}
+
 /* --- against walks --- */
 
 /* Photons for a test: fewer where there are no vectors, so that it ends in the same time. */
@@ -883,6 +987,9 @@ static const test_case cases[] = {
     {"bessel_k1", bessel_k1},
     {"rings_spectrum_and_line_agree", rings_spectrum_and_line_agree},
     {"narrow_and_wide_rings", narrow_and_wide_rings},
+    {"reflectance_without_a_profile", reflectance_without_a_profile},
+    {"medium_from_a_color", medium_from_a_color},
+    {"colors_refused", colors_refused},
     {"walks_agree_with_the_solver", walks_agree_with_the_solver},
     {"profile_of_all_channels_at_once", profile_of_all_channels_at_once},
     {"profile_rings_of_all_kinds", profile_rings_of_all_kinds},
