@@ -512,6 +512,205 @@ static void memory_runs_out(void)
     });
 }
 
+/* --- skin --- */
+
+/* CIE 1931 2 degree observer and D65, every 10 nm from 400 to 700: the published tables. */
+static const double cie[31][4] = {
+    {0.0143, 0.0004, 0.0679, 82.75}, {0.0435, 0.0012, 0.2074, 91.49}, {0.1344, 0.0040, 0.6456, 93.43}, {0.2839, 0.0116, 1.3856, 86.68},
+    {0.3483, 0.0230, 1.7471, 104.86}, {0.3362, 0.0380, 1.7721, 117.01}, {0.2908, 0.0600, 1.6692, 117.81}, {0.1954, 0.0910, 1.2876, 114.86},
+    {0.0956, 0.1390, 0.8130, 115.92}, {0.0320, 0.2080, 0.4652, 108.81}, {0.0049, 0.3230, 0.2720, 109.35}, {0.0093, 0.5030, 0.1582, 107.80},
+    {0.0633, 0.7100, 0.0782, 104.79}, {0.1655, 0.8620, 0.0422, 107.69}, {0.2904, 0.9540, 0.0203, 104.41}, {0.4334, 0.9950, 0.0087, 104.05},
+    {0.5945, 0.9950, 0.0039, 100.00}, {0.7621, 0.9520, 0.0021, 96.33}, {0.9163, 0.8700, 0.0017, 95.79}, {1.0263, 0.7570, 0.0011, 88.69},
+    {1.0622, 0.6310, 0.0008, 90.01}, {1.0026, 0.5030, 0.0003, 89.60}, {0.8544, 0.3810, 0.0002, 87.70}, {0.6424, 0.2650, 0, 83.29},
+    {0.4479, 0.1750, 0, 83.70}, {0.2835, 0.1070, 0, 80.03}, {0.1649, 0.0610, 0, 80.21}, {0.0874, 0.0320, 0, 82.28}, {0.0468, 0.0170, 0, 78.28},
+    {0.0227, 0.0082, 0, 69.72}, {0.0114, 0.0041, 0, 71.61}};
+
+static double skin_total(const ms_mcml_skin *skin, double nm, int specular)
+{
+    ms_mcml_layer layers[3];
+    ms_mcml_tissue tissue;
+    ms_mcml_layered_options o;
+    ms_mcml_layered y;
+    memset(&o, 0, sizeof o);
+    memset(&y, 0, sizeof y);
+    o.totals_only = 1;
+    tissue.n_above = 1;
+    tissue.n_below = 1.4;
+    tissue.layers = layers;
+    CHECK_INT(ms_mcml_skin_layers(skin, nm, layers, &tissue.layer_count, NULL), MS_OK);
+    CHECK_INT(ms_mcml_layered_solve(&tissue, &o, &y, NULL), MS_OK);
+    return y.rd + specular * y.specular;
+}
+
+/* Layers as the cited laws say, worked out by hand at 500, 540 and 700 nm. */
+static void skin_is_made_of_its_laws(void)
+{
+    ms_mcml_skin skin = ms_mcml_skin_defaults();
+    ms_mcml_layer l[3];
+    int count = 0;
+    skin.melanin = skin.eumelanin = 1;
+    skin.blood = skin.oxygen = 1;
+    skin.scattering = 1;
+    skin.g = 0.5;
+    CHECK_INT(ms_mcml_skin_layers(&skin, 500, l, &count, NULL), MS_OK);
+    CHECK_INT(count, 2);
+    CHECK_NEAR(l[0].mu_a_per_cm, 679, 1);            /* 6.6e11 500^-3.33 */
+    CHECK_NEAR(l[1].mu_a_per_cm, 112.1, 0.1);        /* 2.303 x 20932.8 x 150 / 64500 */
+    CHECK_NEAR(l[0].mu_s_per_cm, 92, 1e-9);          /* 46 / (1 - g) */
+    CHECK_NEAR(l[0].thickness_cm, 0.006, 1e-15);
+    CHECK(l[0].g == 0.5 && l[1].thickness_cm == 1e8 && l[0].n == 1.4);
+    CHECK_INT(ms_mcml_skin_layers(&skin, 540, l, &count, NULL), MS_OK);
+    CHECK_NEAR(l[1].mu_a_per_cm, 285.1, 0.1);
+    skin.melanin = skin.blood = 0;
+    CHECK_INT(ms_mcml_skin_layers(&skin, 500, l, &count, NULL), MS_OK);
+    CHECK_NEAR(l[0].mu_a_per_cm, 0.244 + 85.3 * 0.005372, 1e-4); /* exp(-346 / 66.2) */
+    CHECK_NEAR(l[1].mu_a_per_cm, l[0].mu_a_per_cm, 0);
+    skin.melanin = 1;
+    skin.eumelanin = 0;
+    skin.dermis_mm = 1.5;
+    skin.blood = 1;
+    skin.oxygen = 0;
+    CHECK_INT(ms_mcml_skin_layers(&skin, 700, l, &count, NULL), MS_OK);
+    CHECK_INT(count, 3);
+    CHECK_NEAR(l[0].mu_a_per_cm, 88.8, 0.5);         /* 2.9e15 700^-4.75 */
+    CHECK_NEAR(l[1].mu_a_per_cm, 9.61, 0.01);        /* 1794.3 */
+    CHECK_NEAR(l[1].thickness_cm, 0.15, 1e-15);
+    CHECK_NEAR(l[2].mu_s_per_cm, 2 * 12.2, 0.1);     /* 1050 x 700^-0.68 */
+    CHECK_NEAR(l[2].mu_a_per_cm, 0.1 * 9.61 + 0.9 * 0.2659, 0.01);
+}
+
+/* Reflectance, specular included, of people inside the forearm: Cooksey, Allen, Tsai 2017, NIST, read from plots of the data to 0.005: the
+   darkest and the lightest of 100 and the median. Three numbers of the skin fitted to each, the rest the defaults; the model is one
+   of homogeneous layers, and the mean laws of scattering and pale skin need not be those of a person: 0.02 at worst. */
+static void skin_of_people(void)
+{
+    static const double nm[9] = {500, 520, 545, 570, 580, 600, 620, 650, 700};
+    static const double seen[3][9] = {{0.099, 0.106, 0.111, 0.124, 0.131, 0.177, 0.219, 0.262, 0.340},
+                                      {0.433, 0.445, 0.415, 0.421, 0.417, 0.566, 0.638, 0.654, 0.677},
+                                      {0.342, 0, 0, 0, 0, 0.467, 0, 0, 0.614}};
+    static const double made[3][3] = {{0.119, 0.134, 2.29}, {0.0144, 0.0237, 3.92}, {0.016, 0.037, 2.2}};
+    int i, p;
+    for (p = 0; p < 3; ++p) {
+        ms_mcml_skin skin = ms_mcml_skin_defaults();
+        double sum = 0, worst = 0;
+        int n = 0;
+        skin.melanin = made[p][0];
+        skin.blood = made[p][1];
+        skin.scattering = made[p][2];
+        skin.g = 0;
+        for (i = 0; i < 9; ++i) {
+            double d = skin_total(&skin, nm[i], 1) - seen[p][i];
+            if (!(seen[p][i] > 0)) continue;
+            sum += d * d;
+            worst = fmax(worst, fabs(d));
+            ++n;
+        }
+        CHECK_LE(sqrt(sum / n), 0.012);
+        CHECK_LE(worst, 0.025);
+        TEST_NOTE("%s: rms %.4f, worst %.3f", p == 0 ? "darkest" : p == 1 ? "lightest" : "median", sqrt(sum / n), worst);
+    }
+}
+
+/* 13 wavelengths and the observer's formula against 31 and the published tables; what more melanin, blood and oxygen do. */
+static void skin_color_of_the_observer(void)
+{
+    static const double matrix[3][3] = {{3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}}; /* IEC 61966-2-1 */
+    static const double melanin[] = {0.005, 0.03, 0.1, 0.3};
+    double worst = 0, before[3] = {1, 1, 1}, rgb[3], more[3];
+    ms_mcml_skin skin = ms_mcml_skin_defaults();
+    int i, c, k;
+    skin.g = 0;
+    for (k = 0; k < 4; ++k) {
+        double sum[3] = {0, 0, 0}, white[3] = {0, 0, 0}, nm[MS_MCML_SKIN_BANDS], spectrum[MS_MCML_SKIN_BANDS];
+        skin.melanin = melanin[k];
+        CHECK_INT(ms_mcml_skin_color(&skin, rgb, nm, spectrum, NULL, NULL), MS_OK);
+        for (i = 0; i < 31; ++i) {
+            double r = skin_total(&skin, 400 + 10 * i, 0);
+            for (c = 0; c < 3; ++c) {
+                double v = cie[i][3] * (matrix[c][0] * cie[i][0] + matrix[c][1] * cie[i][1] + matrix[c][2] * cie[i][2]);
+                white[c] += v;
+                sum[c] += v * r;
+            }
+        }
+        for (c = 0; c < 3; ++c) {
+            worst = fmax(worst, fabs(rgb[c] - sum[c] / white[c]));
+            CHECK(rgb[c] < before[c] && rgb[c] > 0);
+            before[c] = rgb[c];
+        }
+        CHECK(rgb[0] > rgb[1] && rgb[1] > rgb[2]);
+        for (i = 0; i < MS_MCML_SKIN_BANDS; ++i) CHECK_NEAR(spectrum[i], skin_total(&skin, nm[i], 0), 1e-12);
+    }
+    CHECK_LE(worst, 0.006); /* the formula's 1% of an observer, and lines between bands */
+    skin.melanin = 0.02;
+    CHECK_INT(ms_mcml_skin_color(&skin, rgb, NULL, NULL, NULL, NULL), MS_OK);
+    skin.blood *= 2; /* green falls most: a blush */
+    CHECK_INT(ms_mcml_skin_color(&skin, more, NULL, NULL, NULL, NULL), MS_OK);
+    CHECK(more[1] / rgb[1] < more[0] / rgb[0] - 0.02 && more[1] / rgb[1] < more[2] / rgb[2]);
+    skin.oxygen = 0; /* blue lips */
+    CHECK_INT(ms_mcml_skin_color(&skin, rgb, NULL, NULL, NULL, NULL), MS_OK);
+    CHECK(rgb[0] < more[0] && rgb[2] > more[2]);
+    TEST_NOTE("worst %.4f", worst);
+}
+
+/* A profile of R, G, B: its totals are the color, its rings add up to them, none is negative; g changes the middle, not the color much. */
+static void skin_profile_of_a_color(void)
+{
+    ms_mcml_skin skin = ms_mcml_skin_defaults();
+    ms_mcml_profile p;
+    double rgb[3];
+    int c, i;
+    skin.dermis_mm = 2;
+    skin.g = 0;
+    CHECK_INT(ms_mcml_skin_color(&skin, rgb, NULL, NULL, NULL, NULL), MS_OK);
+    CHECK_INT(ms_mcml_skin_profile(&p, &skin, NULL, NULL), MS_OK);
+    CHECK_INT(p.channels, 3);
+    for (c = 0; c < 3; ++c) {
+        const double *rd = p.rd_per_mm2 + c * p.rings, *within = p.within + c * (p.rings + 1);
+        double sum = 0, line = 0;
+        CHECK_NEAR(p.total[c], rgb[c], 1e-6); /* totals do not depend on the rings */
+        for (i = 0; i < p.rings; ++i) {
+            CHECK(rd[i] >= 0);
+            sum += rd[i] * 3.14159265358979 * (p.edge_mm[i + 1] * p.edge_mm[i + 1] - p.edge_mm[i] * p.edge_mm[i]);
+            line += 2 * p.ap_per_mm[c * p.rings + i] * (p.edge_mm[i + 1] - p.edge_mm[i]);
+        }
+        CHECK_NEAR(sum, within[p.rings], 3e-5); /* noise below zero far out counts as none */
+        CHECK_NEAR(sum, rgb[c], 1e-4); /* the rings end where 1e-5 of a wavelength's energy is left */
+        CHECK_NEAR(line, rgb[c], 2e-3);
+    }
+    CHECK(p.within[p.rings / 2] < p.within[2 * (p.rings + 1) + p.rings / 2] * p.total[0] / p.total[2]); /* red goes farther than blue */
+    ms_mcml_profile_destroy(&p);
+}
+
+static void skin_refused(void)
+{
+    ms_mcml_skin skin = ms_mcml_skin_defaults();
+    ms_mcml_profile p;
+    ms_mcml_layer l[3];
+    ms_error error;
+    double rgb[3] = {7, 7, 7};
+    int count = 9, i;
+    CHECK_INT(ms_mcml_skin_layers(&skin, 399, l, &count, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "wavelength_nm") != NULL && count == 9);
+    CHECK_INT(ms_mcml_skin_layers(NULL, 500, l, &count, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_skin_layers(&skin, 500, NULL, &count, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_skin_layers(&skin, 500, l, NULL, &error), MS_INVALID_ARGUMENT);
+    for (i = 0; i < 8; ++i) {
+        static const char *const name[8] = {"melanin", "eumelanin", "blood", "oxygen", "epidermis_mm", "dermis_mm", "scattering", "g is"};
+        ms_mcml_skin bad = skin;
+        *(i == 0 ? &bad.melanin : i == 1 ? &bad.eumelanin : i == 2 ? &bad.blood : i == 3 ? &bad.oxygen : i == 4 ? &bad.epidermis_mm : i == 5 ? &bad.dermis_mm : i == 6 ? &bad.scattering : &bad.g) = -0.1;
+        CHECK_INT(ms_mcml_skin_color(&bad, rgb, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+        CHECK(strstr(error.message, name[i]) != NULL && rgb[0] > 6);
+        CHECK_INT(ms_mcml_skin_profile(&p, &bad, NULL, &error), MS_INVALID_ARGUMENT);
+        CHECK(p.memory == NULL);
+    }
+    CHECK_INT(ms_mcml_skin_color(&skin, NULL, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_skin_profile(NULL, &skin, NULL, &error), MS_INVALID_ARGUMENT);
+    skin.g = 0;
+    TEST_ALLOCATION_SWEEP(40, {
+        status = ms_mcml_skin_color(&skin, rgb, NULL, NULL, &allocator, NULL);
+    });
+}
+
 static const test_case cases[] = {
     {"totals", totals},
     {"published", published},
@@ -520,6 +719,11 @@ static const test_case cases[] = {
     {"identities", identities},
     {"refusals", refusals},
     {"memory_runs_out", memory_runs_out},
+    {"skin_is_made_of_its_laws", skin_is_made_of_its_laws},
+    {"skin_of_people", skin_of_people},
+    {"skin_color_of_the_observer", skin_color_of_the_observer},
+    {"skin_profile_of_a_color", skin_profile_of_a_color},
+    {"skin_refused", skin_refused},
 };
 
 TEST_MAIN(cases)
