@@ -4,6 +4,9 @@
      build/profile skin1
      build/profile --mua 0.032,0.17,0.48 --mus 0.74,0.88,1.01 --eta 1.3 --photons 10000000 --csv skin1.csv
      build/profile --mci skin.mci                (layers: r_mm, R and T in 1/mm^2 of the file's first run)
+     build/profile --colour 0.8,0.52,0.39 --mfp 1.2,0.42,0.24 --eta 1.4    (linear; of the light let in; mean free path in mm, or
+                                                  --dmfp: Unreal's diffuse one, --distance: HDRP's scattering distance, Burley's d)
+     build/profile --skin melanin=0.03,blood=0.02,oxygen=0.7,eumelanin=0.8,epidermis_mm=0.06,dermis_mm=2,scattering=2.2,g=0.8
      build/profile --list
 
    Without --photons the solvers: no noise. With it, Monte Carlo. --csv saves the table to a
@@ -18,6 +21,8 @@
 
 static const char usage_text[] = "usage: profile MATERIAL | --mua R,G,B --mus R,G,B --eta N [--photons N] [--csv FILE]\n"
                                  "  profile --mci FILE.mci [--csv FILE]    layers, without noise, in the rings of the file's first run\n"
+                                 "  profile --colour R,G,B (--mfp|--dmfp|--distance) R,G,B [--eta N] [--csv FILE]    as artists pick them, 0 to 1 and mm\n"
+                                 "  profile --skin [melanin=..,blood=..,...] [--csv FILE]    skin from what it is made of; --skin default\n"
                                  "  profile --list    the materials; coefficients are per mm\n";
 
 static int usage(const char *problem, const char *value)
@@ -51,11 +56,28 @@ static void list_materials(void)
                m->mu_a_per_mm[2], m->mu_s_per_mm[0], m->mu_s_per_mm[1], m->mu_s_per_mm[2], m->eta);
 }
 
-static void print_head(FILE *f, const char *name, const ms_mcml_material *m, const ms_mcml_profile *p, double photons)
+/* What a profile is of. */
+typedef struct subject {
+    const char *name;
+    const ms_mcml_material *material; /* NULL: skin */
+    ms_mcml_skin skin;
+    double photons;
+} subject;
+
+static void print_head(FILE *f, const subject *what, const ms_mcml_profile *p)
 {
-    const double *a = m->mu_a_per_mm, *s = m->mu_s_per_mm;
-    fprintf(f, "# %s: mu_a %g,%g,%g mu_s %g,%g,%g per mm, g 0, eta %g\n", name, a[0], a[1], a[2], s[0], s[1], s[2], m->eta);
-    if (p->method == MS_MCML_DETERMINISTIC) fprintf(f, "# half-space solver\n");
+    const ms_mcml_material *m = what->material;
+    const ms_mcml_skin *k = &what->skin;
+    const double photons = what->photons;
+    if (m) {
+        const double *a = m->mu_a_per_mm, *s = m->mu_s_per_mm;
+        fprintf(f, "# %s: mu_a %.9g,%.9g,%.9g mu_s %.9g,%.9g,%.9g per mm, g 0, eta %g\n", what->name, a[0], a[1], a[2], s[0], s[1], s[2], m->eta);
+    } else {
+        fprintf(f, "# skin: melanin %g, eumelanin %g, blood %g, oxygen %g, epidermis_mm %g, dermis_mm %g, scattering %g, g %g\n", k->melanin,
+                k->eumelanin, k->blood, k->oxygen, k->epidermis_mm, k->dermis_mm, k->scattering, k->g);
+    }
+    if (m == NULL) fprintf(f, "# layered solver, 13 wavelengths; R,G,B linear sRGB under D65\n");
+    else if (p->method == MS_MCML_DETERMINISTIC) fprintf(f, "# half-space solver\n");
     else fprintf(f, "# Monte Carlo, %.0f photons\n", photons);
     fprintf(f, "# total_reflectance,%.9g,%.9g,%.9g\n", p->total[0], p->total[1], p->total[2]);
     if (p->method != MS_MCML_DETERMINISTIC)
@@ -120,6 +142,56 @@ static int layers(const char *path, const char *csv)
     return file_end_stdout("profile") || failed;
 }
 
+/* Prints the profile, to a file where csv names one; the exit code. */
+static int finish(const subject *what, ms_mcml_profile *p, const char *csv)
+{
+    int failed = 0;
+    print_head(stdout, what, p);
+    if (csv) {
+        file_out out;
+        const char *trouble;
+        FILE *f = file_create(csv, &out);
+        if (f) {
+            print_head(f, what, p);
+            print_table(f, p);
+        }
+        trouble = f ? file_finish(&out, 1) : out.problem;
+        if (trouble) fprintf(stderr, "profile: %s: %s\n", csv, trouble);
+        failed = trouble != NULL;
+    } else {
+        print_table(stdout, p);
+    }
+    ms_mcml_profile_destroy(p);
+    return file_end_stdout("profile") || failed;
+}
+
+/* "melanin=0.03,blood=0.02": what is not named stays as it is. NULL, or what is wrong. */
+static const char *parse_skin(const char *text, ms_mcml_skin *skin)
+{
+    static const char *const name[] = {"melanin", "eumelanin", "blood", "oxygen", "epidermis_mm", "dermis_mm", "scattering", "g"};
+    double *value[8];
+    int i;
+    value[0] = &skin->melanin;
+    value[1] = &skin->eumelanin;
+    value[2] = &skin->blood;
+    value[3] = &skin->oxygen;
+    value[4] = &skin->epidermis_mm;
+    value[5] = &skin->dermis_mm;
+    value[6] = &skin->scattering;
+    value[7] = &skin->g;
+    if (strcmp(text, "default") == 0) return NULL;
+    for (;;) {
+        size_t n = strcspn(text, "=,");
+        char *end;
+        for (i = 0; i < 8 && (strlen(name[i]) != n || strncmp(text, name[i], n) != 0); ++i) {}
+        if (i == 8 || text[n] != '=') return text;
+        *value[i] = strtod(text + n + 1, &end);
+        if (end == text + n + 1 || (*end != ',' && *end != 0)) return text;
+        if (*end == 0) return NULL;
+        text = end + 1;
+    }
+}
+
 int main(int argc, char **argv)
 {
     const char *name = NULL, *csv = NULL, *mci = NULL;
@@ -129,10 +201,13 @@ int main(int argc, char **argv)
     ms_mcml_profile_options options;
     ms_mcml_profile profile;
     ms_error error;
-    double photons = 0, shortest = 0, longest = 0, rings;
-    int i, given = 0, failed;
+    double photons = 0, shortest = 0, longest = 0, rings, color[3], length[3];
+    int i, given = 0, kind = 0, colored = 0, skinned = 0;
+    subject what;
     memset(&custom, 0, sizeof custom);
     memset(&options, 0, sizeof options);
+    memset(&what, 0, sizeof what);
+    what.skin = ms_mcml_skin_defaults();
     if (file_help(argc, argv, usage_text)) return file_end_stdout("profile");
     for (i = 1; i < argc; ++i) {
         const char *value = i + 1 < argc ? argv[i + 1] : "";
@@ -154,6 +229,17 @@ int main(int argc, char **argv)
         } else if (strcmp(argv[i], "--eta") == 0) {
             if (!parse_numbers(value, &custom.eta, 1)) return usage("--eta needs a number, not", value);
             given |= 4;
+        } else if (strcmp(argv[i], "--colour") == 0 || strcmp(argv[i], "--color") == 0) {
+            if (!parse_numbers(value, color, 3)) return usage("--colour needs one number or three, R,G,B, not", value);
+            colored |= 1;
+        } else if (strcmp(argv[i], "--mfp") == 0 || strcmp(argv[i], "--dmfp") == 0 || strcmp(argv[i], "--distance") == 0) {
+            kind = argv[i][2] == 'm' ? MS_MCML_MEAN_FREE_PATH : argv[i][3] == 'm' ? MS_MCML_DIFFUSE_PATH : MS_MCML_BURLEY_D;
+            if (!parse_numbers(value, length, 3) || colored & 2) return usage("one length, of one number or three, R,G,B, not", value);
+            colored |= 2;
+        } else if (strcmp(argv[i], "--skin") == 0) {
+            const char *wrong = value[0] ? parse_skin(value, &what.skin) : "";
+            if (wrong) return usage("--skin needs default or name=number,...; not", wrong);
+            skinned = 1;
         } else if (strcmp(argv[i], "--photons") == 0) {
             if (!parse_numbers(value, &photons, 1) || !(photons >= 1 && photons < 4294967296.0))
                 return usage("--photons needs a number from 1 to 4294967295, not", value);
@@ -168,8 +254,33 @@ int main(int argc, char **argv)
         }
         ++i;
     }
-    if (mci && (name || given || photons > 0)) return usage("--mci goes with --csv only", NULL);
+    if (mci && (name || given || photons > 0 || colored || skinned)) return usage("--mci goes with --csv only", NULL);
+    if (skinned && (name || given || photons > 0 || colored)) return usage("--skin goes with --csv only", NULL);
     if (mci) return layers(mci, csv);
+    if (colored) {
+        if (name || given & 3) return usage("--colour takes the place of a material", NULL);
+        if (colored != 3) return usage("--colour and --mfp, --dmfp or --distance go together", NULL);
+        if (!(given & 4)) custom.eta = 1.4;
+        for (i = 0; i < 3; ++i) {
+            if (ms_mcml_medium_from_color(color[i], length[i], kind, 0, custom.eta, &medium[i], &error)) {
+                fprintf(stderr, "profile: %s\n", error.message);
+                return 2;
+            }
+            custom.mu_a_per_mm[i] = medium[i].mu_a_per_mm;
+            custom.mu_s_per_mm[i] = medium[i].mu_s_per_mm;
+        }
+        given = 7;
+    }
+    what.photons = photons;
+    if (skinned) {
+        ms_status status;
+        options.rings = 800;
+        options.ring_mm = 0.05;
+        status = ms_mcml_skin_profile(&profile, &what.skin, &options, &error);
+        if (status) fprintf(stderr, "profile: %s\n", error.message);
+        if (status && status != MS_NOT_CONVERGED) return status == MS_INVALID_ARGUMENT ? 2 : 1;
+        return finish(&what, &profile, csv) || status != MS_OK;
+    }
     if (name && given) return usage("a material's name or coefficients, not both", NULL);
     if (!name && given != 7) return usage(given ? "--mua, --mus and --eta go together" : "no material", NULL);
     material = name ? ms_mcml_find_material(name) : &custom;
@@ -191,22 +302,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "profile: %s\n", error.message);
         return 1;
     }
-    print_head(stdout, name ? material->name : "medium", material, &profile, photons);
-    if (csv) {
-        file_out out;
-        const char *trouble;
-        FILE *f = file_create(csv, &out);
-        if (f) {
-            print_head(f, name ? material->name : "medium", material, &profile, photons);
-            print_table(f, &profile);
-        }
-        trouble = f ? file_finish(&out, 1) : out.problem;
-        if (trouble) fprintf(stderr, "profile: %s: %s\n", csv, trouble);
-        failed = trouble != NULL;
-    } else {
-        print_table(stdout, &profile);
-        failed = 0;
-    }
-    ms_mcml_profile_destroy(&profile);
-    return file_end_stdout("profile") || failed;
+    what.name = name ? material->name : "medium";
+    what.material = material;
+    return finish(&what, &profile, csv);
 }

@@ -60,6 +60,13 @@ if [ -x build/profile ]; then
     ok "profile of layers" build/profile --mci "$out/layers.mci" --csv "$out/layers.csv"
     is "its columns and rings" "$(grep -v '^#' "$out/layers.csv" | head -1), $(grep -vc '^#' "$out/layers.csv")" "r_mm,R_1/mm2,T_1/mm2, 11"
     refuses "layers and coefficients" "mci" build/profile --mci "$out/layers.mci" --eta 1
+    is "a picked colour comes out" "$(build/profile --colour 0.5,0.25,0.125 --mfp 1 --eta 1 | awk -F, '/total_/ { printf "%.6f %.6f %.6f", $2, $3, $4 }')" "0.500000 0.250000 0.125000"
+    ok "HDRP's scattering distance" build/profile --color 0.8,0.52,0.39 --distance 0.6,0.2,0.1 --csv "$out/picked.csv"
+    refuses "brighter than white" "color" build/profile --colour 1.2 --mfp 1
+    refuses "a colour without a length" "go together" build/profile --colour 0.5
+    ok "skin of melanin and blood" build/profile --skin melanin=0.03,blood=0.02,g=0 --csv "$out/made.csv"
+    refuses "skin of something else" "foo=1" build/profile --skin foo=1
+    refuses "more melanin than skin" "melanin" build/profile --skin melanin=2
 fi
 
 if [ -x build/mcml ]; then
