@@ -512,7 +512,7 @@ typedef enum ms_mcml_length {
 } ms_mcml_length;
 
 /* Total diffuse reflectance of a half-space, what ms_mcml_profile_make calls total, without the profile: tenths of a millisecond, no
-   memory. Within 1e-8 at g = 0, 1e-6 up to |g| = 0.5, 1e-5 at 0.8, 1e-4 at 0.9, 1e-3 at 0.99. NaN where the medium is not valid or g < -0.7. */
+   memory. Within 1e-8 at g = 0, 1e-6 up to |g| = 0.5, 2e-5 at 0.8, 1e-4 at 0.9, 1e-3 at 0.99. NaN where the medium is not valid or g < -0.7. */
 MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium);
 
 /* The medium that looks so: of this color and this length. ms_mcml_reflectance of it gives the color back to 1e-7.
@@ -5015,7 +5015,7 @@ MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *s, int side, do
 
 /* --- colours ----------------------------------------------------------------------------------------------- */
 
-#define MS_MCML__NODES 32
+#define MS_MCML__NODES 28
 
 /* Inverse of a symmetric positive matrix in place, rows of NODES apart, by sweeping its lower half; the logarithm of its determinant. */
 static double ms_mcml__inverse(double a[][MS_MCML__NODES], int n)
@@ -5051,11 +5051,11 @@ static double ms_mcml__inverse(double a[][MS_MCML__NODES], int n)
 static double ms_mcml__half_space_total(double absorbed, double g, double eta, int nodes)
 {
     enum { N = MS_MCML__NODES };
-    double a[N][N], x[N][N], v[N][N], t[N][N], legendre[N + 1][N], mu[N], w[N], rho[N], root[N], s[N], q[N], y[N], z[N];
+    double a[N][N], x[N][N], v[N][N], t[N][N], mu[N], w[N], rho[N], root[N], s[N], q[N], y[N], z[N];
     const double cut = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0, r = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
     const int most = nodes + nodes / 4, below = eta > 1 ? most / 2 + 1 : 0, n = nodes + below;
     const double f = g > 0 ? pow(g, most + 1) : 0, left = absorbed + (1 - absorbed) * (1 - f), albedo = (1 - absorbed) * (1 - f) / left;
-    double out = 0, odd = 0, single = 0, even = 1, power;
+    double (*legendre)[N] = t, out = 0, odd = 0, single = 0, even = 1, more, power;
     int i, j, l, turn;
     ms_mcml__legendre_nodes(nodes, mu, w);
     for (i = 0; i < nodes; ++i) { /* the root at the critical angle becomes smooth */
@@ -5098,20 +5098,24 @@ static double ms_mcml__half_space_total(double absorbed, double g, double eta, i
             x[j][i] = x[i][j] /= root[i] * root[j];
             v[j][i] = v[i][j] = a[j][i] = a[i][j] /= root[i] * root[j];
         }
-    for (turn = 0; turn < 40; ++turn) { /* x to Z, v to 1 / Z */
-        double change = 0, scale;
+    memcpy(t, a, sizeof t);
+    more = ms_mcml__inverse(t, n);
+    for (turn = 0; turn < 40; ++turn) { /* x to Z, v to 1 / Z: each to its mean with the other's inverse; 1 / x v stays */
+        double change = 0, scale = 1, size;
         memcpy(t, x, sizeof t);
-        memcpy(legendre, v, sizeof v);
-        scale = ms_mcml__inverse(t, n);
-        scale += ms_mcml__inverse(legendre, n);
-        scale = turn < 6 ? exp(-scale / (2 * n)) : 1;
+        size = ms_mcml__inverse(t, n);
+        if (turn == 0) more -= size; /* by which the logarithm of v's determinant is above that of x */
+        if (turn < 6) scale = exp(-(size + 0.5 * more) / n);
+        for (i = 0; i < n; ++i)
+            for (j = 0; j < n; ++j) t[i][j] = 0.5 * (scale * v[i][j] + t[i][j] / scale);
+        ms_mcml__inverse(v, n);
         for (i = 0; i < n; ++i)
             for (j = 0; j < n; ++j) {
-                const double b = 0.5 * (scale * x[i][j] + legendre[i][j] / scale);
-                v[i][j] = 0.5 * (scale * v[i][j] + t[i][j] / scale);
+                const double b = 0.5 * (scale * x[i][j] + v[i][j] / scale);
                 if (i == j && fabs(b - x[i][j]) > change * b) change = fabs(b - x[i][j]) / b;
                 x[i][j] = b;
             }
+        memcpy(v, t, sizeof t);
         if (turn > 2 && change < 1e-9) break; /* quadratic: the next would be 1e-18 */
     }
     /* at the surface: ((1 + rho) Z (1 + rho) + (1 + rho) (1 - rho)) u = (1 + rho) (1 - Z) s, u: up, s: what comes in */
@@ -5159,7 +5163,7 @@ static double ms_mcml__let_in(double eta) { return 1 - (eta - 1) * (eta - 1) / (
 static double ms_mcml__total_of(double absorbed, double g, double eta, int fine)
 {
     const double least = 1e-12, at = absorbed > least ? absorbed : least;
-    const double total = ms_mcml__half_space_total(at, g, eta, !fine ? 8 : fabs(g) < 0.5 ? 14 : 19), most = ms_mcml__let_in(eta);
+    const double total = ms_mcml__half_space_total(at, g, eta, !fine ? 8 : fabs(g) < 0.5 ? 14 : 17), most = ms_mcml__let_in(eta);
     return absorbed < least ? most - (most - total) * sqrt(absorbed / least) : total;
 }
 
@@ -5171,38 +5175,24 @@ MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium)
 }
 
 /* 1 - albedo of a reflectance. In s = sqrt((1 - albedo) / (1 - albedo g)) (van de Hulst 1980) the reflectance falls almost along a
-   line: false position (Illinois) with few nodes, then its slope with many. */
+   line: secants inside a bracket, with few nodes first, then with many. */
 static double ms_mcml__absorbed_of(double reflectance, double g, double eta)
 {
-    const double most = ms_mcml__let_in(eta);
-    double low = 0, high = 1, at_low = most - reflectance, at_high = -reflectance, s = 1 - reflectance / most, slope = -most;
-    double error, before = 0, last = 0;
-    int turn, side = 0;
-    for (turn = 0; turn < 30 && s > low && s < high; ++turn) {
-        error = ms_mcml__total_of(s * s * (1 - g) / (1 - s * s * g), g, eta, 0) - reflectance;
-        if (turn && fabs(s - last) > 1e-9 * s) slope = (error - before) / (s - last);
-        before = error;
-        last = s;
-        if (error > 0) {
-            low = s, at_low = error;
-            if (side > 0) at_high *= 0.5;
-            side = 1;
-        } else {
-            high = s, at_high = error;
-            if (side < 0) at_low *= 0.5;
-            side = -1;
+    double s = 1 - reflectance / ms_mcml__let_in(eta), slope = -ms_mcml__let_in(eta), last = s, before = 0;
+    int fine, turn;
+    for (fine = 0; fine < 2; ++fine) {
+        double low = 0, high = 1;
+        for (turn = 0; turn < 40; ++turn) {
+            const double error = ms_mcml__total_of(s * s * (1 - g) / (1 - s * s * g), g, eta, fine) - reflectance;
+            if (turn && fabs(s - last) > 1e-9 * s) slope = (error - before) / (s - last);
+            if (error > 0) low = s;
+            else high = s;
+            if (fabs(error) < (fine ? 1e-7 : 1e-5) * reflectance) break;
+            before = error;
+            last = s;
+            s -= error / slope;
+            if (!(s > low && s < high)) s = 0.5 * (low + high);
         }
-        if (fabs(error) < 1e-5 * reflectance) break;
-        s = low + (high - low) * at_low / (at_low - at_high);
-    }
-    for (turn = 0; turn < 9; ++turn) {
-        error = ms_mcml__total_of(s * s * (1 - g) / (1 - s * s * g), g, eta, 1) - reflectance;
-        if (turn && fabs(s - last) > 1e-9 * s) slope = (error - before) / (s - last);
-        before = error;
-        last = s;
-        if (fabs(error) < 1e-7 * reflectance) break;
-        s -= error / slope;
-        s = s > 0 ? s < 1 ? s : 0.5 * (1 + last) : 0.5 * last;
     }
     return s * s * (1 - g) / (1 - s * s * g);
 }
@@ -5719,21 +5709,25 @@ MS_API ms_status ms_mcml_skin_color(const ms_mcml_skin *skin, double rgb[3], dou
                                     ms_error *error)
 {
     double weight[MS_MCML_SKIN_BANDS][3], total[MS_MCML_SKIN_BANDS];
+    ms_mcml_layered_options o;
+    ms_mcml_layered *y;
+    ms_status status = MS_OK;
     int i, c;
+    memset(&o, 0, sizeof o);
+    o.totals_only = 1;
+    if (allocator) o.allocator = *allocator;
     if (rgb == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rgb is NULL");
-    for (i = 0; i < MS_MCML_SKIN_BANDS; ++i) {
-        ms_mcml_layered_options o;
-        ms_mcml_layered y;
+    y = (ms_mcml_layered *)ms__alloc(&o.allocator, sizeof *y);
+    if (y == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for a solution", sizeof *y);
+    for (i = 0; i < MS_MCML_SKIN_BANDS && status == MS_OK; ++i) {
         ms_mcml_layer layers[3];
         ms_mcml_tissue tissue;
-        ms_status status = ms_mcml__skin_tissue(skin, i, &tissue, layers, error);
-        memset(&o, 0, sizeof o);
-        o.totals_only = 1;
-        if (allocator) o.allocator = *allocator;
-        if (status == MS_OK) status = ms_mcml_layered_solve(&tissue, &o, &y, error);
-        if (status) return status;
-        total[i] = y.rd;
+        status = ms_mcml__skin_tissue(skin, i, &tissue, layers, error);
+        if (status == MS_OK) status = ms_mcml_layered_solve(&tissue, &o, y, error);
+        total[i] = status == MS_OK ? y->rd : 0;
     }
+    ms__release(&o.allocator, y, sizeof *y);
+    if (status) return status;
     ms_mcml__band_weights(weight);
     for (c = 0; c < 3; ++c)
         for (rgb[c] = 0, i = 0; i < MS_MCML_SKIN_BANDS; ++i) rgb[c] += weight[i][c] * total[i];
