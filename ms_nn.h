@@ -1027,7 +1027,14 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #endif
 
 /* The implementation, in the order of the data:
-   bytes, sorting, JSON, file, writer, layer list, plan, weights, run, products, queries, stdio, levels, kernels */
+   bytes, sorting, JSON, file, writer, layer list, plan, run, products, queries, stdio, collapse, low rank, levels, kernels */
+
+/* Reading, writing and planning are compiled for size. */
+#if defined(__GNUC__) || defined(__clang__)
+#define MS_NN__COLD __attribute__((cold))
+#else
+#define MS_NN__COLD
+#endif
 
 /* === bytes === */
 
@@ -1147,19 +1154,19 @@ typedef struct ms_nn__string {
     char head[20];
 } ms_nn__string;
 
-static ms_status ms_nn__bad(const ms_nn__json *j, const char *sentence)
+static MS_NN__COLD ms_status ms_nn__bad(const ms_nn__json *j, const char *sentence)
 {
     return ms__fail(j->error, MS_BAD_DATA, j->base + (size_t)(j->p - j->start), "%s", sentence);
 }
 
 /* The same at another place, with a word of the file in the sentence. */
-static ms_status ms_nn__bad_word(const ms_nn__json *j, const unsigned char *at, const char *format, const char *word)
+static MS_NN__COLD ms_status ms_nn__bad_word(const ms_nn__json *j, const unsigned char *at, const char *format, const char *word)
 {
     return ms__fail(j->error, MS_BAD_DATA, j->base + (size_t)(at - j->start), format, word);
 }
 
 /* Puts what an error speaks of in front of its sentence: `kind`, then a name in quotes. Returns status. */
-static ms_status ms_nn__about(ms_error *error, ms_status status, size_t position, const char *kind, const char *name)
+static MS_NN__COLD ms_status ms_nn__about(ms_error *error, ms_status status, size_t position, const char *kind, const char *name)
 {
     ms_error inner;
     if (error == NULL) return status;
@@ -1167,13 +1174,13 @@ static ms_status ms_nn__about(ms_error *error, ms_status status, size_t position
     return ms__fail(error, status, position, *name ? "%s '%s': %s" : "%s%s: %s", kind, name, inner.message);
 }
 
-static void ms_nn__space(ms_nn__json *j)
+static MS_NN__COLD void ms_nn__space(ms_nn__json *j)
 {
     while (j->p < j->end && (*j->p == ' ' || *j->p == '\n' || *j->p == '\r' || *j->p == '\t')) ++j->p;
 }
 
 /* Skips white space and takes c if it is next. */
-static int ms_nn__take(ms_nn__json *j, char c)
+static MS_NN__COLD int ms_nn__take(ms_nn__json *j, char c)
 {
     ms_nn__space(j);
     if (j->p == j->end || *j->p != (unsigned char)c) return 0;
@@ -1181,7 +1188,7 @@ static int ms_nn__take(ms_nn__json *j, char c)
     return 1;
 }
 
-static int ms_nn__is(const ms_nn__string *s, const char *word)
+static MS_NN__COLD int ms_nn__is(const ms_nn__string *s, const char *word)
 {
     size_t n = strlen(word);
     return s->length == n && n < sizeof s->head && memcmp(s->head, word, n) == 0;
@@ -1189,7 +1196,7 @@ static int ms_nn__is(const ms_nn__string *s, const char *word)
 
 /* Length of the UTF-8 sequence at p, 0 if it is not one (RFC 3629: no overlong forms, no surrogates, at most
    U+10FFFF). */
-static size_t ms_nn__utf8(const unsigned char *p, const unsigned char *end)
+static MS_NN__COLD size_t ms_nn__utf8(const unsigned char *p, const unsigned char *end)
 {
     size_t n = *p < 0x80 ? 1 : *p >= 0xC2 && *p < 0xE0 ? 2 : *p >= 0xE0 && *p < 0xF0 ? 3 : *p >= 0xF0 && *p < 0xF5 ? 4 : 0;
     size_t i;
@@ -1202,7 +1209,7 @@ static size_t ms_nn__utf8(const unsigned char *p, const unsigned char *end)
     return n;
 }
 
-static int ms_nn__hex4(const unsigned char *p, const unsigned char *end, uint32_t *value)
+static MS_NN__COLD int ms_nn__hex4(const unsigned char *p, const unsigned char *end, uint32_t *value)
 {
     int i;
     *value = 0;
@@ -1217,7 +1224,7 @@ static int ms_nn__hex4(const unsigned char *p, const unsigned char *end, uint32_
 }
 
 /* A string into *s; its bytes and a NUL go to *pool (which moves on) unless that is NULL. */
-static ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_nn__string *s)
+static MS_NN__COLD ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_nn__string *s)
 {
     memset(s, 0, sizeof *s);
     if (!ms_nn__take(j, '"')) return ms_nn__bad(j, "expected a string in double quotes");
@@ -1269,7 +1276,7 @@ static ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_nn__string *
 }
 
 /* A plain non-negative integer that fits size_t: no sign, point, exponent or leading zero. */
-static ms_status ms_nn__json_size(ms_nn__json *j, size_t *value)
+static MS_NN__COLD ms_status ms_nn__json_size(ms_nn__json *j, size_t *value)
 {
     const unsigned char *first;
     size_t v = 0;
@@ -1288,7 +1295,7 @@ static ms_status ms_nn__json_size(ms_nn__json *j, size_t *value)
 }
 
 /* After an item of a list: *more is 1 after a comma, 0 after the closing character. */
-static ms_status ms_nn__json_more(ms_nn__json *j, char close, int *more)
+static MS_NN__COLD ms_status ms_nn__json_more(ms_nn__json *j, char close, int *more)
 {
     *more = ms_nn__take(j, ',');
     if (*more || ms_nn__take(j, close)) return MS_OK;
@@ -1328,7 +1335,7 @@ typedef struct ms_nn__header {
 } ms_nn__header;
 
 /* {"dtype":"F32","shape":[2,3],"data_offsets":[0,24]} in any order, each field once, nothing else. */
-static ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header *h, const ms_nn__string *name, size_t position)
+static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header *h, const ms_nn__string *name, size_t position)
 {
     int seen = 0, more = 1, rank = 0, dtype = 0;
     size_t elements = 1, nonzero = 1, offset[2] = {0, 0}, bits;
@@ -1401,7 +1408,7 @@ static ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header *h, const ms
     return MS_OK;
 }
 
-static ms_status ms_nn__header_metadata(ms_nn__json *j, ms_nn__header *h)
+static MS_NN__COLD ms_status ms_nn__header_metadata(ms_nn__json *j, ms_nn__header *h)
 {
     int more = 1;
     ms_status status;
@@ -1425,7 +1432,7 @@ static ms_status ms_nn__header_metadata(ms_nn__json *j, ms_nn__header *h)
     return MS_OK;
 }
 
-static ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header *h)
+static MS_NN__COLD ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header *h)
 {
     int more = 1, metadata = 0;
     ms_status status;
@@ -1455,7 +1462,7 @@ static ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header *h)
     return MS_OK;
 }
 
-static int ms_nn__compare_data(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_data(const void *context, size_t a, size_t b)
 {
     const ms_nn__record *r = (const ms_nn__record *)context;
     if (r[a].begin != r[b].begin) return r[a].begin < r[b].begin ? -1 : 1;
@@ -1463,20 +1470,20 @@ static int ms_nn__compare_data(const void *context, size_t a, size_t b)
     return a < b ? -1 : a > b; /* empty tensors at one place keep their order */
 }
 
-static int ms_nn__compare_name(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_name(const void *context, size_t a, size_t b)
 {
     const ms_nn__record *r = (const ms_nn__record *)context;
     return strcmp(r[a].tensor.name, r[b].tensor.name);
 }
 
-static int ms_nn__compare_key(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_key(const void *context, size_t a, size_t b)
 {
     const ms_nn_entry *e = (const ms_nn_entry *)context;
     return strcmp(e[a].key, e[b].key);
 }
 
 /* Names and keys once each; the data without holes or overlaps from 0 to its end. */
-static ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start, size_t data_size, int allow_trailing,
+static MS_NN__COLD ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start, size_t data_size, int allow_trailing,
                                    ms_error *error)
 {
     size_t i, end = 0;
@@ -1515,13 +1522,13 @@ MS_NN_API ms_nn_options ms_nn_defaults(void)
 MS_NN_API const char *ms_nn_dtype_string(ms_nn_dtype dtype) { return ms_nn__dtype_name((int)dtype); }
 
 /* An allocation under the caller's cap. */
-static void *ms_nn__alloc(const ms_nn_options *options, size_t size)
+static MS_NN__COLD void *ms_nn__alloc(const ms_nn_options *options, size_t size)
 {
     if (options->max_memory_bytes && size > options->max_memory_bytes) return NULL;
     return ms__alloc(&options->allocator, size);
 }
 
-MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
+MS_NN_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
                                     ms_error *error)
 {
     const unsigned char *b = (const unsigned char *)bytes;
@@ -1583,7 +1590,7 @@ MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_
 }
 
 /* What ms_nn_file_read made. */
-static void ms_nn__release_content(const ms_allocator *allocator, const void *content, size_t bytes, int is_mapped)
+static MS_NN__COLD void ms_nn__release_content(const ms_allocator *allocator, const void *content, size_t bytes, int is_mapped)
 {
     void *at = (void *)(uintptr_t)content;
 #ifdef MS_NN__MMAP
@@ -1647,7 +1654,7 @@ MS_NN_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *ke
 }
 
 /* The byte of the file that holds character k of a metadata value: escapes are longer than what they stand for. */
-static size_t ms_nn__byte_of(const ms_nn_file *file, const char *key, size_t k)
+static MS_NN__COLD size_t ms_nn__byte_of(const ms_nn_file *file, const char *key, size_t k)
 {
     const unsigned char *p;
     size_t i = 0;
@@ -1677,15 +1684,15 @@ typedef struct ms_nn__writer {
     size_t length;
 } ms_nn__writer;
 
-static void ms_nn__put(ms_nn__writer *w, const char *text, size_t n)
+static MS_NN__COLD void ms_nn__put(ms_nn__writer *w, const char *text, size_t n)
 {
     if (w->out) memcpy(w->out + w->length, text, n);
     w->length += n;
 }
 
-static void ms_nn__put_text(ms_nn__writer *w, const char *text) { ms_nn__put(w, text, strlen(text)); }
+static MS_NN__COLD void ms_nn__put_text(ms_nn__writer *w, const char *text) { ms_nn__put(w, text, strlen(text)); }
 
-static void ms_nn__put_size(ms_nn__writer *w, size_t value)
+static MS_NN__COLD void ms_nn__put_size(ms_nn__writer *w, size_t value)
 {
     char digit[24];
     size_t n = sizeof digit;
@@ -1696,7 +1703,7 @@ static void ms_nn__put_size(ms_nn__writer *w, size_t value)
     ms_nn__put(w, digit + n, sizeof digit - n);
 }
 
-static void ms_nn__put_string(ms_nn__writer *w, const char *text)
+static MS_NN__COLD void ms_nn__put_string(ms_nn__writer *w, const char *text)
 {
     static const char hex[] = "0123456789abcdef";
     ms_nn__put_text(w, "\"");
@@ -1717,7 +1724,7 @@ static void ms_nn__put_string(ms_nn__writer *w, const char *text)
     ms_nn__put_text(w, "\"");
 }
 
-static int ms_nn__valid_text(const char *text)
+static MS_NN__COLD int ms_nn__valid_text(const char *text)
 {
     const unsigned char *p = (const unsigned char *)text, *end;
     size_t n;
@@ -1727,13 +1734,13 @@ static int ms_nn__valid_text(const char *text)
     return 1;
 }
 
-static int ms_nn__compare_given_name(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_given_name(const void *context, size_t a, size_t b)
 {
     const ms_nn_tensor *t = (const ms_nn_tensor *)context;
     return strcmp(t[a].name, t[b].name);
 }
 
-static int ms_nn__compare_given_size(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_given_size(const void *context, size_t a, size_t b)
 {
     const ms_nn_tensor *t = (const ms_nn_tensor *)context;
     if (t[a].bytes != t[b].bytes) return t[a].bytes > t[b].bytes ? -1 : 1;
@@ -1741,7 +1748,7 @@ static int ms_nn__compare_given_size(const void *context, size_t a, size_t b)
 }
 
 /* Every value of the caller, before a byte is written. order is scratch of max(count, entries). */
-static ms_status ms_nn__write_check(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
                                     size_t entries, size_t *order, ms_error *error)
 {
     size_t i, total = 0;
@@ -1776,7 +1783,7 @@ static ms_status ms_nn__write_check(const ms_nn_tensor *tensors, size_t count, c
     return MS_OK;
 }
 
-static void ms_nn__write_header(ms_nn__writer *w, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+static MS_NN__COLD void ms_nn__write_header(ms_nn__writer *w, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
                                 size_t entries, const size_t *order)
 {
     size_t i, offset = 0;
@@ -1815,7 +1822,7 @@ static void ms_nn__write_header(ms_nn__writer *w, const ms_nn_tensor *tensors, s
     while (w->length % 64) ms_nn__put_text(w, " ");
 }
 
-MS_NN_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+MS_NN_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
                                      size_t entries, const ms_allocator *allocator, ms_nn_sink sink, ms_error *error)
 {
     size_t order_bytes = ms__size_mul(count > entries ? count : entries, sizeof(size_t)), i;
@@ -1861,7 +1868,7 @@ typedef enum ms_nn__kind {
 } ms_nn__kind;
 
 typedef enum ms_nn__activation {
-    MS_NN__LINEAR, MS_NN__RELU, MS_NN__LEAKY, MS_NN__ELU, MS_NN__TANH, MS_NN__SIGMOID, MS_NN__SOFTPLUS,
+    MS_NN__LINEAR, MS_NN__RELU, MS_NN__LEAKY, MS_NN__ELU, MS_NN__TANH, MS_NN__SIGMOID, MS_NN__SOFTPLUS, MS_NN__SILU, MS_NN__GELU,
     MS_NN__ACTIVATIONS
 } ms_nn__activation;
 
@@ -1894,7 +1901,7 @@ static const char *const ms_nn__kind_name[] = {"dense", "conv1d", "conv2d", "ups
                                                "maxpool2d", "flatten", "activation", "dropout", "add",
                                                "shared_channels"};
 static const char *const ms_nn__activation_name[] = {"linear", "relu", "leaky_relu", "elu", "tanh", "sigmoid",
-                                                     "softplus"};
+                                                     "softplus", "silu", "gelu"};
 
 static const ms_nn__field ms_nn__field_list[] = {
     {"type", MS_NN__TEXT, offsetof(ms_nn__spec, type), ~0u},
@@ -1913,7 +1920,7 @@ static const ms_nn__field ms_nn__field_list[] = {
     {"rate", MS_NN__REAL, offsetof(ms_nn__spec, rate), MS_NN__BIT(MS_NN__DROPOUT)},
     {"from", MS_NN__TEXT, offsetof(ms_nn__spec, from), MS_NN__BIT(MS_NN__ADD)}};
 
-static int ms_nn__index_of(const char *const *names, int count, const char *name)
+static MS_NN__COLD int ms_nn__index_of(const char *const *names, int count, const char *name)
 {
     int i;
     for (i = 0; i < count; ++i)
@@ -1922,7 +1929,7 @@ static int ms_nn__index_of(const char *const *names, int count, const char *name
 }
 
 /* A JSON number as a double, within some units of its last place: enough for slopes and rates. */
-static ms_status ms_nn__json_real(ms_nn__json *j, double *value)
+static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
 {
     int negative = ms_nn__take(j, '-'), exponent = 0, shift = 0, minus;
     const unsigned char *first;
@@ -1956,7 +1963,7 @@ static ms_status ms_nn__json_real(ms_nn__json *j, double *value)
 }
 
 /* n or [n] or [n, m] into out[2]; one number stands for both. */
-static ms_status ms_nn__json_counts(ms_nn__json *j, size_t out[2])
+static MS_NN__COLD ms_status ms_nn__json_counts(ms_nn__json *j, size_t out[2])
 {
     ms_status status;
     int list = ms_nn__take(j, '['), more = 0;
@@ -1981,7 +1988,7 @@ typedef struct ms_nn__list {
 } ms_nn__list;
 
 /* "inputs":[[0,3],[1,3],[2,3]]: lists of equal length, one a channel. */
-static ms_status ms_nn__list_channels(ms_nn__json *j, ms_nn__list *l)
+static MS_NN__COLD ms_status ms_nn__list_channels(ms_nn__json *j, ms_nn__list *l)
 {
     size_t channel, total = 0;
     int more = 1, inner;
@@ -2004,7 +2011,7 @@ static ms_status ms_nn__list_channels(ms_nn__json *j, ms_nn__list *l)
 }
 
 /* One layer: the type decides which fields are known, so that fields are kept until it is. */
-static ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
+static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
 {
     enum { FIELDS = (int)(sizeof ms_nn__field_list / sizeof ms_nn__field_list[0]) };
     unsigned seen = 0;
@@ -2091,7 +2098,7 @@ static ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
     return MS_OK;
 }
 
-static ms_status ms_nn__list_read(ms_nn__list *l, const char *text, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__list_read(ms_nn__list *l, const char *text, ms_error *error)
 {
     ms_nn__json j;
     ms_error layer;
@@ -2114,7 +2121,7 @@ static ms_status ms_nn__list_read(ms_nn__list *l, const char *text, ms_error *er
     return j.p == j.end ? MS_OK : ms_nn__bad(&j, "text follows the layer list");
 }
 
-static ms_status ms_nn__shape_read(ms_nn_shape *shape, const char *text, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__shape_read(ms_nn_shape *shape, const char *text, ms_error *error)
 {
     ms_nn__json j;
     int more = 1;
@@ -2203,6 +2210,7 @@ struct ms_nn {
     ms_nn__block *blocks;
     const struct ms_nn__kernels *kernels;
     ms_simd level;
+    int row_tiles; /* F32 matrices come from memory several rows at a time */
     ms_nn_shape input, output; /* as the caller sees them */
     size_t channels, channel_inputs;
     const size_t *channel_input; /* [channels][channel_inputs]; channels 1 and NULL without shared_channels */
@@ -2212,6 +2220,7 @@ struct ms_nn {
     ms_nn__op *op;      /* [ops] */
     size_t *slot;       /* [ops + 1] floats from the start of the values of one sample, when values share memory */
     size_t *tape;       /* [ops + 1] the same when all values are kept */
+    size_t *before;     /* [ops + 1] on the tape, what a smooth activation was applied to; SIZE_MAX: not kept */
     size_t *skip;       /* [ops + 1] place of the gradient that arrives through ADD; SIZE_MAX: none */
     size_t slots, tapes, skips; /* floats of one sample */
 };
@@ -2230,7 +2239,7 @@ static void *ms_nn__hold(ms_nn *nn, size_t count, size_t size)
     return (void *)at;
 }
 
-static ms_nn_shape ms_nn__shape(ms_nn__dims d, int rank)
+static MS_NN__COLD ms_nn_shape ms_nn__shape(ms_nn__dims d, int rank)
 {
     ms_nn_shape s;
     s.rank = rank;
@@ -2241,7 +2250,7 @@ static ms_nn_shape ms_nn__shape(ms_nn__dims d, int rank)
 }
 
 /* Tensor <layer>.<part> with the expected shape (0: any size but 0); *tensor NULL if it is absent and may be. */
-static ms_status ms_nn__tensor(const ms_nn *nn, const char *layer, const char *part, int rank, const size_t *shape,
+static MS_NN__COLD ms_status ms_nn__tensor(const ms_nn *nn, const char *layer, const char *part, int rank, const size_t *shape,
                                int required, const ms_nn_tensor **tensor, ms_error *error)
 {
     char name[256];
@@ -2278,7 +2287,7 @@ typedef struct ms_nn__weights {
     const ms_nn_tensor *weight, *bias, *scale;
 } ms_nn__weights;
 
-static ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape, ms_nn_layer *info,
+static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape, ms_nn_layer *info,
                                      ms_nn__weights *w, ms_error *error)
 {
     const ms_nn_tensor *part[3];
@@ -2394,7 +2403,7 @@ static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, siz
 #define MS_NN__STRIP_FLOATS 65536u /* of padded input, which a strip should not exceed, to stay in a cache */
 
 /* Geometry of the padded input of a strip: as many rows and columns as its outputs see. */
-static int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
+static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 {
     size_t s = v->stride[1], w = (v->out.w - 1) * s + v->kernel[1], rows = v->pairs ? 1 : v->kernel[0], fit, y, x;
     size_t *offset = (size_t *)ms_nn__hold(nn, ms__size_mul(rows, v->kernel[1]), sizeof(size_t));
@@ -2449,7 +2458,7 @@ static const float *ms_nn__pack_pairs(ms_nn *nn, const ms_nn__taps *t, size_t ou
 }
 
 /* Is Winograd's form worth it? */
-static int ms_nn__in_pairs(const ms_nn__conv *v)
+static MS_NN__COLD int ms_nn__in_pairs(const ms_nn__conv *v)
 {
     return v->kernel[0] == 3 && v->stride[0] == 1 && v->dilate[0] == 1 && v->in.c >= 8 && v->out.h >= 2;
 }
@@ -2531,7 +2540,7 @@ typedef struct ms_nn__build {
     size_t block;       /* outputs of a convolution's block, by level */
 } ms_nn__build;
 
-static ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__step step, int layer, ms_nn__dims out)
+static MS_NN__COLD ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__step step, int layer, ms_nn__dims out)
 {
     ms_nn__op *op = &b->nn->op[b->nn->ops++];
     memset(op, 0, sizeof *op);
@@ -2542,7 +2551,7 @@ static ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__step step, int layer, ms
     return op;
 }
 
-static ms_status ms_nn__activation_read(const ms_nn__spec *spec, ms_nn__op *op, ms_nn_layer *info, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__activation_read(const ms_nn__spec *spec, ms_nn__op *op, ms_nn_layer *info, ms_error *error)
 {
     int a = spec->activation == NULL ? 0 : strcmp(spec->activation, "leaky") == 0 ? (int)MS_NN__LEAKY
                                          : ms_nn__index_of(ms_nn__activation_name, MS_NN__ACTIVATIONS, spec->activation);
@@ -2554,14 +2563,14 @@ static ms_status ms_nn__activation_read(const ms_nn__spec *spec, ms_nn__op *op, 
 }
 
 /* The next layer that does something, or the end. */
-static int ms_nn__next(const ms_nn__list *l, int i)
+static MS_NN__COLD int ms_nn__next(const ms_nn__list *l, int i)
 {
     for (++i; i < l->layers && l->kind[i] == MS_NN__DROPOUT;) ++i;
     return i;
 }
 
 /* Can the upsampling at layer i go into the weights behind it? */
-static int ms_nn__foldable(const ms_nn__build *b, int i)
+static MS_NN__COLD int ms_nn__foldable(const ms_nn__build *b, int i)
 {
     const ms_nn__list *l = b->list;
     const ms_nn__spec *s = l->spec;
@@ -2582,7 +2591,7 @@ static int ms_nn__foldable(const ms_nn__build *b, int i)
     }
 }
 
-static ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
 {
     const ms_nn__spec *s = &b->list->spec[i];
     ms_nn__weights w;
@@ -2605,7 +2614,7 @@ static ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_layer *info, m
     return status;
 }
 
-static ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
 {
     const ms_nn__spec *s = &b->list->spec[i];
     int two = b->list->kind[i] == MS_NN__CONV2D, same;
@@ -2650,7 +2659,7 @@ static ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_layer *info, ms
     return status;
 }
 
-static ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_error *error)
 {
     const ms_nn__spec *s = &b->list->spec[i];
     ms_nn__kind kind = b->list->kind[i];
@@ -2689,7 +2698,7 @@ static ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_error *error)
     return MS_OK;
 }
 
-static ms_status ms_nn__build_flatten(ms_nn__build *b, int i, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_flatten(ms_nn__build *b, int i, ms_error *error)
 {
     const char *order = b->list->spec[i].order;
     int last = order != NULL && strcmp(order, "channels_last") == 0;
@@ -2703,7 +2712,7 @@ static ms_status ms_nn__build_flatten(ms_nn__build *b, int i, ms_error *error)
     return MS_OK;
 }
 
-static ms_status ms_nn__build_add(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_add(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
 {
     const ms_nn__spec *s = &b->list->spec[i];
     ms_nn__op *op;
@@ -2721,7 +2730,7 @@ static ms_status ms_nn__build_add(ms_nn__build *b, int i, ms_nn_layer *info, ms_
     return ms_nn__activation_read(s, op, info, error);
 }
 
-static ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error *error)
 {
     const ms_nn__spec *s = &b->list->spec[i];
     ms_nn_layer *info = &b->nn->layer[i];
@@ -2757,16 +2766,17 @@ static ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error *error)
 
 /* Where values live. Shared memory: a value may take a slot whose last reader has run. The gradient of a value lives
    as long as the value, seen backwards, so that the same slots serve both. */
-static ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
 {
     size_t n = (size_t)nn->ops + 1, used = 0, v, s, at = 0;
     size_t *size = (size_t *)ms_nn__hold(nn, 3 * n, sizeof(size_t)), *owner, *last;
-    nn->slot = (size_t *)ms_nn__hold(nn, 3 * n, sizeof(size_t));
+    nn->slot = (size_t *)ms_nn__hold(nn, 4 * n, sizeof(size_t));
     if (size == NULL || nn->slot == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the plan");
     owner = size + n;
     last = owner + n;
     nn->tape = nn->slot + n;
     nn->skip = nn->tape + n;
+    nn->before = nn->skip + n;
     for (v = 0; v < n; ++v) {
         last[v] = v;
         nn->skip[v] = SIZE_MAX;
@@ -2777,6 +2787,11 @@ static ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
         size_t floats = ms_nn__count(v ? nn->op[v - 1].out : nn->inner);
         nn->tape[v] = nn->tapes;
         nn->tapes = ms__size_add(nn->tapes, floats);
+        nn->before[v] = SIZE_MAX;
+        if (v > 0 && nn->op[v - 1].step != MS_NN__DO_ACTIVATE && nn->op[v - 1].activation > MS_NN__LEAKY) {
+            nn->before[v] = nn->tapes;
+            nn->tapes = ms__size_add(nn->tapes, floats);
+        }
         if (last[v] > v) {
             nn->skip[v] = nn->skips;
             nn->skips = ms__size_add(nn->skips, floats);
@@ -2799,10 +2814,11 @@ static ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
 }
 
 static const struct ms_nn__kernels *ms_nn__kernels_for(ms_simd level);
+static int ms_nn__row_tiles(void);
 static size_t ms_nn__block_of(const struct ms_nn__kernels *kernels);
 
 /* The input of one evaluation: a channel's share with shared_channels, else the whole. */
-static ms_status ms_nn__build_input(ms_nn__build *b, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_input(ms_nn__build *b, ms_error *error)
 {
     ms_nn *nn = b->nn;
     size_t i;
@@ -2827,7 +2843,7 @@ static ms_status ms_nn__build_input(ms_nn__build *b, ms_error *error)
     return MS_OK;
 }
 
-static ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_error *error)
 {
     ms_nn__list l;
     ms_nn__build b;
@@ -2876,7 +2892,7 @@ static ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_error *error
 }
 
 /* A network of an open file, which it owns from here on. */
-static ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *o, ms_nn **nn, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *o, ms_nn **nn, ms_error *error)
 {
     ms_nn *made = (ms_nn *)ms_nn__alloc(o, sizeof *made);
     const char *version, *input, *layers, *format;
@@ -2890,6 +2906,7 @@ static ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *o, ms_nn **n
     made->file = file;
     made->level = ms__simd_pick(o->simd);
     made->kernels = ms_nn__kernels_for(made->level);
+    made->row_tiles = ms_nn__row_tiles();
     format = ms_nn_file_metadata(file, "format");
     version = ms_nn_file_metadata(file, "ms_nn_version");
     input = ms_nn_file_metadata(file, "ms_nn_input");
@@ -2909,7 +2926,7 @@ static ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *o, ms_nn **n
     return status;
 }
 
-MS_NN_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error)
+MS_NN_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     ms_nn_file *file = NULL;
@@ -2931,6 +2948,7 @@ typedef struct ms_nn__dense {
     ms_nn__activation activation;
     float alpha;
     size_t chunk_rows, chunk_cols, col_chunks; /* of a task */
+    int singly;          /* row by row, as memory likes it */
     const struct ms_nn__digits *digits;        /* [batch], I8 only */
     const struct ms_nn__kernels *kernels;
 } ms_nn__dense;
@@ -2986,6 +3004,11 @@ typedef struct ms_nn__kernels {
 /* Does a matrix come from memory rather than from a cache? */
 static int ms_nn__large(const ms_nn__dense *job) { return job->m->rows * job->m->cols > 2000000; }
 
+#define MS_NN__WIDE 512
+static const float ms_nn__zeros[MS_NN__WIDE] = {0}; /* stands for rows behind the last, where rows are taken by fours */
+
+static size_t ms_nn__bytes_of(ms_nn_dtype dtype) { return dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2; }
+
 static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->block; }
 
 /* Samples of a batch that are taken together against each row of weights: 24 kB of them, a multiple of three. */
@@ -3029,13 +3052,15 @@ static size_t ms_nn__digits_size(size_t cols, size_t batch)
 /* q = round(x / unit) with unit = max |x| / DIGIT_MAX, cut into three balanced digits. */
 static void ms_nn__digits_make(ms_nn__digits *digits, signed char *d, int32_t *sum, const float *x, size_t cols)
 {
-    size_t wide = ms_nn__digit_cols(cols), runs = ms_nn__digit_runs(cols), i;
-    double largest = 0, factor;
-    int k, finite = 1;
-    for (i = 0; i < cols; ++i) {
-        double a = fabs((double)x[i]);
-        if (!ms__finite_f(x[i])) finite = 0;
-        else if (a > largest) largest = a;
+    size_t wide = ms_nn__digit_cols(cols), runs = ms_nn__digit_runs(cols), run, i;
+    double largest, factor;
+    uint32_t most = 0, bits;
+    float magnitude;
+    int k;
+    for (i = 0; i < cols; ++i) { /* the order of magnitudes is that of their bits */
+        memcpy(&bits, &x[i], sizeof bits);
+        bits &= 0x7fffffffu;
+        if (bits > most) most = bits;
     }
     for (k = 0; k < 3; ++k) {
         digits->d[k] = d + (size_t)k * wide;
@@ -3043,18 +3068,27 @@ static void ms_nn__digits_make(ms_nn__digits *digits, signed char *d, int32_t *s
     }
     memset(d, 0, 3 * wide);
     memset(sum, 0, 3 * runs * sizeof *sum);
-    digits->unit = finite ? largest / MS_NN__DIGIT_MAX : (double)ms_nn__float_of(0x7fc00000u);
-    if (!finite || !(largest > 0)) return;
+    magnitude = ms_nn__float_of(most < 0x7f800000u ? most : 0);
+    largest = (double)magnitude;
+    digits->unit = most < 0x7f800000u ? largest / MS_NN__DIGIT_MAX : (double)ms_nn__float_of(0x7fc00000u);
+    if (!(largest > 0)) return;
     factor = MS_NN__DIGIT_MAX / largest;
-    for (i = 0; i < cols; ++i) {
-        double scaled = (double)x[i] * factor;
-        int32_t q = (int32_t)(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
-        for (k = 2; k >= 0; --k) {
-            int32_t low = ((q + 64) & 127) - 64;
-            d[(size_t)k * wide + i] = (signed char)low;
-            sum[(size_t)k * runs + i / MS_NN__RUN] += low;
+    for (run = 0; run < runs; ++run) {
+        size_t end = ms_nn__min(cols, (run + 1) * MS_NN__RUN);
+        int32_t total[3] = {0, 0, 0};
+        for (i = run * MS_NN__RUN; i < end; ++i) {
+            int32_t q = (int32_t)((double)x[i] * factor + 1048576.5) - 1048576, low = ((q + 64) & 127) - 64, middle; /* 2^20: never negative */
             q = (q - low) / 128;
+            middle = ((q + 64) & 127) - 64;
+            q = (q - middle) / 128;
+            d[i] = (signed char)q;
+            d[wide + i] = (signed char)middle;
+            d[2 * wide + i] = (signed char)low;
+            total[0] += q;
+            total[1] += middle;
+            total[2] += low;
         }
+        for (k = 0; k < 3; ++k) sum[(size_t)k * runs + run] = total[k];
     }
 }
 
@@ -3071,6 +3105,7 @@ static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, co
     job.activation = op->activation;
     job.alpha = op->alpha;
     job.kernels = nn->kernels;
+    job.singly = ms_nn__large(&job) && !(nn->row_tiles && m->dtype == MS_NN_F32);
     if (m->dtype == MS_NN_I8) {
         size_t n = (size_t)batch, wide = ms_nn__digit_cols(m->cols), runs = ms_nn__digit_runs(m->cols), b;
         signed char *d = (signed char *)scratch; /* 64-byte aligned, as each digit's row is */
@@ -3341,16 +3376,30 @@ static float *ms_nn__value(const ms_nn__run *r, int v)
     return r->values + r->place[v] * r->points;
 }
 
+/* What the slope of operation v's activation depends on: its argument where that is kept, else its value (relu, leaky_relu). */
+static const float *ms_nn__argument(const ms_nn__run *r, int v)
+{
+    if (r->place == r->nn->slot) return NULL;
+    if (r->nn->op[v - 1].step == MS_NN__DO_ACTIVATE) return v == 1 ? r->x : ms_nn__value(r, v - 1);
+    return r->nn->before[v] == SIZE_MAX ? ms_nn__value(r, v) : r->values + r->nn->before[v] * r->points;
+}
+
 static const float *ms_nn__input_value(const ms_nn__run *r, int v) { return v == 0 ? r->x : ms_nn__value(r, v); }
 
 /* Applies operation k to count vectors. With point NULL they are points themselves; else directions, of which each
-   point has `each`, and point and result hold the operation's input and output there. */
+   point has `each`, and point and argument hold the operation's input and what its activation is applied to there. */
 static void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, const float *skip, float *y, const float *point,
-                         const float *result, size_t each, void *scratch)
+                         const float *argument, size_t each, void *scratch)
 {
     const ms_nn__op *op = &nn->op[k];
     size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
     int linear = point != NULL;
+    ms_nn__op plain;
+    if (each == 0) { /* points whose activation is left to the caller */
+        plain = *op;
+        plain.activation = MS_NN__LINEAR;
+        op = &plain;
+    }
     if (op->step == MS_NN__DO_DENSE) ms_nn__run_dense(nn, op, (int)count, x, y, linear, scratch);
     for (b = 0; b < count; ++b) {
         const float *xb = x + b * in;
@@ -3370,17 +3419,17 @@ static void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, c
             break;
         default: break;
         }
-        if (linear) nn->kernels->derive(result + b / each * out, yb, out, op->activation, op->alpha);
+        if (linear) nn->kernels->derive(argument + b / each * out, yb, out, op->activation, op->alpha);
     }
 }
 
 /* g_x = J_k' g_y at the points; g_y is used up. */
 static void ms_nn__apply_back(const ms_nn *nn, int k, size_t count, float *g_y, float *g_x, float *g_skip, const float *point,
-                              const float *result, size_t each, void *scratch)
+                              const float *argument, size_t each, void *scratch)
 {
     const ms_nn__op *op = &nn->op[k];
     size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
-    for (b = 0; b < count; ++b) nn->kernels->derive(result + b / each * out, g_y + b * out, out, op->activation, op->alpha);
+    for (b = 0; b < count; ++b) nn->kernels->derive(argument + b / each * out, g_y + b * out, out, op->activation, op->alpha);
     if (op->step == MS_NN__DO_DENSE) ms_nn__run_dense_back(nn, op, (int)count, g_y, g_x, scratch);
     for (b = 0; b < count; ++b) {
         const float *gy = g_y + b * out;
@@ -3403,9 +3452,16 @@ static void ms_nn__apply_back(const ms_nn *nn, int k, size_t count, float *g_y, 
 static void ms_nn__run_forward(const ms_nn__run *r)
 {
     int k;
-    for (k = 0; k < r->nn->ops; ++k)
-        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, r->nn->op[k].skip), ms_nn__value(r, k + 1),
-                     NULL, NULL, 1, r->scratch);
+    for (k = 0; k < r->nn->ops; ++k) {
+        ms_nn__op *op = &r->nn->op[k];
+        float *y = ms_nn__value(r, k + 1);
+        size_t kept = r->place == r->nn->tape ? r->nn->before[k + 1] : SIZE_MAX;
+        float *to = kept == SIZE_MAX ? y : r->values + kept * r->points;
+        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, op->skip), to, NULL, NULL, kept == SIZE_MAX, r->scratch);
+        if (to == y) continue;
+        memcpy(y, to, r->points * ms_nn__count(op->out) * sizeof(float));
+        r->nn->kernels->activate(y, r->points * ms_nn__count(op->out), op->activation, op->alpha);
+    }
 }
 
 /* Directions dx [points][each][inner] through the tape of r into dy [points][each][output]; slots is memory. */
@@ -3421,7 +3477,7 @@ static void ms_nn__run_directions(const ms_nn__run *r, size_t each, const float 
     d.place = nn->slot;
     for (k = 0; k < nn->ops; ++k)
         ms_nn__apply(nn, k, d.points, ms_nn__input_value(&d, k), ms_nn__input_value(&d, nn->op[k].skip), ms_nn__value(&d, k + 1),
-                     ms_nn__input_value(r, k), ms_nn__value(r, k + 1), each, r->scratch);
+                     ms_nn__input_value(r, k), ms_nn__argument(r, k + 1), each, r->scratch);
 }
 
 /* Gradients back through the tape: g [points][each][output] lies in the last value's slot; g_x out. */
@@ -3440,14 +3496,14 @@ static void ms_nn__run_gradients(const ms_nn__run *r, size_t each, float *g_x, f
         float *to = k ? ms_nn__value(&d, k) : g_x;
         size_t other = nn->op[k].step == MS_NN__DO_ADD ? nn->skip[nn->op[k].skip] : 0;
         ms_nn__apply_back(nn, k, d.points, ms_nn__value(&d, k + 1), to, skips + other * d.points, ms_nn__input_value(r, k),
-                          ms_nn__value(r, k + 1), each, r->scratch);
+                          ms_nn__argument(r, k + 1), each, r->scratch);
         if (nn->skip[k] != SIZE_MAX)
             for (i = 0; i < ms_nn__value_size(nn, k) * d.points; ++i) to[i] += skips[nn->skip[k] * d.points + i];
     }
 }
 
 /* Bytes that the operations need beside the values, for count vectors. */
-static size_t ms_nn__scratch_size(const ms_nn *nn, size_t count, int backward)
+static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn, size_t count, int backward)
 {
     size_t most = 0, need;
     int k, p;
@@ -3488,7 +3544,7 @@ static size_t ms_nn__piece(size_t *total, size_t count, size_t floats)
 }
 
 /* How many samples (JVP: directions) of a call run together: dense layers gain from many, values should stay in a cache. */
-static size_t ms_nn__together(const ms_nn *nn, ms_nn_product product)
+static MS_NN__COLD size_t ms_nn__together(const ms_nn *nn, ms_nn_product product)
 {
     size_t floats = product == MS_NN_FORWARD ? nn->slots : nn->tapes, dense = 0, n;
     int k, convolutions = 0;
@@ -3502,7 +3558,7 @@ static size_t ms_nn__together(const ms_nn *nn, ms_nn_product product)
     return n > 0 ? n : convolutions && dense < 2000000 ? 1 : 12; /* large weights are better read for several */
 }
 
-static ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product product, size_t count)
+static MS_NN__COLD ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product product, size_t count)
 {
     ms_nn__layout l;
     size_t in = ms_nn__count(nn->inner), out = ms_nn__value_size(nn, nn->ops), vectors, scratch;
@@ -3758,7 +3814,7 @@ MS_NN_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
 MS_NN_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn) { return nn ? nn->file : NULL; }
 MS_NN_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn ? nn->level : MS_SIMD_AUTO; }
 
-MS_NN_API ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error)
+MS_NN_API MS_NN__COLD ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error)
 {
     size_t t, i;
     if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn is NULL");
@@ -3845,7 +3901,7 @@ static ms_status ms_nn__slurp(const char *path, const ms_nn_options *o, void **b
     return status;
 }
 
-MS_NN_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error)
+MS_NN_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     const void *mapped = NULL;
@@ -3867,7 +3923,7 @@ MS_NN_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *optio
     return MS_OK;
 }
 
-MS_NN_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error)
+MS_NN_API MS_NN__COLD ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     ms_nn_file *file = NULL;
@@ -3877,7 +3933,7 @@ MS_NN_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *optio
     return status == MS_OK ? ms_nn__make(file, &o, nn, error) : status;
 }
 
-MS_NN_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+MS_NN_API MS_NN__COLD ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
                                     size_t entries, const ms_allocator *allocator, ms_error *error)
 {
     ms_nn_sink sink;
@@ -4057,7 +4113,7 @@ static int ms_nn__collapse_gram(const ms_nn_collapse *c, const float *weight, do
 }
 
 /* R of sqrt(M) W into r for the weights of a channel. */
-static ms_status ms_nn__collapse_factor(const ms_nn_collapse *c, const float *weight, double *r, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__collapse_factor(const ms_nn_collapse *c, const float *weight, double *r, ms_error *error)
 {
     const ms_nn_options *o = &c->nn->options;
     size_t h = c->h, parts = ms_nn__min(MS_NN__QR_PARTS, c->m->rows / (4 * h) + 1), r_bytes, b_bytes, p, i, k, n;
@@ -4105,7 +4161,7 @@ static void ms_nn__collapse_pack(ms_nn_collapse *c)
 }
 
 /* The network up to its last layer's input, as a view. */
-static ms_nn ms_nn__trunk(const ms_nn *nn)
+static MS_NN__COLD ms_nn ms_nn__trunk(const ms_nn *nn)
 {
     ms_nn t = *nn;
     int v;
@@ -4117,7 +4173,7 @@ static ms_nn ms_nn__trunk(const ms_nn *nn)
     return t;
 }
 
-MS_NN_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error)
+MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error)
 {
     const ms_nn__op *last;
     const ms_nn_tensor *stored;
@@ -4203,7 +4259,7 @@ static int ms_nn__downdate(double *r, size_t h, double *v)
 
 /* R for the weights `old` becomes R for `now`: their difference row by row, or 0 where making it anew is better.
    b  [h][MS_NN__QR_ROWS], row  [h] */
-static int ms_nn__collapse_update(const ms_nn_collapse *c, const float *old, const float *now, double *r, double *b, double *row)
+static MS_NN__COLD int ms_nn__collapse_update(const ms_nn_collapse *c, const float *old, const float *now, double *r, double *b, double *row)
 {
     const ms_nn__kernels *kernels = c->nn->kernels;
     size_t h = c->h, rows = c->m->rows, i, n = 0;
@@ -4227,7 +4283,7 @@ static int ms_nn__collapse_update(const ms_nn_collapse *c, const float *old, con
     return 1;
 }
 
-MS_NN_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error)
+MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error)
 {
     const ms_nn_options *o;
     double *r, *b, *row;
@@ -4617,7 +4673,7 @@ static ms_status ms_nn__feature_moments(const ms_nn_collapse *c, int samples, co
     return status;
 }
 
-MS_NN_API ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak, ms_nn_low_rank **low_rank,
+MS_NN_API MS_NN__COLD ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak, ms_nn_low_rank **low_rank,
                                           ms_error *error)
 {
     size_t h, i, k, bytes, g_bytes;
@@ -4669,7 +4725,7 @@ MS_NN_API void ms_nn_low_rank_destroy(ms_nn_low_rank *low_rank)
     if (low_rank != NULL) ms__release(&low_rank->c->nn->options.allocator, low_rank, low_rank->bytes);
 }
 
-MS_NN_API double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank)
+MS_NN_API MS_NN__COLD double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank)
 {
     const ms_nn_low_rank *l = low_rank;
     double lost = 0;
@@ -4680,7 +4736,7 @@ MS_NN_API double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank)
     return 10 * log10(l->peak * l->peak * (double)l->c->m->rows / lost);
 }
 
-MS_NN_API int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db)
+MS_NN_API MS_NN__COLD int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db)
 {
     int rank = 1;
     while (low_rank != NULL && (size_t)rank < low_rank->c->h && ms_nn_low_rank_psnr(low_rank, rank) < psnr_db) ++rank;
@@ -4725,7 +4781,7 @@ static size_t ms_nn__low_rank_layers(const ms_nn *nn, const char *layers, size_t
     return w.length;
 }
 
-MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error)
+MS_NN_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error)
 {
     const ms_nn_low_rank *l = low_rank;
     const ms_nn_collapse *c = l ? l->c : NULL;
@@ -4848,6 +4904,25 @@ MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int ran
 #define MS_NN__INLINE static inline
 #endif
 
+#if defined(__GNUC__) || defined(__clang__)
+#define MS_NN__APART __attribute__((noinline)) /* one copy of what several loops end in */
+#elif defined(_MSC_VER)
+#define MS_NN__APART __declspec(noinline)
+#else
+#define MS_NN__APART
+#endif
+
+/* y = x Phi(x), or with slope y *= Phi(x) + x phi(x), of the normal distribution: plain double, so that both ends keep their digits. */
+static void ms_nn__gelu(const float *x, float *y, size_t n, int slope)
+{
+    size_t i;
+    for (i = 0; i < n; ++i) {
+        double v = (double)x[i], half = 0.5 * erfc(-0.70710678118654752 * v);
+        if (slope) y[i] = (float)((double)y[i] * (half + (fabs(v) < 40 ? 0.39894228040143268 * v * exp(-0.5 * v * v) : 0.0)));
+        else y[i] = (float)(v * half);
+    }
+}
+
 /* The larger of two, or the NaN if there is one. */
 static float ms_nn__max_nan(float a, float b) { return a > b || a != a ? a : b; }
 
@@ -4921,7 +4996,7 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
     if (level == MS_SIMD_AVX512) {
         uint32_t r[4];
         ms__cpuid(7, 0, r);
-        return r[2] & (1u << 11) ? &ms_nn__table_avx512vnni : &ms_nn__table_avx512;
+        return r[2] & (1u << 11) ? &ms_nn__table_avx512vnni : &ms_nn__table_avx512; /* without VNNI: I8 by AVX2 */
     }
     if (level == MS_SIMD_AVX2) return &ms_nn__table_avx2;
 #endif
@@ -4930,6 +5005,19 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #endif
     (void)level;
     return &ms_nn__table_scalar;
+}
+
+/* Does this processor read a large F32 matrix faster several rows at a time than row by row? Intel's do (Sapphire Rapids: 1.22
+   times), where F16 and I8 do not; AMD's do not. The bits are the same. */
+static int ms_nn__row_tiles(void)
+{
+#if defined(MS__X64)
+    uint32_t r[4];
+    ms__cpuid(0, 0, r);
+    return r[1] == 0x756e6547u; /* "Genu", of GenuineIntel */
+#else
+    return 0;
+#endif
 }
 
 #undef MS_NN__BIG_ENDIAN
@@ -4955,6 +5043,9 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #undef MS_NN__COLUMNS
 #undef MS_NN__UNROLL
 #undef MS_NN__INLINE
+#undef MS_NN__APART
+#undef MS_NN__COLD
+#undef MS_NN__WIDE
 #undef MS_NN__FN
 #undef MS_NN__JOIN
 #undef MS_NN__JOIN2
@@ -4962,6 +5053,13 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 
 #if defined(MS_NN_IMPLEMENTATION) && defined(MS_NN__PASS)
 /* === kernels === */
+
+/* Plain C beside SIMD, and SSE2, are compiled for size: few run them. */
+#if MS_NN__ISA <= 2 && defined(MS__X64)
+#define MS_NN__KERNEL static MS_NN__COLD
+#else
+#define MS_NN__KERNEL static
+#endif
 
 /* Read once a level. MS_NN__V_FLOATS is a vector of MS_NN__V_LANES floats; W_... load weights as floats.
    MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers; MS_NN__W_ROWS rows x 3 samples x MS_NN__W_CHAINS sums are a
@@ -4985,7 +5083,6 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define MS_NN__V_MAX(a, b) ((a) > (b) ? (a) : (b))
 #define MS_NN__V_MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MS_NN__V_IF_GREATER(a, b, x, y) ((a) > (b) ? (x) : (y))
-#define MS_NN__V_SUM(a) (a)
 #define MS_NN__V_MAX_NAN(a, b) ms_nn__max_nan(a, b)
 #define MS_NN__V_PAIR_MAX(a, b) ms_nn__max_nan(a, b)
 #define MS_NN__V_INT int32_t
@@ -5014,7 +5111,6 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define MS_NN__V_MAX(a, b) _mm_max_ps(a, b)
 #define MS_NN__V_MIN(a, b) _mm_min_ps(a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) MS_NN__FN(if_greater)(a, b, x, y)
-#define MS_NN__V_SUM(a) MS_NN__FN(sum)(a)
 #define MS_NN__V_MAX_NAN(a, b) MS_NN__FN(max_nan)(a, b)
 #define MS_NN__V_PAIR_MAX(a, b) MS_NN__FN(max_nan)(_mm_shuffle_ps(a, b, 0x88), _mm_shuffle_ps(a, b, 0xDD))
 #define MS_NN__V_INT __m128i
@@ -5029,11 +5125,7 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(if_greater)(MS_NN__V_FLOATS a, MS_NN__V_
     MS_NN__V_FLOATS m = _mm_cmpgt_ps(a, b);
     return _mm_or_ps(_mm_and_ps(m, x), _mm_andnot_ps(m, y));
 }
-MS_NN__INLINE float MS_NN__FN(sum)(MS_NN__V_FLOATS a)
-{
-    a = _mm_add_ps(a, _mm_movehl_ps(a, a));
-    return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
-}
+#define MS_NN__V_FOLD(v) (v)
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(max_nan)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b)
 {
     MS_NN__V_FLOATS nan = _mm_cmpunord_ps(a, a);
@@ -5079,7 +5171,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__V_MAX(a, b) vmaxq_f32(a, b)
 #define MS_NN__V_MIN(a, b) vminq_f32(a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) vbslq_f32(vcgtq_f32(a, b), x, y)
-#define MS_NN__V_SUM(a) vaddvq_f32(a)
 #define MS_NN__V_MAX_NAN(a, b) vmaxq_f32(a, b)
 #define MS_NN__V_PAIR_MAX(a, b) vpmaxq_f32(a, b)
 #define MS_NN__V_INT int32x4_t
@@ -5114,7 +5205,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__V_MAX(a, b) _mm256_max_ps(a, b)
 #define MS_NN__V_MIN(a, b) _mm256_min_ps(a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) _mm256_blendv_ps(y, x, _mm256_cmp_ps(a, b, _CMP_GT_OQ))
-#define MS_NN__V_SUM(a) MS_NN__FN(sum)(a)
 #define MS_NN__V_MAX_NAN(a, b) _mm256_blendv_ps(_mm256_max_ps(a, b), a, _mm256_cmp_ps(a, a, _CMP_UNORD_Q))
 #define MS_NN__V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
 #define MS_NN__V_INT __m256i
@@ -5129,12 +5219,7 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FL
     MS_NN__V_FLOATS even = _mm256_shuffle_ps(a, b, 0x88), odd = _mm256_shuffle_ps(a, b, 0xDD);
     return _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(MS_NN__V_MAX_NAN(even, odd)), 0xD8));
 }
-MS_NN__INLINE float MS_NN__FN(sum)(MS_NN__V_FLOATS v)
-{
-    __m128 a = _mm_add_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1));
-    a = _mm_add_ps(a, _mm_movehl_ps(a, a));
-    return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
-}
+#define MS_NN__V_FOLD(v) _mm_add_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1))
 #else /* maskz_ forms: the plain ones of GCC 12 warn in C++ */
 #define MS_NN__V_LANES 16
 #define MS_NN__V_BLOCK 8
@@ -5154,7 +5239,6 @@ MS_NN__INLINE float MS_NN__FN(sum)(MS_NN__V_FLOATS v)
 #define MS_NN__V_MAX(a, b) _mm512_maskz_max_ps(0xFFFF, a, b)
 #define MS_NN__V_MIN(a, b) _mm512_maskz_min_ps(0xFFFF, a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) _mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ), y, x)
-#define MS_NN__V_SUM(a) MS_NN__FN(sum)(a)
 #define MS_NN__V_MAX_NAN(a, b) _mm512_mask_mov_ps(_mm512_maskz_max_ps(0xFFFF, a, b), _mm512_cmp_ps_mask(a, a, _CMP_UNORD_Q), a)
 #define MS_NN__V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
 #define MS_NN__V_INT __m512i
@@ -5169,19 +5253,19 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FL
     MS_NN__V_FLOATS even = _mm512_shuffle_ps(a, b, 0x88), odd = _mm512_shuffle_ps(a, b, 0xDD);
     return _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xFF, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(MS_NN__V_MAX_NAN(even, odd))));
 }
-MS_NN__INLINE float MS_NN__FN(sum)(MS_NN__V_FLOATS v)
+#define MS_NN__V_FOLD(v) MS_NN__FN(fold)(v)
+MS_NN__INLINE __m128 MS_NN__FN(fold)(MS_NN__V_FLOATS v)
 {
     __m512d w = _mm512_castps_pd(v);
     __m256 b = _mm256_add_ps(_mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 0)), _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 1)));
-    __m128 a = _mm_add_ps(_mm256_castps256_ps128(b), _mm256_extractf128_ps(b, 1));
-    a = _mm_add_ps(a, _mm_movehl_ps(a, a));
-    return _mm_cvtss_f32(_mm_add_ss(a, _mm_shuffle_ps(a, a, 1)));
+    return _mm_add_ps(_mm256_castps256_ps128(b), _mm256_extractf128_ps(b, 1));
 }
 #endif
 
+#if MS_NN__ISA != 4 /* AVX-512 without VNNI takes AVX2's */
 /* Sums of products of 8-bit weights with 8-bit digits. On x86 unsigned times signed bytes: (w + 128) d, put right at the
    end by 128 sum d; |255 * 64 * 2| fits 16 bits. */
-#if MS_NN__ISA >= 4
+#if MS_NN__ISA == 5
 #define MS_NN__B_INTS __m512i
 #define MS_NN__B_BYTES 64
 #define MS_NN__B_ZERO _mm512_setzero_si512()
@@ -5197,11 +5281,7 @@ MS_NN__INLINE void MS_NN__FN(int_sum4)(int32_t *out, MS_NN__B_INTS a, MS_NN__B_I
     __m256i half = _mm256_add_epi32(_mm512_maskz_extracti64x4_epi64(0xF, abcd, 0), _mm512_maskz_extracti64x4_epi64(0xF, abcd, 1));
     _mm_storeu_si128((__m128i *)(void *)out, _mm_add_epi32(_mm256_castsi256_si128(half), _mm256_extracti128_si256(half, 1)));
 }
-#if MS_NN__ISA == 5
 #define MS_NN__B_DOT(s, u, e) _mm512_dpbusd_epi32(s, u, e)
-#else
-#define MS_NN__B_DOT(s, u, e) _mm512_add_epi32(s, _mm512_madd_epi16(_mm512_maddubs_epi16(u, e), _mm512_set1_epi16(1)))
-#endif
 #elif MS_NN__ISA == 3
 #define MS_NN__B_INTS __m256i
 #define MS_NN__B_BYTES 32
@@ -5289,12 +5369,10 @@ MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, size_t cols, con
     MS_NN__UNROLL
     for (r = 0; r < rows; ++r) u[r] = n == MS_NN__B_BYTES ? MS_NN__B_LOAD(w + (size_t)r * cols + at) : MS_NN__B_PART(w + (size_t)r * cols + at, n);
     MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) u[r] = MS_NN__B_FLIP(u[r]);
-    MS_NN__UNROLL
     for (k = 0; k < 3; ++k) {
         MS_NN__B_INTS e = MS_NN__B_LOAD(d[k] + at);
         MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) s[k][r] = MS_NN__B_DOT(s[k][r], u[r], e);
+        for (r = 0; r < rows; ++r) s[k][r] = MS_NN__B_DOT(s[k][r], MS_NN__B_FLIP(u[r]), e);
     }
 }
 
@@ -5336,40 +5414,65 @@ MS_NN__INLINE void MS_NN__FN(int8_sums)(const unsigned char *w, size_t cols, con
     }
 }
 
-/* y = scale unit (16384 s0 + 128 s1 + s2) + bias, in double; rounded once. */
+/* y = scale unit (16384 s0 + 128 s1 + s2) + bias, in double, where the sum is exact; rounded once. */
 MS_NN__INLINE void MS_NN__FN(int8_rows)(const ms_nn__dense *job, size_t row, int rows)
 {
     const ms_nn__matrix *m = job->m;
+    const unsigned char *bias = m->bias && !job->linear ? m->bias + 4 * row : NULL, *scale = m->scale + 4 * row;
     size_t at;
     int b, r;
     for (b = 0; b < job->batch; ++b) {
         const ms_nn__digits *x = &job->digits[b];
-        int64_t total[MS_NN__B_ROWS];
+        float *y = job->y + (size_t)b * m->rows + row;
+        double total[MS_NN__B_ROWS];
         MS_NN__UNROLL
         for (r = 0; r < rows; ++r) total[r] = 0;
         for (at = 0; at < m->cols; at += MS_NN__RUN) {
             int32_t sums[3][MS_NN__B_ROWS];
             MS_NN__FN(int8_sums)(m->w + row * m->cols, m->cols, x, at, ms_nn__min(m->cols, at + MS_NN__RUN), sums, rows);
+#if MS_NN__B_ROWS == 4
+            if (rows == 4) {
+                __m256d high = _mm256_mul_pd(_mm256_cvtepi32_pd(_mm_loadu_si128((const __m128i *)(const void *)sums[0])), _mm256_set1_pd(16384.0));
+                __m256d middle = _mm256_mul_pd(_mm256_cvtepi32_pd(_mm_loadu_si128((const __m128i *)(const void *)sums[1])), _mm256_set1_pd(128.0));
+                __m256d low = _mm256_cvtepi32_pd(_mm_loadu_si128((const __m128i *)(const void *)sums[2]));
+                _mm256_storeu_pd(total, _mm256_add_pd(_mm256_loadu_pd(total), _mm256_add_pd(high, _mm256_add_pd(middle, low))));
+                continue;
+            }
+#endif
             MS_NN__UNROLL
-            for (r = 0; r < rows; ++r) total[r] += (int64_t)sums[0][r] * 16384 + (int64_t)sums[1][r] * 128 + sums[2][r];
+            for (r = 0; r < rows; ++r) total[r] += (double)((int64_t)sums[0][r] * 16384 + (int64_t)sums[1][r] * 128 + sums[2][r]);
         }
+#if MS_NN__B_ROWS == 4
+        if (rows == 4) {
+            __m256d factor = _mm256_mul_pd(_mm256_cvtps_pd(_mm_loadu_ps((const float *)(const void *)scale)), _mm256_set1_pd(x->unit));
+            __m256d offset = bias ? _mm256_cvtps_pd(_mm_loadu_ps((const float *)(const void *)bias)) : _mm256_setzero_pd();
+            _mm_storeu_ps(y, _mm256_cvtpd_ps(_mm256_add_pd(_mm256_mul_pd(_mm256_loadu_pd(total), factor), offset)));
+            continue;
+        }
+#endif
         MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) {
-            double scale = (double)ms_nn__float_at(m->scale, row + (size_t)r);
-            double bias = m->bias && !job->linear ? (double)ms_nn__float_at(m->bias, row + (size_t)r) : 0.0;
-            job->y[(size_t)b * m->rows + row + (size_t)r] = (float)((double)total[r] * (scale * x->unit) + bias);
-        }
+        for (r = 0; r < rows; ++r)
+            y[r] = (float)(total[r] * ((double)ms_nn__float_at(scale, (size_t)r) * x->unit) + (bias ? (double)ms_nn__float_at(bias, (size_t)r) : 0.0));
     }
 }
 
-static void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1)
+MS_NN__KERNEL void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
     size_t row = row0;
-    for (; !ms_nn__large(job) && row + MS_NN__B_ROWS <= row1; row += MS_NN__B_ROWS) MS_NN__FN(int8_rows)(job, row, MS_NN__B_ROWS);
+    for (; !job->singly && row + MS_NN__B_ROWS <= row1; row += MS_NN__B_ROWS) MS_NN__FN(int8_rows)(job, row, MS_NN__B_ROWS);
     for (; row < row1; ++row) MS_NN__FN(int8_rows)(job, row, 1);
 }
 
+#endif
+
 #if MS_NN__ISA < 5 /* the VNNI pass is for I8 only; the rest is AVX-512's */
+/* A vector that is used several times is loaded once: GCC would read it anew for each use, and 64-byte loads are what these loops wait for. */
+#if MS_NN__ISA == 4 && (defined(__GNUC__) || defined(__clang__))
+#define MS_NN__V_KEEP(v) __asm__("" : "+v"(v))
+#else
+#define MS_NN__V_KEEP(v) ((void)0)
+#endif
+
 /* MS_NN__V_LANES weights of a type that is a constant where this is inlined. */
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
 {
@@ -5379,216 +5482,344 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dt
     return MS_NN__W_INT8(p);
 }
 
-/* n < MS_NN__V_LANES weights, zeros behind them; nothing behind them is read. */
+/* n <= MS_NN__V_LANES weights, zeros behind them; nothing behind them is read. */
+#if MS_NN__ISA == 4
+#define MS_NN__W_PART(out, p, dtype, n) ((out) = MS_NN__FN(weight_part)(p, dtype, n))
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype, size_t n)
 {
-#if MS_NN__ISA >= 4
-    if (dtype == MS_NN_F32) return _mm512_maskz_loadu_ps((__mmask16)((1u << n) - 1), p);
-#endif
-    {
-        unsigned char copy[4 * MS_NN__V_LANES];
-        memset(copy, 0, sizeof copy);
-        memcpy(copy, p, ms_nn__min(n, MS_NN__V_LANES) * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2));
-        return MS_NN__FN(weight)(copy, dtype);
-    }
+    __mmask16 m = (__mmask16)((1u << n) - 1);
+    if (dtype == MS_NN_F32) return _mm512_maskz_loadu_ps(m, p);
+    if (dtype == MS_NN_I8) return _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_maskz_loadu_epi8(m, p)));
+    if (dtype == MS_NN_F16) return _mm512_maskz_cvtph_ps(0xFFFF, _mm256_maskz_loadu_epi16(m, p));
+    return _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_maskz_loadu_epi16(m, p)), 16));
 }
-
-#if MS_NN__ISA == 4
-/* One row times one sample, as dots has it, by halves of vectors: 32 bytes at a time come from memory up to 1.15 times as fast
-   as 64 on Zen 4 with small pages. Lanes and order are the same. Returns how many columns are done. */
-MS_NN__INLINE size_t MS_NN__FN(dots_halves)(const unsigned char *w, const float *x, size_t cols, ms_nn_dtype dtype, MS_NN__V_FLOATS *sum)
+#else
+#if MS_NN__ISA == 3
+#define MS_NN__W_PART(out, p, dtype, n)                                                                                                                     \
+    if ((dtype) == MS_NN_F32)                                                                                                                               \
+        (out) = _mm256_maskload_ps((const float *)(const void *)(p), _mm256_cmpgt_epi32(_mm256_set1_epi32((int)(n)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7))); \
+    else                                                                                                                                                    \
+        MS_NN__FN(weight_part)(&(out), p, dtype, n)
+#else
+#define MS_NN__W_PART(out, p, dtype, n) MS_NN__FN(weight_part)(&(out), p, dtype, n)
+#endif
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(weight_part)(MS_NN__V_FLOATS *out, const unsigned char *p, ms_nn_dtype dtype, size_t n)
 {
-    size_t size = dtype == MS_NN_F32 ? 4 : 2, k = 0, at;
-    __m256 half[2 * MS_NN__W_CHAINS], u;
-    int c;
-    MS_NN__UNROLL
-    for (c = 0; c < 2 * MS_NN__W_CHAINS; ++c) half[c] = _mm256_setzero_ps();
-    for (; k + MS_NN__V_LANES * MS_NN__W_CHAINS <= cols; k += MS_NN__V_LANES * MS_NN__W_CHAINS) {
-        MS_NN__UNROLL
-        for (c = 0; c < 2 * MS_NN__W_CHAINS; ++c) {
-            at = k + 8 * (size_t)c;
-            if (dtype == MS_NN_F32) u = _mm256_loadu_ps((const float *)(const void *)(w + at * size));
-            else if (dtype == MS_NN_F16) u = _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(w + at * size)));
-            else u = _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(w + at * size))), 16));
-            half[c] = _mm256_fmadd_ps(u, _mm256_loadu_ps(x + at), half[c]);
+    unsigned char copy[4 * MS_NN__V_LANES];
+    memset(copy, 0, sizeof copy);
+    memcpy(copy, p, ms_nn__min(n, MS_NN__V_LANES) * ms_nn__bytes_of(dtype));
+    *out = MS_NN__FN(weight)(copy, dtype);
+}
+#endif
+
+/* Four sums of lanes, each as (l0 + l2) + (l1 + l3) of the sums of its quarters, plus what out holds. */
+#if defined(MS__X64) && MS_NN__ISA > 1
+MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, float *out)
+{
+    __m128 a = MS_NN__V_FOLD(v[0]), b = MS_NN__V_FOLD(v[1]), c = MS_NN__V_FOLD(v[2]), d = MS_NN__V_FOLD(v[3]);
+    __m128 ab = _mm_add_ps(_mm_unpacklo_ps(a, b), _mm_unpackhi_ps(a, b)), cd = _mm_add_ps(_mm_unpacklo_ps(c, d), _mm_unpackhi_ps(c, d));
+    _mm_storeu_ps(out, _mm_add_ps(_mm_add_ps(_mm_movelh_ps(ab, cd), _mm_movehl_ps(cd, ab)), _mm_loadu_ps(out)));
+}
+#else
+MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, float *out)
+{
+    int i;
+#if MS_NN__ISA > 1
+    for (i = 0; i < 4; ++i) out[i] += vaddvq_f32(v[i]);
+#else
+    for (i = 0; i < 4; ++i) out[i] += v[i];
+#endif
+}
+#endif
+
+/* Dot products of rows x samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1) modulo MS_NN__V_LANES
+   MS_NN__W_CHAINS; the chains are added in pairs, then comes what is left of the columns, then the sum of the lanes. The order
+   depends on nothing but cols, so that tiles of any shape agree. This is the end of all of them. w, x: where `left` columns begin. */
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(MS_NN__V_FLOATS *total, int rows, int batch, const unsigned char *const *w, ms_nn_dtype dtype, const float *const *x, size_t left)
+{
+    MS_NN__V_FLOATS v[3], u;
+    size_t at, n;
+    int r, b;
+    for (at = 0; at < left; at += n) {
+        n = ms_nn__min(left - at, MS_NN__V_LANES);
+        for (b = 0; b < batch; ++b) MS_NN__W_PART(v[b], (const unsigned char *)(x[b] + at), MS_NN_F32, n);
+        for (r = 0; r < rows; ++r) {
+            MS_NN__W_PART(u, w[r] + at * ms_nn__bytes_of(dtype), dtype, n);
+            for (b = 0; b < batch; ++b) total[b * rows + r] = MS_NN__V_MADD(u, v[b], total[b * rows + r]);
         }
     }
-    MS_NN__UNROLL
-    for (c = 0; c < MS_NN__W_CHAINS; ++c)
-        sum[c] = _mm512_castpd_ps(_mm512_maskz_insertf64x4(0xFF, _mm512_castps_pd(_mm512_castps256_ps512(half[2 * c])), _mm256_castps_pd(half[2 * c + 1]), 1));
-    return k;
 }
-#endif
 
-/* rows x batch dot products. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1) modulo MS_NN__V_LANES MS_NN__W_CHAINS; then the rest; the sums are
-   added in pairs. The order depends on nothing but cols, so that tiles of any shape agree. */
-MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch)
+MS_NN__INLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch, const unsigned char *const *w, const float *const *x,
+                                     size_t left, MS_NN__V_FLOATS *total)
 {
     const ms_nn__matrix *m = job->m;
-    size_t cols = m->cols, size = dtype == MS_NN_F32 ? 4 : 2, k = 0;
+    int b, i;
+    float bias[4] = {0, 0, 0, 0};
+    if (left) { /* a copy, so that the sums stay in registers without it */
+        MS_NN__V_FLOATS sum[3 * MS_NN__W_ROWS];
+        MS_NN__UNROLL
+        for (i = 0; i < rows * batch; ++i) sum[i] = total[i];
+        MS_NN__FN(rest)(sum, rows, batch, w, m->dtype, x, left);
+        MS_NN__UNROLL
+        for (i = 0; i < rows * batch; ++i) total[i] = sum[i];
+    }
+    if (m->bias && !job->linear) {
+        MS_NN__UNROLL
+        for (i = 0; i < 4; ++i) bias[i] = ms_nn__float_at(m->bias, row + (size_t)(i % rows));
+    }
+    MS_NN__UNROLL
+    for (i = 0; i < rows * batch; i += 4) { /* sums of 4 / rows samples */
+        MS_NN__V_FLOATS four[4];
+        float out[4];
+        MS_NN__UNROLL
+        for (b = 0; b < 4; ++b) {
+            four[b] = total[i + b < rows * batch ? i + b : i];
+            out[b] = bias[b];
+        }
+        MS_NN__FN(sum4)(four, out);
+        MS_NN__UNROLL
+        for (b = 0; b < 4 / rows; ++b)
+            if (i + b * rows < rows * batch) memcpy(job->y + (sample + (size_t)(i / rows + b)) * m->rows + row, out + b * rows, (size_t)rows * sizeof(float));
+    }
+}
+
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish_rows)(const ms_nn__dense *job, size_t row, size_t sample, int rows, const unsigned char *const *w, const float *const *x,
+                                         size_t left, MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS c, MS_NN__V_FLOATS d)
+{
+    MS_NN__V_FLOATS total[4];
+    total[0] = a;
+    total[1] = b;
+    total[2] = c;
+    total[3] = d;
+    if (rows == MS_NN__W_ROWS) MS_NN__FN(finish)(job, row, sample, MS_NN__W_ROWS, 1, w, x, left, total);
+    else MS_NN__FN(finish)(job, row, sample, 1, 1, w, x, left, total);
+}
+
+/* `rows` rows of a type times `batch` samples, all three constants. */
+MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch)
+{
+    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), k = 0;
     const unsigned char *w[MS_NN__W_ROWS];
     const float *x[3];
-    MS_NN__V_FLOATS sum[MS_NN__W_ROWS][3][MS_NN__W_CHAINS];
+    MS_NN__V_FLOATS s[MS_NN__W_ROWS][3][MS_NN__W_CHAINS], total[3 * MS_NN__W_ROWS];
     int r, b, c;
     MS_NN__UNROLL
     for (r = 0; r < rows; ++r) {
-        w[r] = m->w + (row + (size_t)r) * cols * size;
+        w[r] = job->m->w + (row + (size_t)r) * cols * size;
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
             MS_NN__UNROLL
-            for (c = 0; c < MS_NN__W_CHAINS; ++c) sum[r][b][c] = MS_NN__V_SET(0.0f);
+            for (c = 0; c < MS_NN__W_CHAINS; ++c) s[r][b][c] = MS_NN__V_SET(0.0f);
         }
     }
     MS_NN__UNROLL
     for (b = 0; b < batch; ++b) x[b] = job->x + (sample + (size_t)b) * cols;
 #if MS_NN__ISA == 4
-    if (rows == 1 && batch == 1) k = MS_NN__FN(dots_halves)(w[0], x[0], cols, dtype, sum[0][0]);
+    if (rows == 1) {
+        /* By halves of vectors: 32 bytes at a time come from memory up to 1.15 times as fast as 64 on Zen 4 with small pages. Lanes
+           and order are the same. */
+        __m256 half[2 * MS_NN__W_CHAINS], u;
+        MS_NN__UNROLL
+        for (c = 0; c < 2 * MS_NN__W_CHAINS; ++c) half[c] = _mm256_setzero_ps();
+        for (; k + MS_NN__V_LANES * MS_NN__W_CHAINS <= cols; k += MS_NN__V_LANES * MS_NN__W_CHAINS) {
+            MS_NN__UNROLL
+            for (c = 0; c < 2 * MS_NN__W_CHAINS; ++c) {
+                const unsigned char *p = w[0] + (k + 8 * (size_t)c) * size;
+                if (dtype == MS_NN_F32) u = _mm256_loadu_ps((const float *)(const void *)p);
+                else if (dtype == MS_NN_F16) u = _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)p));
+                else u = _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)p)), 16));
+                half[c] = _mm256_fmadd_ps(u, _mm256_loadu_ps(x[0] + k + 8 * (size_t)c), half[c]);
+            }
+        }
+        MS_NN__UNROLL
+        for (c = 0; c < MS_NN__W_CHAINS; ++c)
+            s[0][0][c] = _mm512_castpd_ps(_mm512_maskz_insertf64x4(0xFF, _mm512_castps_pd(_mm512_castps256_ps512(half[2 * c])), _mm256_castps_pd(half[2 * c + 1]), 1));
+    }
 #endif
     for (; k + MS_NN__V_LANES * MS_NN__W_CHAINS <= cols; k += MS_NN__V_LANES * MS_NN__W_CHAINS) {
         MS_NN__UNROLL
         for (c = 0; c < MS_NN__W_CHAINS; ++c) {
+            size_t at = k + (size_t)c * MS_NN__V_LANES;
             MS_NN__V_FLOATS v[3];
             MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) v[b] = MS_NN__V_LOAD(x[b] + k + (size_t)c * MS_NN__V_LANES);
+            for (b = 0; b < batch; ++b) v[b] = MS_NN__V_LOAD(x[b] + at);
             MS_NN__UNROLL
             for (r = 0; r < rows; ++r) {
-                MS_NN__V_FLOATS u = MS_NN__FN(weight)(w[r] + (k + (size_t)c * MS_NN__V_LANES) * size, dtype);
+                MS_NN__V_FLOATS u = MS_NN__FN(weight)(w[r] + at * size, dtype);
+                if (batch > 1) MS_NN__V_KEEP(u);
                 MS_NN__UNROLL
-                for (b = 0; b < batch; ++b) sum[r][b][c] = MS_NN__V_MADD(u, v[b], sum[r][b][c]);
-            }
-        }
-    }
-    for (; k < cols; k += MS_NN__V_LANES) {
-        size_t n = ms_nn__min(cols - k, MS_NN__V_LANES);
-        MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) {
-            MS_NN__V_FLOATS u = n == MS_NN__V_LANES ? MS_NN__FN(weight)(w[r] + k * size, dtype) : MS_NN__FN(weight_part)(w[r] + k * size, dtype, n);
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) {
-                MS_NN__V_FLOATS v = n == MS_NN__V_LANES ? MS_NN__V_LOAD(x[b] + k) : MS_NN__FN(weight_part)((const unsigned char *)(x[b] + k), MS_NN_F32, n);
-                sum[r][b][0] = MS_NN__V_MADD(u, v, sum[r][b][0]);
+                for (b = 0; b < batch; ++b) s[r][b][c] = MS_NN__V_MADD(u, v[b], s[r][b][c]);
             }
         }
     }
     MS_NN__UNROLL
+    for (b = 0; b < batch; ++b) x[b] += k;
+    MS_NN__UNROLL
     for (r = 0; r < rows; ++r) {
-        float bias = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + (size_t)r) : 0.0f;
+        w[r] += k * size;
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
-            MS_NN__V_FLOATS s = MS_NN__V_ADD(sum[r][b][0], sum[r][b][1]);
+            MS_NN__V_FLOATS sum = MS_NN__V_ADD(s[r][b][0], s[r][b][1]);
 #if MS_NN__W_CHAINS == 4
-            s = MS_NN__V_ADD(s, MS_NN__V_ADD(sum[r][b][2], sum[r][b][3]));
+            sum = MS_NN__V_ADD(sum, MS_NN__V_ADD(s[r][b][2], s[r][b][3]));
 #endif
-            job->y[(sample + (size_t)b) * m->rows + row + (size_t)r] = MS_NN__V_SUM(s) + bias;
+            total[b * rows + r] = sum;
         }
+    }
+    if (batch == 3) {
+        MS_NN__FN(finish)(job, row, sample, MS_NN__W_ROWS, 3, w, x, cols - k, total);
+    } else {
+        MS_NN__FN(finish_rows)(job, row, sample, rows, w, x, cols - k, total[0], total[rows > 1 ? 1 : 0], total[rows > 2 ? 2 : 0], total[rows > 3 ? 3 : 0]);
     }
 }
 
-/* A large matrix for one sample is read row by row, at the speed of memory; where it lies in the cache, MS_NN__W_ROWS at a time.
-   Batches go by blocks of samples that stay in the first cache, three samples at a time; what is left over runs as if alone. */
-MS_NN__INLINE void MS_NN__FN(dense_typed)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
+/* MS_NN__W_ROWS rows times three samples. */
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
 {
-    size_t batch = (size_t)job->batch, step = ms_nn__samples(job->m->cols), row = row0, b0, b1, b;
+    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dots)(job, row, sample, MS_NN_F32, MS_NN__W_ROWS, 3);
+    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, MS_NN__W_ROWS, 3);
+    else MS_NN__FN(dots)(job, row, sample, MS_NN_BF16, MS_NN__W_ROWS, 3);
+}
+
+/* Rows times one sample: MS_NN__W_ROWS at a time, or each alone where they come from memory (ms_nn__large). */
+MS_NN__INLINE void MS_NN__FN(rows_typed)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample, ms_nn_dtype dtype)
+{
+#if MS_NN__W_ROWS > 1
+    if (!job->singly)
+        for (; row + MS_NN__W_ROWS <= row1; row += MS_NN__W_ROWS) MS_NN__FN(dots)(job, row, sample, dtype, MS_NN__W_ROWS, 1);
+#endif
+    for (; row < row1; ++row) MS_NN__FN(dots)(job, row, sample, dtype, 1, 1);
+}
+
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row0, size_t row1, size_t sample)
+{
+    if (job->m->dtype == MS_NN_F32) MS_NN__FN(rows_typed)(job, row0, row1, sample, MS_NN_F32);
+    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(rows_typed)(job, row0, row1, sample, MS_NN_F16);
+    else MS_NN__FN(rows_typed)(job, row0, row1, sample, MS_NN_BF16);
+}
+
+/* Batches go by blocks of samples that stay in the first cache, three samples at a time; what is left over runs as if alone. */
+MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
+{
+    size_t batch = (size_t)job->batch, step = ms_nn__samples(job->m->cols), row, next, b0, b1, b;
     for (b0 = 0; b0 < batch; b0 = b1) {
         b1 = ms_nn__min(b0 + step, batch);
-        row = row0;
-        if (batch > 1 || !ms_nn__large(job))
-            for (; row + MS_NN__W_ROWS <= row1; row += MS_NN__W_ROWS) {
-                for (b = b0; b + 3 <= b1; b += 3) MS_NN__FN(dots)(job, row, b, dtype, MS_NN__W_ROWS, 3);
-                for (; b < b1; ++b) MS_NN__FN(dots)(job, row, b, dtype, MS_NN__W_ROWS, 1);
-            }
-        for (; row < row1; ++row)
-            for (b = b0; b < b1; ++b) MS_NN__FN(dots)(job, row, b, dtype, 1, 1);
-    }
-}
-
-static void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
-{
-    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_F32);
-    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_F16);
-    else MS_NN__FN(dense_typed)(job, row0, row1, MS_NN_BF16);
-}
-
-/* out_b += g_b,0 w_0 + ... + g_b,rows-1 w_rows-1 over columns [col0, col1), the rows in order, for `batch` samples. */
-MS_NN__INLINE void MS_NN__FN(axpy)(const ms_nn__dense *job, size_t sample, size_t row, size_t col0, size_t col1, float *out, ms_nn_dtype dtype,
-                                   int rows, int batch)
-{
-    const ms_nn__matrix *m = job->m;
-    size_t cols = m->cols, size = dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2, k;
-    const unsigned char *w = m->w + row * cols * size;
-    MS_NN__V_FLOATS factor[4][3], sum[3];
-    int r, b;
-    MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) {
-        MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) {
-            float g = job->x[(sample + (size_t)b) * m->rows + row + (size_t)r];
-            factor[r][b] = MS_NN__V_SET(dtype == MS_NN_I8 ? g * ms_nn__float_at(m->scale, row + (size_t)r) : g);
+        if (b1 - b0 < 3) {
+            for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row0, row1, b);
+            continue;
+        }
+        for (row = row0; row < row1; row = next) {
+            next = ms_nn__min(row + MS_NN__W_ROWS, row1);
+            for (b = b0; next - row == MS_NN__W_ROWS && b + 3 <= b1; b += 3) MS_NN__FN(tile)(job, row, b);
+            for (; b < b1; ++b) MS_NN__FN(rows)(job, row, next, b);
         }
     }
-    out += sample * cols;
-    for (k = col0; k + MS_NN__V_LANES <= col1; k += MS_NN__V_LANES) {
+}
+
+/* out_b += g_b,0 w_0 + ... + g_b,3 w_3 over n columns, the rows in order, for `batch` samples, `stride` apart. */
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy_rest)(const unsigned char *const *w, ms_nn_dtype dtype, const float *g, float *out, size_t k, size_t n)
+{
+    float last[MS_NN__V_LANES];
+    MS_NN__V_FLOATS sum, u;
+    int r;
+    memset(last, 0, sizeof last);
+    memcpy(last, out + k, (n - k) * sizeof(float));
+    sum = MS_NN__V_LOAD(last);
+    for (r = 0; r < 4; ++r) {
+        MS_NN__W_PART(u, w[r] + ms_nn__bytes_of(dtype) * k, dtype, n - k);
+        sum = MS_NN__V_MADD(MS_NN__V_SET(g[r]), u, sum);
+    }
+    MS_NN__V_STORE(last, sum);
+    memcpy(out + k, last, (n - k) * sizeof(float));
+}
+
+/* dtype and batch are constants. */
+MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float (*g)[4], float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
+{
+    const unsigned char *row[4];
+    MS_NN__V_FLOATS factor[4][3], sum[3];
+    size_t k, size = ms_nn__bytes_of(dtype);
+    int r, b;
+    MS_NN__UNROLL
+    for (r = 0; r < 4; ++r) {
+        row[r] = w[r];
         MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) sum[b] = MS_NN__V_LOAD(out + (size_t)b * cols + k);
+        for (b = 0; b < batch; ++b) factor[r][b] = MS_NN__V_SET(g[b][r]);
+    }
+    for (k = 0; k + MS_NN__V_LANES <= n; k += MS_NN__V_LANES) {
         MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) {
-            MS_NN__V_FLOATS u = MS_NN__FN(weight)(w + ((size_t)r * cols + k) * size, dtype);
+        for (b = 0; b < batch; ++b) sum[b] = MS_NN__V_LOAD(out + (size_t)b * stride + k);
+        MS_NN__UNROLL
+        for (r = 0; r < 4; ++r) {
+            MS_NN__V_FLOATS u = MS_NN__FN(weight)(row[r] + size * k, dtype);
+            if (batch > 1) MS_NN__V_KEEP(u);
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) sum[b] = MS_NN__V_MADD(factor[r][b], u, sum[b]);
         }
         MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) MS_NN__V_STORE(out + (size_t)b * cols + k, sum[b]);
+        for (b = 0; b < batch; ++b) MS_NN__V_STORE(out + (size_t)b * stride + k, sum[b]);
     }
-    if (k == col1) return;
-    MS_NN__UNROLL
-    for (b = 0; b < batch; ++b) {
-        float last[MS_NN__V_LANES];
-        size_t n = col1 - k;
-        memset(last, 0, sizeof last);
-        memcpy(last, out + (size_t)b * cols + k, n * sizeof(float));
-        sum[b] = MS_NN__V_LOAD(last);
-        MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) sum[b] = MS_NN__V_MADD(factor[r][b], MS_NN__FN(weight_part)(w + ((size_t)r * cols + k) * size, dtype, n), sum[b]);
-        MS_NN__V_STORE(last, sum[b]);
-        memcpy(out + (size_t)b * cols + k, last, n * sizeof(float));
+    for (b = 0; k < n && b < batch; ++b) MS_NN__FN(axpy_rest)(w, dtype, g[b], out + (size_t)b * stride, k, n);
+}
+
+MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const float (*g)[4], float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
+{
+    if (batch == 3) MS_NN__FN(axpy_of)(w, g, out, stride, n, dtype, 3);
+    else MS_NN__FN(axpy_of)(w, g, out, stride, n, dtype, 1);
+}
+
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, const float (*g)[4], float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
+{
+    if (dtype == MS_NN_F32) MS_NN__FN(axpy_typed)(w, g, out, stride, n, MS_NN_F32, batch);
+    else if (dtype == MS_NN_F16) MS_NN__FN(axpy_typed)(w, g, out, stride, n, MS_NN_F16, batch);
+    else if (dtype == MS_NN_BF16) MS_NN__FN(axpy_typed)(w, g, out, stride, n, MS_NN_BF16, batch);
+    else MS_NN__FN(axpy_typed)(w, g, out, stride, n, MS_NN_I8, batch);
+}
+
+/* Four rows times the samples [b0, b1). Rows behind the last are zeros, whose n is at most MS_NN__WIDE. */
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, size_t row, size_t last, size_t at, size_t n, size_t b0, size_t b1, float *out)
+{
+    const ms_nn__matrix *m = job->m;
+    size_t cols = m->cols, b;
+    float g[3][4], scale[4];
+    const unsigned char *w[4];
+    int r, i, together;
+    for (r = 0; r < 4; ++r) {
+        int real = row + (size_t)r < last;
+        w[r] = real ? m->w + ((row + (size_t)r) * cols + at) * ms_nn__bytes_of(m->dtype) : (const unsigned char *)ms_nn__zeros;
+        scale[r] = real && m->dtype == MS_NN_I8 ? ms_nn__float_at(m->scale, row + (size_t)r) : 1.0f;
+    }
+    for (b = b0; b < b1; b += (size_t)together) {
+        together = b1 - b >= 3 ? 3 : 1;
+        for (i = 0; i < together; ++i)
+            for (r = 0; r < 4; ++r) g[i][r] = row + (size_t)r < last ? job->x[(b + (size_t)i) * m->rows + row + (size_t)r] * scale[r] : 0.0f;
+        MS_NN__FN(axpy)(w, (const float(*)[4])g, out + b * cols + at, cols, n, m->dtype, together);
     }
 }
 
-MS_NN__INLINE void MS_NN__FN(dense_back_typed)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out,
-                                               ms_nn_dtype dtype)
+/* For a batch 64 rows of 512 columns stay in the second cache, 12 samples' sums over them in the first. */
+MS_NN__KERNEL void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out)
 {
-    size_t row = row0, batch = (size_t)job->batch, b, b0, b1, from, to, first, last;
-    if (batch > 1) { /* 64 rows of 512 columns stay in the second cache, 12 samples' sums over them in the first */
-        for (from = col0; from < col1; from = to) {
-            to = ms_nn__min(from + 512, col1);
-            for (first = row0; first < row1; first = last) {
-                last = ms_nn__min(first + 64, row1);
-                for (b0 = 0; b0 < batch; b0 = b1) {
-                    b1 = ms_nn__min(b0 + 12, batch);
-                    for (row = first; row + 4 <= last; row += 4) {
-                        for (b = b0; b + 3 <= b1; b += 3) MS_NN__FN(axpy)(job, b, row, from, to, out, dtype, 4, 3);
-                        for (; b < b1; ++b) MS_NN__FN(axpy)(job, b, row, from, to, out, dtype, 4, 1);
+    size_t batch = (size_t)job->batch, row, b0, b1, from, to, first, last, at, n;
+    for (from = col0; from < col1; from = to) {
+        to = batch > 1 ? ms_nn__min(from + 512, col1) : col1;
+        for (first = row0; first < row1; first = last) {
+            last = batch > 1 ? ms_nn__min(first + 64, row1) : row1;
+            for (b0 = 0; b0 < batch; b0 = b1) {
+                b1 = ms_nn__min(b0 + 12, batch);
+                for (row = first; row < last; row += 4)
+                    for (at = from; at < to; at += n) {
+                        n = row + 4 <= last ? to - at : ms_nn__min(to - at, MS_NN__WIDE);
+                        MS_NN__FN(back_rows)(job, row, last, at, n, b0, b1, out);
                     }
-                    for (; row < last; ++row)
-                        for (b = b0; b < b1; ++b) MS_NN__FN(axpy)(job, b, row, from, to, out, dtype, 1, 1);
-                }
             }
         }
-        return;
     }
-    for (; row < row1; ++row) MS_NN__FN(axpy)(job, 0, row, col0, col1, out, dtype, 1, 1);
-}
-
-static void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out)
-{
-    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dense_back_typed)(job, row0, row1, col0, col1, out, MS_NN_F32);
-    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dense_back_typed)(job, row0, row1, col0, col1, out, MS_NN_F16);
-    else if (job->m->dtype == MS_NN_BF16) MS_NN__FN(dense_back_typed)(job, row0, row1, col0, col1, out, MS_NN_BF16);
-    else MS_NN__FN(dense_back_typed)(job, row0, row1, col0, col1, out, MS_NN_I8);
 }
 
 /* MS_NN__V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x + t). */
-MS_NN__INLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out, size_t out_plane,
+MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out, size_t out_plane,
                                         size_t outs, int tile)
 {
     size_t c, t;
@@ -5622,10 +5853,17 @@ MS_NN__INLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, c
     }
 }
 
-static void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out, size_t out_plane, size_t outs,
+                                        size_t tile)
+{
+    if (tile == MS_NN__V_TILE) MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, MS_NN__V_TILE);
+    else MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, 1);
+}
+
+MS_NN__KERNEL void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
 
 /* Four rows of n floats in place: d0 - d2, d1 + d2, d2 - d1, d1 - d3. */
-static void MS_NN__FN(combine)(float *rows, size_t n)
+MS_NN__KERNEL void MS_NN__FN(combine)(float *rows, size_t n)
 {
     float *d0 = rows, *d1 = rows + n, *d2 = d1 + n, *d3 = d2 + n;
     size_t i = 0;
@@ -5646,7 +5884,7 @@ static void MS_NN__FN(combine)(float *rows, size_t n)
 }
 
 /* Two rows of a block: m_j = sum over channels and columns of combination j; y0 = m0 + m1 + m2, y1 = m1 - m2 - m3. */
-static void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
+MS_NN__KERNEL void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
 {
     const ms_nn__conv *v = job->conv;
     size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o), part = v->in.c * v->taps * MS_NN__V_BLOCK, x, i, j;
@@ -5656,10 +5894,8 @@ static void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float *in, si
     for (i = 0; i < MS_NN__V_BLOCK; ++i) zero[i] = 0;
     for (x = 0; x < v->out.w;) {
         size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1, width = ms_nn__min(left, tile * MS_NN__V_LANES);
-        for (j = 0; j < 4; ++j) {
-            if (tile == MS_NN__V_TILE) MS_NN__FN(conv_tile)(v, in + j * v->pitch + x, w + j * part, zero, m[j], MS_NN__V_TILE * MS_NN__V_LANES, MS_NN__V_BLOCK, MS_NN__V_TILE);
-            else MS_NN__FN(conv_tile)(v, in + j * v->pitch + x, w + j * part, zero, m[j], MS_NN__V_TILE * MS_NN__V_LANES, MS_NN__V_BLOCK, 1);
-        }
+        for (j = 0; j < 4; ++j)
+            MS_NN__FN(conv_tile)(v, in + j * v->pitch + x, w + j * part, zero, m[j], MS_NN__V_TILE * MS_NN__V_LANES, MS_NN__V_BLOCK, tile);
         for (i = 0; i < outs; ++i) {
             float *m0 = m[0] + i * MS_NN__V_TILE * MS_NN__V_LANES, *m1 = m[1] + i * MS_NN__V_TILE * MS_NN__V_LANES, *to = out + i * job->y_plane + x;
             MS_NN__V_FLOATS bias = MS_NN__V_SET(job->linear ? 0.0f : v->bias[o + i]);
@@ -5678,7 +5914,7 @@ static void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float *in, si
 }
 
 /* One row of a block. Tiles that stand over the row's end, or whose outputs lie apart, go through a buffer. */
-static void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
+MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
 {
     const ms_nn__conv *v = job->conv;
     size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o), x, i, j;
@@ -5690,8 +5926,7 @@ static void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, siz
         int direct = width == tile * MS_NN__V_LANES && job->y_step == 1 && !job->accumulate;
         float *to = direct ? out + x : buffer;
         size_t plane = direct ? job->y_plane : MS_NN__V_TILE * MS_NN__V_LANES;
-        if (tile == MS_NN__V_TILE) MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, MS_NN__V_TILE);
-        else MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, 1);
+        MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, tile);
         for (i = 0; !direct && i < outs; ++i)
             for (j = 0; j < width; ++j) {
                 float *y = out + i * job->y_plane + (x + j) * job->y_step;
@@ -5703,7 +5938,7 @@ static void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, siz
         MS_NN__FN(activate)(out + i * job->y_plane, v->out.w, job->activation, job->alpha);
 }
 
-static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const float *padded)
+MS_NN__KERNEL void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const float *padded)
 {
     const ms_nn__conv *v = job->conv;
     size_t blocks = (v->out.c + MS_NN__V_BLOCK - 1) / MS_NN__V_BLOCK, row0 = strip * v->strip, row1 = ms_nn__min(row0 + v->strip, v->out.h), row, block;
@@ -5714,13 +5949,13 @@ static void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const floa
         }
 }
 
-/* e^x - c, c = 0 or 1, for x in [-87, 88]: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c); e^r - 1 = r + r^2 q(r) with the
-   Taylor coefficients 1/2 to 1/5040, |r| <= 0.347: relative error below 2 ulp. */
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(exp_minus)(MS_NN__V_FLOATS x, float c)
+/* e^x - c, c = 0 or 1, for x <= 88, subnormal results included: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c), 2^n in two factors;
+   e^r - 1 = r + r^2 q(r) with the Taylor coefficients 1/2 to 1/5040, |r| <= 0.347: relative error below 2 ulp. */
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(exp_minus)(MS_NN__V_FLOATS x, MS_NN__V_FLOATS c)
 {
-    MS_NN__V_FLOATS r, q, s, t;
+    MS_NN__V_FLOATS r, q, s, t, half;
     MS_NN__V_INT n;
-    x = MS_NN__V_MAX(MS_NN__V_SET(-87.0f), MS_NN__V_MIN(MS_NN__V_SET(88.0f), x));
+    x = MS_NN__V_MAX(MS_NN__V_SET(-104.0f), MS_NN__V_MIN(MS_NN__V_SET(88.0f), x));
     n = MS_NN__V_ROUND(MS_NN__V_MUL(x, MS_NN__V_SET(1.44269504f)));
     t = MS_NN__V_FROM_INT(n);
     r = MS_NN__V_MADD(t, MS_NN__V_SET(-0.693145752f), x); /* ln 2 in two pieces: the first has 15 bits, t times it is exact */
@@ -5732,106 +5967,103 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(exp_minus)(MS_NN__V_FLOATS x, float c)
     q = MS_NN__V_MADD(q, r, MS_NN__V_SET(1.0f / 6));
     q = MS_NN__V_MADD(q, r, MS_NN__V_SET(0.5f));
     q = MS_NN__V_MADD(MS_NN__V_MUL(r, r), q, r);
+    n = MS_NN__V_ROUND(MS_NN__V_MUL(t, MS_NN__V_SET(0.5f)));
     s = MS_NN__V_POW2(n);
-    return MS_NN__V_MADD(s, q, MS_NN__V_SUB(s, MS_NN__V_SET(c)));
+    n = MS_NN__V_ROUND(MS_NN__V_SUB(t, MS_NN__V_FROM_INT(n)));
+    half = MS_NN__V_POW2(n);
+    return MS_NN__V_MADD(MS_NN__V_MUL(s, q), half, MS_NN__V_SUB(MS_NN__V_MUL(s, half), c));
 }
 
-/* ln(1 + e) for e in [0, 1]: 2 artanh(z), z = e / (2 + e) <= 1/3; the series to z^15 leaves 1e-9. */
+/* ln(1 + e) for e in [0, 1]: 2 artanh(z), z = e / (2 + e) <= 1/3; the series to z^15 leaves 1e-9. 2 z first: e may be subnormal. */
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(log1p)(MS_NN__V_FLOATS e)
 {
-    MS_NN__V_FLOATS z = MS_NN__V_DIV(e, MS_NN__V_ADD(e, MS_NN__V_SET(2.0f))), s = MS_NN__V_MUL(z, z), q = MS_NN__V_SET(1.0f / 15);
+    MS_NN__V_FLOATS two = MS_NN__V_DIV(MS_NN__V_ADD(e, e), MS_NN__V_ADD(e, MS_NN__V_SET(2.0f))), s = MS_NN__V_MUL(two, MS_NN__V_MUL(MS_NN__V_SET(0.25f), two));
+    MS_NN__V_FLOATS q = MS_NN__V_SET(1.0f / 15);
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 13));
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 11));
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 9));
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 7));
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(0.2f));
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 3));
-    return MS_NN__V_MUL(MS_NN__V_ADD(z, z), MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f)));
+    return MS_NN__V_MUL(two, MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f)));
 }
 
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(activated)(MS_NN__V_FLOATS x, ms_nn__activation activation, float alpha)
+/* y = f(x), or with slope y *= f'(x), for n floats, whole vectors. All but relu and leaky_relu share e = e^-|x|, or what stands for
+   it; which of them it is, is the same for every vector and costs a branch that is foreseen. Slopes are functions of x: those of y
+   lose their digits where f is flat. */
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(curve)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha, int slope)
 {
-    MS_NN__V_FLOATS zero = MS_NN__V_SET(0.0f), one = MS_NN__V_SET(1.0f), magnitude, e;
-    if (activation == MS_NN__RELU) return MS_NN__V_MAX(zero, x);
-    if (activation == MS_NN__LEAKY) return MS_NN__V_IF_GREATER(x, zero, x, MS_NN__V_MUL(MS_NN__V_MIN(zero, x), MS_NN__V_SET(alpha)));
-    if (activation == MS_NN__ELU) return MS_NN__V_IF_GREATER(x, zero, x, MS_NN__V_MUL(MS_NN__V_SET(alpha), MS_NN__FN(exp_minus)(MS_NN__V_MIN(zero, x), 1.0f)));
-    magnitude = MS_NN__V_MAX(MS_NN__V_SUB(zero, x), x);
-    if (activation == MS_NN__TANH) { /* (1 - e^-2|x|) / (1 + e^-2|x|) */
-        e = MS_NN__FN(exp_minus)(MS_NN__V_MUL(MS_NN__V_SET(-2.0f), MS_NN__V_MIN(MS_NN__V_SET(64.0f), magnitude)), 1.0f);
-        e = MS_NN__V_DIV(MS_NN__V_SUB(zero, e), MS_NN__V_ADD(e, MS_NN__V_SET(2.0f)));
-        return MS_NN__V_IF_GREATER(zero, x, MS_NN__V_SUB(zero, e), e);
+    MS_NN__V_FLOATS zero = MS_NN__V_SET(0.0f), one = MS_NN__V_SET(1.0f), a = MS_NN__V_SET(alpha), v, e, f, up;
+    MS_NN__V_FLOATS c = MS_NN__V_SET(!slope && (activation == MS_NN__ELU || activation == MS_NN__TANH) ? 1.0f : 0.0f);
+    size_t i;
+    for (i = 0; i < n; i += MS_NN__V_LANES) {
+        v = MS_NN__V_LOAD(x + i);
+        if (activation == MS_NN__RELU) {
+            f = slope ? MS_NN__V_IF_GREATER(v, zero, one, zero) : MS_NN__V_MAX(zero, v);
+        } else if (activation == MS_NN__LEAKY) {
+            f = MS_NN__V_IF_GREATER(v, zero, slope ? one : v, slope ? a : MS_NN__V_MUL(MS_NN__V_MIN(zero, v), a));
+        } else {
+            e = MS_NN__V_MAX(MS_NN__V_SUB(zero, v), v); /* |x| */
+            e = activation == MS_NN__ELU ? MS_NN__V_MIN(zero, v)
+                : activation == MS_NN__TANH ? MS_NN__V_MUL(MS_NN__V_SET(-2.0f), MS_NN__V_MIN(MS_NN__V_SET(64.0f), e)) : MS_NN__V_SUB(zero, e);
+            e = MS_NN__FN(exp_minus)(e, c);
+            if (activation == MS_NN__ELU) {
+                f = MS_NN__V_IF_GREATER(v, zero, slope ? one : v, MS_NN__V_MUL(a, e));
+            } else if (activation == MS_NN__TANH && !slope) { /* e = e^-2|x| - 1: -e / (2 + e) */
+                f = MS_NN__V_DIV(MS_NN__V_SUB(zero, e), MS_NN__V_ADD(e, MS_NN__V_SET(2.0f)));
+                f = MS_NN__V_IF_GREATER(zero, v, MS_NN__V_SUB(zero, f), f);
+            } else {
+                f = MS_NN__V_DIV(one, MS_NN__V_ADD(one, e));
+                up = MS_NN__V_MUL(f, MS_NN__V_IF_GREATER(zero, v, e, one)); /* sigmoid(x) */
+                if (activation == MS_NN__SIGMOID) f = slope ? MS_NN__V_MUL(MS_NN__V_MUL(f, f), e) : up;
+                else if (activation == MS_NN__TANH) f = MS_NN__V_MUL(MS_NN__V_SET(4.0f), MS_NN__V_MUL(MS_NN__V_MUL(f, f), e));
+                else if (activation == MS_NN__SOFTPLUS) f = slope ? up : MS_NN__V_ADD(MS_NN__V_MAX(zero, v), MS_NN__FN(log1p)(e));
+                else f = slope ? MS_NN__V_MADD(MS_NN__V_MUL(up, v), MS_NN__V_MUL(f, MS_NN__V_IF_GREATER(zero, v, one, e)), up) : MS_NN__V_MUL(v, up); /* silu */
+            }
+        }
+        MS_NN__V_STORE(y + i, slope ? MS_NN__V_MUL(MS_NN__V_LOAD(y + i), f) : f);
     }
-    e = MS_NN__FN(exp_minus)(MS_NN__V_SUB(zero, magnitude), 0.0f); /* e^-|x| */
-    if (activation == MS_NN__SIGMOID) return MS_NN__V_DIV(MS_NN__V_IF_GREATER(zero, x, e, one), MS_NN__V_ADD(e, one));
-    return MS_NN__V_ADD(MS_NN__V_MAX(zero, x), MS_NN__FN(log1p)(e)); /* softplus */
 }
 
-/* Slope where the activation's value is y. */
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(slope)(MS_NN__V_FLOATS y, ms_nn__activation activation, float alpha)
+/* y = f(y). */
+MS_NN__KERNEL void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation, float alpha)
 {
-    MS_NN__V_FLOATS zero = MS_NN__V_SET(0.0f), one = MS_NN__V_SET(1.0f);
-    if (activation == MS_NN__RELU) return MS_NN__V_IF_GREATER(y, zero, one, zero);
-    if (activation == MS_NN__LEAKY) return MS_NN__V_IF_GREATER(y, zero, one, MS_NN__V_SET(alpha));
-    if (activation == MS_NN__ELU) return MS_NN__V_IF_GREATER(y, zero, one, MS_NN__V_ADD(y, MS_NN__V_SET(alpha)));
-    if (activation == MS_NN__TANH) return MS_NN__V_MUL(MS_NN__V_SUB(one, y), MS_NN__V_ADD(one, y));
-    if (activation == MS_NN__SIGMOID) return MS_NN__V_MUL(y, MS_NN__V_SUB(one, y));
-    return MS_NN__V_SUB(zero, MS_NN__FN(exp_minus)(MS_NN__V_SUB(zero, y), 1.0f)); /* softplus: 1 - e^-y */
-}
-
-/* y = f(y), or g = f'(y) g where y is f's value. */
-MS_NN__INLINE void MS_NN__FN(activate_as)(float *y, size_t n, ms_nn__activation activation, float alpha)
-{
+    size_t whole = n - n % MS_NN__V_LANES;
     float last[MS_NN__V_LANES];
-    size_t i;
-    for (i = 0; i + MS_NN__V_LANES <= n; i += MS_NN__V_LANES) MS_NN__V_STORE(y + i, MS_NN__FN(activated)(MS_NN__V_LOAD(y + i), activation, alpha));
-    if (i == n) return;
+    if (activation == MS_NN__LINEAR) return;
+    if (activation == MS_NN__GELU) {
+        ms_nn__gelu(y, y, n, 0);
+        return;
+    }
+    MS_NN__FN(curve)(y, y, whole, activation, alpha, 0);
+    if (whole == n) return;
     memset(last, 0, sizeof last);
-    memcpy(last, y + i, (n - i) * sizeof(float));
-    MS_NN__V_STORE(last, MS_NN__FN(activated)(MS_NN__V_LOAD(last), activation, alpha));
-    memcpy(y + i, last, (n - i) * sizeof(float));
+    memcpy(last, y + whole, (n - whole) * sizeof(float));
+    MS_NN__FN(curve)(last, last, MS_NN__V_LANES, activation, alpha, 0);
+    memcpy(y + whole, last, (n - whole) * sizeof(float));
 }
 
-MS_NN__INLINE void MS_NN__FN(derive_as)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha)
+/* g *= f'(x); for relu and leaky_relu x may be f's value. */
+MS_NN__KERNEL void MS_NN__FN(derive)(const float *x, float *g, size_t n, ms_nn__activation activation, float alpha)
 {
+    size_t whole = n - n % MS_NN__V_LANES;
     float last[2][MS_NN__V_LANES];
-    size_t i;
-    for (i = 0; i + MS_NN__V_LANES <= n; i += MS_NN__V_LANES) MS_NN__V_STORE(g + i, MS_NN__V_MUL(MS_NN__V_LOAD(g + i), MS_NN__FN(slope)(MS_NN__V_LOAD(y + i), activation, alpha)));
-    if (i == n) return;
+    if (activation == MS_NN__LINEAR) return;
+    if (activation == MS_NN__GELU) {
+        ms_nn__gelu(x, g, n, 1);
+        return;
+    }
+    MS_NN__FN(curve)(x, g, whole, activation, alpha, 1);
+    if (whole == n) return;
     memset(last, 0, sizeof last);
-    memcpy(last[0], y + i, (n - i) * sizeof(float));
-    memcpy(last[1], g + i, (n - i) * sizeof(float));
-    MS_NN__V_STORE(last[1], MS_NN__V_MUL(MS_NN__V_LOAD(last[1]), MS_NN__FN(slope)(MS_NN__V_LOAD(last[0]), activation, alpha)));
-    memcpy(g + i, last[1], (n - i) * sizeof(float));
-}
-
-static void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation, float alpha)
-{
-    switch (activation) {
-    case MS_NN__RELU: MS_NN__FN(activate_as)(y, n, MS_NN__RELU, alpha); break;
-    case MS_NN__LEAKY: MS_NN__FN(activate_as)(y, n, MS_NN__LEAKY, alpha); break;
-    case MS_NN__ELU: MS_NN__FN(activate_as)(y, n, MS_NN__ELU, alpha); break;
-    case MS_NN__TANH: MS_NN__FN(activate_as)(y, n, MS_NN__TANH, alpha); break;
-    case MS_NN__SIGMOID: MS_NN__FN(activate_as)(y, n, MS_NN__SIGMOID, alpha); break;
-    case MS_NN__SOFTPLUS: MS_NN__FN(activate_as)(y, n, MS_NN__SOFTPLUS, alpha); break;
-    default: break;
-    }
-}
-
-static void MS_NN__FN(derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha)
-{
-    switch (activation) {
-    case MS_NN__RELU: MS_NN__FN(derive_as)(y, g, n, MS_NN__RELU, alpha); break;
-    case MS_NN__LEAKY: MS_NN__FN(derive_as)(y, g, n, MS_NN__LEAKY, alpha); break;
-    case MS_NN__ELU: MS_NN__FN(derive_as)(y, g, n, MS_NN__ELU, alpha); break;
-    case MS_NN__TANH: MS_NN__FN(derive_as)(y, g, n, MS_NN__TANH, alpha); break;
-    case MS_NN__SIGMOID: MS_NN__FN(derive_as)(y, g, n, MS_NN__SIGMOID, alpha); break;
-    case MS_NN__SOFTPLUS: MS_NN__FN(derive_as)(y, g, n, MS_NN__SOFTPLUS, alpha); break;
-    default: break;
-    }
+    memcpy(last[0], x + whole, (n - whole) * sizeof(float));
+    memcpy(last[1], g + whole, (n - whole) * sizeof(float));
+    MS_NN__FN(curve)(last[0], last[1], MS_NN__V_LANES, activation, alpha, 1);
+    memcpy(g + whole, last[1], (n - whole) * sizeof(float));
 }
 
 /* Maxima of n windows of 2 x 2 in two rows; a NaN wins. */
-static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
+MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 {
     size_t j = 0;
     for (; j + MS_NN__V_LANES <= n; j += MS_NN__V_LANES, x += 2 * MS_NN__V_LANES) {
@@ -5897,8 +6129,8 @@ static void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t stride, size_t n, double *out, size_t out_stride, int na, int nb)
 {
     MS_NN__D_DOUBLES s[4][2];
-    double lane[MS_NN__D_LANES];
-    size_t j = 0;
+    double lane[4][2][MS_NN__D_LANES];
+    size_t j = 0, rest;
     int i, k, l;
     MS_NN__UNROLL
     for (i = 0; i < na; ++i) {
@@ -5919,28 +6151,28 @@ MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t
     MS_NN__UNROLL
     for (i = 0; i < na; ++i) {
         MS_NN__UNROLL
+        for (k = 0; k < nb; ++k) MS_NN__D_STORE(lane[i][k], s[i][k]);
+    }
+    for (i = 0; i < na; ++i)
         for (k = 0; k < nb; ++k) {
             double sum = 0;
-            size_t rest;
-            MS_NN__D_STORE(lane, s[i][k]);
-            for (l = 0; l < MS_NN__D_LANES; ++l) sum += lane[l];
+            for (l = 0; l < MS_NN__D_LANES; ++l) sum += lane[i][k][l];
             for (rest = j; rest < n; ++rest) sum += a[(size_t)i * stride + rest] * b[(size_t)k * stride + rest];
             out[(size_t)i * out_stride + (size_t)k] = sum;
         }
-    }
 }
 
-static void MS_NN__FN(gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out)
+MS_NN__KERNEL void MS_NN__FN(gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out)
 {
     size_t i, k;
     for (k = 0; k < nb; k += 2)
         for (i = 0; i < na; i += 4) {
             const double *ai = a + i * stride, *bk = b + k * stride;
-            size_t p;
+            size_t p, q;
             if (i + 4 <= na && k + 2 <= nb) MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 2);
             else if (i + 4 <= na) MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 1);
-            else if (k + 2 <= nb) for (p = i; p < na; ++p) MS_NN__FN(gram_tile)(a + p * stride, bk, stride, n, out + p * nb + k, nb, 1, 2);
-            else for (p = i; p < na; ++p) MS_NN__FN(gram_tile)(a + p * stride, bk, stride, n, out + p * nb + k, nb, 1, 1);
+            else for (p = i; p < na; ++p)
+                for (q = k; q < ms_nn__min(k + 2, nb); ++q) MS_NN__FN(gram_tile)(a + p * stride, b + q * stride, stride, n, out + p * nb + q, nb, 1, 1);
         }
 }
 
@@ -5974,23 +6206,23 @@ MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride
 }
 
 /* The same for any ny and na; s [na][ny]. */
-static void MS_NN__FN(add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n, const double *s)
+MS_NN__KERNEL void MS_NN__FN(add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n, const double *s)
 {
     size_t i, k;
     for (k = 0; k < ny; k += 2)
         for (i = 0; i < na; i += 4) {
             double *yk = y + k * stride;
             const double *ai = a + i * stride, *sik = s + i * ny + k;
-            size_t p;
+            size_t p, q;
             if (i + 4 <= na && k + 2 <= ny) MS_NN__FN(add_tile)(yk, ai, stride, n, sik, ny, 2, 4);
             else if (i + 4 <= na) MS_NN__FN(add_tile)(yk, ai, stride, n, sik, ny, 1, 4);
-            else if (k + 2 <= ny) for (p = i; p < na; ++p) MS_NN__FN(add_tile)(yk, a + p * stride, stride, n, s + p * ny + k, ny, 2, 1);
-            else for (p = i; p < na; ++p) MS_NN__FN(add_tile)(yk, a + p * stride, stride, n, s + p * ny + k, ny, 1, 1);
+            else for (p = i; p < na; ++p)
+                for (q = k; q < ms_nn__min(k + 2, ny); ++q) MS_NN__FN(add_tile)(y + q * stride, a + p * stride, stride, n, s + p * ny + q, ny, 1, 1);
         }
 }
 
 /* (a, b) = (c a - s b, s a + c b). */
-static void MS_NN__FN(rotate)(double *a, double *b, size_t n, double c, double s)
+MS_NN__KERNEL void MS_NN__FN(rotate)(double *a, double *b, size_t n, double c, double s)
 {
     MS_NN__D_DOUBLES vc = MS_NN__D_SET(c), vs = MS_NN__D_SET(s), minus = MS_NN__D_SET(-s);
     size_t j = 0;
@@ -6006,27 +6238,41 @@ static void MS_NN__FN(rotate)(double *a, double *b, size_t n, double c, double s
     }
 }
 
-/* One row of a matrix in double, times a factor and the scale of I8. */
-MS_NN__INLINE void MS_NN__FN(row_typed)(const unsigned char *w, size_t cols, double factor, double *out, ms_nn_dtype dtype)
+/* n weights as floats. */
+MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
 {
-    size_t size = dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2, k, j;
-    MS_NN__D_DOUBLES f = MS_NN__D_SET(factor);
-    float part[MS_NN__V_LANES];
-    for (k = 0; k + MS_NN__V_LANES <= cols; k += MS_NN__V_LANES) {
-        MS_NN__V_STORE(part, MS_NN__FN(weight)(w + k * size, dtype));
-        for (j = 0; j < MS_NN__V_LANES; j += MS_NN__D_LANES) MS_NN__D_STORE(out + k + j, MS_NN__D_MUL(f, MS_NN__D_WIDEN(part + j)));
+    size_t k = 0;
+    for (; k + MS_NN__V_LANES <= n; k += MS_NN__V_LANES) MS_NN__V_STORE(out + k, MS_NN__FN(weight)(p + k * ms_nn__bytes_of(dtype), dtype));
+    if (k < n) {
+        MS_NN__V_FLOATS u;
+        float last[MS_NN__V_LANES];
+        MS_NN__W_PART(u, p + k * ms_nn__bytes_of(dtype), dtype, n - k);
+        MS_NN__V_STORE(last, u);
+        memcpy(out + k, last, (n - k) * sizeof(float));
     }
-    if (k < cols) MS_NN__V_STORE(part, MS_NN__FN(weight_part)(w + k * size, dtype, cols - k));
-    for (j = 0; k < cols; ++k, ++j) out[k] = factor * (double)part[j];
 }
 
-static void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double factor, double *out)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
 {
-    size_t at = row * m->cols;
-    if (m->dtype == MS_NN_F32) MS_NN__FN(row_typed)(m->w + 4 * at, m->cols, factor, out, MS_NN_F32);
-    else if (m->dtype == MS_NN_F16) MS_NN__FN(row_typed)(m->w + 2 * at, m->cols, factor, out, MS_NN_F16);
-    else if (m->dtype == MS_NN_BF16) MS_NN__FN(row_typed)(m->w + 2 * at, m->cols, factor, out, MS_NN_BF16);
-    else MS_NN__FN(row_typed)(m->w + at, m->cols, factor * (double)ms_nn__float_at(m->scale, row), out, MS_NN_I8);
+    if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_F16);
+    else if (dtype == MS_NN_BF16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_BF16);
+    else MS_NN__FN(widen_typed)(p, n, out, MS_NN_I8);
+}
+
+/* One row of a matrix in double, times a factor and the scale of I8. */
+MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double factor, double *out)
+{
+    size_t size = ms_nn__bytes_of(m->dtype), at, n, k;
+    const unsigned char *w = m->w + row * m->cols * size;
+    float part[256];
+    if (m->dtype == MS_NN_I8) factor *= (double)ms_nn__float_at(m->scale, row);
+    for (at = 0; at < m->cols; at += n, out += n) {
+        n = ms_nn__min(256, m->cols - at);
+        if (m->dtype == MS_NN_F32) memcpy(part, w + 4 * at, 4 * n);
+        else MS_NN__FN(widen)(w + at * size, n, part, m->dtype);
+        for (k = 0; k + MS_NN__D_LANES <= n; k += MS_NN__D_LANES) MS_NN__D_STORE(out + k, MS_NN__D_MUL(MS_NN__D_SET(factor), MS_NN__D_WIDEN(part + k)));
+        for (; k < n; ++k) out[k] = factor * (double)part[k];
+    }
 }
 #endif /* MS_NN_NO_COLLAPSE */
 #endif
@@ -6041,12 +6287,21 @@ static const ms_nn__kernels ms_nn__table_avx512vnni = {
     MS_NN__V_BLOCK, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
     ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512 MS_NN__D_KERNELS(avx512)};
 #else
+#if MS_NN__ISA == 4
+#define MS_NN__INT8 ms_nn__dense_int8_avx2
+#else
+#define MS_NN__INT8 MS_NN__FN(dense_int8)
+#endif
 static const ms_nn__kernels MS_NN__FN(table) = {
-    MS_NN__V_BLOCK, MS_NN__FN(dense), MS_NN__FN(dense_int8), MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
+    MS_NN__V_BLOCK, MS_NN__FN(dense), MS_NN__INT8, MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
     MS_NN__FN(derive), MS_NN__FN(pool2) MS_NN__D_KERNELS(MS_NN__LEVEL)};
 #endif
 
 #undef MS_NN__D_KERNELS
+#undef MS_NN__INT8
+#undef MS_NN__W_PART
+#undef MS_NN__V_KEEP
+#undef MS_NN__KERNEL
 #undef MS_NN__LEVEL
 #undef MS_NN__ISA
 #undef MS_NN__V_LANES
@@ -6062,8 +6317,8 @@ static const ms_nn__kernels MS_NN__FN(table) = {
 #undef MS_NN__B_OFFSET
 #undef MS_NN__B_SUM
 #undef MS_NN__B_SUM4
-#undef MS_NN__B_PART
 #undef MS_NN__B_DOT
+#undef MS_NN__B_PART
 #undef MS_NN__B_ROWS
 #undef MS_NN__B_ASK
 #undef MS_NN__V_MAX_NAN
@@ -6080,7 +6335,7 @@ static const ms_nn__kernels MS_NN__FN(table) = {
 #undef MS_NN__V_MAX
 #undef MS_NN__V_MIN
 #undef MS_NN__V_IF_GREATER
-#undef MS_NN__V_SUM
+#undef MS_NN__V_FOLD
 #undef MS_NN__V_INT
 #undef MS_NN__V_ROUND
 #undef MS_NN__V_FROM_INT
