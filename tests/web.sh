@@ -9,7 +9,7 @@ failed=0
 check() { # NAME, value, expected
     if [ "$2" = "$3" ]; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAIL $1: '$2', expected '$3'"; fi
 }
-for page in studio:5000000; do
+for page in studio:5000000 kernels:2000000; do
     name=${page%:*}
     file=examples/web/$name.html
     check "$name: of these sources (make $name renews it)" "$(sed -n 's/.*<meta name="sources" content="\([0-9]*\)">.*/\1/p' $file)" "$(sh examples/web/build.sh hash $name)"

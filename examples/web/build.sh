@@ -10,6 +10,8 @@ sources() { # what page $1 is made of
     studio) echo ms_gpr.h ms_nn.h ms_pme.h examples/studio.h examples/neural.h examples/matcher.h examples/maps.h examples/materialx.h \
         examples/files.h examples/image.h $web/studio.c $web/wasi.js $web/studio.worker.js $web/studio.js $web/page.css $web/studio.css \
         $web/studio.part.html $web/pack.c $web/build.sh examples/data/renderer_128.safetensors examples/data/inversion_6.safetensors ;;
+    kernels) echo ms_mcml.h ms_sss.h examples/scene.h examples/image.h examples/files.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \
+        $web/kernels.js $web/page.css $web/kernels.css $web/kernels.part.html $web/build.sh ;;
     *) echo "no page of that name: $1" >&2; exit 2 ;;
     esac
 }
@@ -33,7 +35,7 @@ hash() {
 
 page=$1
 out=$2
-if ! { echo '#include <stdlib.h>'; echo 'int main(void) { return 0; }'; } | ${WASM_CC:-clang} --target=wasm32-wasi -x c - -o /dev/null 2>/dev/null; then
+if ! printf '#include <stdlib.h>\nint main(void) { return 0; }\n' | ${WASM_CC:-clang} --target=wasm32-wasi -x c - -o /dev/null 2>/dev/null; then
     echo "no WebAssembly here: wants clang, lld, wasi-libc and libclang-rt-dev-wasm32 (WASM_CC=... for another clang)" >&2
     exit 1
 fi
@@ -41,7 +43,7 @@ made=build/web
 mkdir -p "$made" "$(dirname "$out")"
 echo "compiling $page.wasm"
 ${WASM_CC:-clang} --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. -Iexamples $web/"$page".c -o "$made/$page.wasm" \
-    -Wl,-z,stack-size=262144 -Wl,--strip-all
+    -Wl,-z,stack-size=524288 -Wl,--strip-all
 base64_of() { gzip -9nc "$1" | base64 | tr -d '\n'; }
 binary() { # id, file
     printf '<script type="application/base64" %s>' "$1"
@@ -72,10 +74,10 @@ HTML
             "$made/pack" examples/data/$network.safetensors "$made/$network.safetensors"
             binary "data-network=\"${network%_*}\"" "$made/$network.safetensors"
         done
-        echo '<script type="text/plain" id="worker">'
-        cat $web/studio.worker.js
-        echo '</script>'
     fi
+    echo '<script type="text/plain" id="worker">'
+    cat $web/"$page".worker.js
+    echo '</script>'
     echo '<script>'
     cat $web/"$page".js
     echo '</script>'

@@ -1,0 +1,73 @@
+// The designer's workers: one makes kernels, texts and the CPU's pictures, one an object each makes the layers that are lit.
+let wasm;
+const numbers = (at, n) => Array.from(new Float64Array(wasm.memory.buffer, wasm.numbers(), at + n).subarray(at));
+const words = at => {
+  const b = new Uint8Array(wasm.memory.buffer, at);
+  return new TextDecoder().decode(b.slice(0, b.indexOf(0)));
+};
+const check = status => { if (status) throw new Error(words(wasm.message())); };
+async function unpack(base64) {
+  const text = atob(base64), packed = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
+  return new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+}
+const calls = {
+  async start({ binary }) {
+    wasm = await wasi({}).start(await unpack(binary));
+    wasm.materials();
+    return words(wasm.text()).trim().split('\n');
+  },
+  // A kernel with all that is shown of it, and what draws it in WebGL 2.
+  design({ material, own, taps, model, pixels, size, mm, flat }) {
+    new Float64Array(wasm.memory.buffer, wasm.numbers(), 6).set(own);
+    const t = performance.now();
+    check(wasm.design(material, taps, model, pixels));
+    const spent = performance.now() - t, n = numbers(0, 16), curves = numbers(64, 8 * 96), count = wasm.taps();
+    const result = { errors: { texture: n[0 + 5], vertical: n[0], diagonal: n[1], dot: n[4], bands: n[6] }, taps: count, radius: n[8], pixels: n[9], reflectance: n.slice(10, 13),
+      decay: n.slice(13, 16), curves, kernel: numbers(64, 4 * count), spent };
+    return Object.assign(result, calls.look({ size, mm, flat }));
+  },
+  look({ size, mm, flat }) {
+    const texts = [0, 1].map(step => { check(wasm.pass(1, step, mm, flat)); return words(wasm.text()); });
+    check(wasm.through(1));
+    const through = words(wasm.text()), count = wasm.fill(size, size, mm, flat);
+    if (!count) check(1);
+    return { texts, through, constants: new Float32Array(wasm.memory.buffer, wasm.constants(), 4 * count).slice() };
+  },
+  code({ kind }) { check(wasm.code(kind)); return words(wasm.text()); },
+  shader({ language, mm, flat }) {
+    return [0, 1].map(step => { check(wasm.pass(language, step, mm, flat)); return words(wasm.text()); }).join('\n');
+  },
+  filter({ light, normals, size, mm, flat }) {
+    const bytes = 16 * size * size, at = [0, 1, 2].map(() => wasm.room(bytes)), floats = k => new Float32Array(wasm.memory.buffer, at[k], bytes / 4);
+    floats(0).set(light);
+    floats(1).set(normals);
+    const status = wasm.filter(at[0], at[1], at[2], size, size, mm, flat), out = floats(2).slice();
+    at.forEach(a => wasm.leave(a));
+    check(status);
+    return { picture: out };
+  },
+  volume({ object }) {
+    const at = wasm.volume(object), n = numbers(0, 23);
+    if (!at) throw new Error('no memory for an object');
+    const bytes = new Uint8Array(wasm.memory.buffer, at, n[6] * n[7] * n[8]).slice();
+    wasm.leave(at);
+    return { bytes, low: n.slice(0, 3), high: n.slice(3, 6), sides: n.slice(6, 9), cell: n[9], step: n[10], eye: n.slice(11, 14), axes: n.slice(14, 23) };
+  },
+  layers({ object, size, from, to }) {
+    const n = (to - from) * size, at = [16 * n, 16 * n, 4 * n].map(b => wasm.room(b));
+    wasm.layers(object, size, size, from, to, ...at);
+    const result = { surface: new Float32Array(wasm.memory.buffer, at[0], 4 * n).slice(), fine: new Float32Array(wasm.memory.buffer, at[1], 4 * n).slice(),
+      tint: new Uint8Array(wasm.memory.buffer, at[2], 4 * n).slice() };
+    at.forEach(a => wasm.leave(a));
+    return result;
+  },
+};
+onmessage = async ({ data: { id, call, args } }) => {
+  try {
+    const result = await calls[call](args || {});
+    postMessage({ id, result }, Object.values(result || {}).filter(v => ArrayBuffer.isView(v)).map(v => v.buffer));
+  } catch (e) {
+    postMessage({ id, problem: String(e.message || e) });
+  }
+};
