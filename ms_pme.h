@@ -365,7 +365,7 @@ typedef enum ms_pme_loss { MS_PME_HUBER = 1, MS_PME_TUKEY = 2 } ms_pme_loss;
 /* Weights that make the next match's squares follow such a loss around this picture (Huber 1981): a pixel of `channels` values gets
    one factor, so that channels go on sharing what they share.
    scale       s; 0: 1.4826 times the median of the pixels' errors
-   image, target, weight [count], weight NULL: all 1; reweighted [count] out, may be weight
+   image, target, weight [count], weight NULL: all 1; reweighted [count] out, none of them
    used_scale  out, may be NULL */
 MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image, const float *target, const float *weight,
                                 float *reweighted, double *used_scale, ms_error *error);
@@ -1885,6 +1885,7 @@ typedef struct ms_pme__objective {
     const ms_pme_match_options *options;
     const float *target, *weight;
     double weight_sum, offset; /* offset: what the reduced function leaves out, in the unit of f */
+    double size;               /* root mean square of the target */
     int n, leads, pulled, gains, offsets, plain; /* plain: z is x */
     size_t m, compared;        /* residuals of the picture; values with a weight */
     int place[MS_PME_PARAMETERS_MAX];    /* x_j = z[place_j] */
@@ -2027,7 +2028,9 @@ static ms_status ms_pme__check_picture(ms_pme__objective *o, ms_error *error)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "target %z is %g, expected a finite number", i, (double)o->target[i]);
         o->compared += w > 0;
         o->weight_sum += w;
+        if (w > 0) o->size += w * (double)o->target[i] * (double)o->target[i];
     }
+    o->size = sqrt(o->size / (o->weight_sum > 0 ? o->weight_sum : 1));
     if (o->compared == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "every weight is 0: nothing to match");
     return MS_OK;
 }
@@ -2137,7 +2140,7 @@ static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, dou
 {
     ms_pme__walk walk;
     int n = run->n, w = n + 1, j, k, i;
-    double sigma = rmse / sqrt((double)o->compared), *variance, *y;
+    double sigma = ms_pme__max(rmse, 1e-7 * o->size) / sqrt((double)o->compared), *variance, *y; /* no finer than floats are */
     size_t row;
     ms_pme__walk_place(&walk, memory, NULL, n);
     variance = memory + ms_pme__walk_size(n);
@@ -2174,7 +2177,7 @@ static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_
 {
     const ms_pme_renderer *renderer = o->renderer;
     size_t i, plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
-    double sum = 0, size = 0, reduced = ms_pme__shifted(run->best_value, -2 * run->shift) + o->offset;
+    double sum = 0, reduced = ms_pme__shifted(run->best_value, -2 * run->shift) + o->offset;
     int j;
     ms_status status = renderer->render(renderer->user, ms_pme__material(o, run->best), o->image);
     answer->cost += 1;
@@ -2188,7 +2191,6 @@ static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_
         if (o->gains + o->offsets > 0) o->image[i] = (float)(answer->gain[i / plane] * (double)o->image[i] + answer->offset[i / plane]);
         e = (double)o->image[i] - (double)o->target[i];
         if (w > 0) sum += w * e * e;
-        if (w > 0) size += w * (double)o->target[i] * (double)o->target[i];
     }
     answer->rmse = sqrt(sum / o->weight_sum);
     for (j = 0; j < o->n && o->pulled; ++j) {
@@ -2197,7 +2199,7 @@ static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_
     }
     reduced = sqrt(ms_pme__max(reduced, 0));
     if (renderer->reduced != NULL && o->gains + o->offsets == 0 &&
-        fabs(reduced - answer->rmse) > 1e-3 * answer->rmse + 1e-5 * sqrt(size / o->weight_sum))
+        fabs(reduced - answer->rmse) > 1e-3 * answer->rmse + 1e-5 * o->size)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the reduced function has an RMSE of %g where the picture has %g: it was made for another target or other weights",
                         reduced, answer->rmse);
     return MS_OK;
@@ -2307,6 +2309,8 @@ MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channe
     int c;
     if (image == NULL || target == NULL || reweighted == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", image == NULL ? "image" : target == NULL ? "target" : "reweighted");
+    if (reweighted == weight || reweighted == image || reweighted == target)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "reweighted is weight, image or target, expected memory of its own");
     if (channels < 1 || count < 1 || count % (size_t)channels != 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "channels is %d, expected a divisor of count %z", channels, count);
     if (loss != MS_PME_HUBER && loss != MS_PME_TUKEY) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "loss is %d, expected one of ms_pme_loss", loss);

@@ -2,8 +2,8 @@
      cc -O2 -I. examples/match.c -o build/match -lm
 
      build/match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK.(png|pgm|ppm|pfm)] [--start X.csv]
-                 [--cost 50] [--seconds 0] [--robust] [--exposure] [--tint] [--freeze NAME,NUMBER,...] [--pull 0]
-                 [--out-params CSV] [--out-png PNG]
+                 [--cost 50] [--seconds 0] [--robust] [--align] [--exposure] [--tint] [--freeze NAME,NUMBER,...] [--pull 0] [--change 1]
+                 [--view RENDERER.safetensors TARGET]... [--out-params CSV] [--out-png PNG]
 
    The renderer takes parameters in [0, 1] and makes 3 x S x S display values. The target may have any size and be grey, RGB or
    with alpha (a pixel counts as much as it covers); display values in PNG, PPM and PGM, linear light in a PFM, which is
@@ -11,8 +11,10 @@
    without either the search starts in the middle of the box. MASK: the weight of each pixel, a channel each where it has colour.
    --cost: renders to spend on the refinement, --seconds: no longer than that. --robust: what fits badly (a logo, a stitch) counts as an
    outlier. --exposure, --tint: a gain of the picture, or one a channel with an offset, is found along, and is not the
-   material's. --freeze keeps parameters as X.csv has them, --pull holds all of them to it (0.01: a change by 1 costs as much as
-   an RMSE of 0.1). The parameters go to CSV as a line of names and a row:
+   material's. --align: the target has slipped by up to an eighth of its width; it is moved back. --freeze keeps parameters as X.csv has
+   them, --pull holds all of them to it (0.01: a change by 1 costs as much as an RMSE of 0.1), --change lets none go further from it:
+   for frames of a sequence. --view: another picture of the same material, by a renderer of its own (another view, light or size), up
+   to seven; all count in one objective, without --weights, --robust, --align, --exposure and --tint. The parameters go to CSV as a line of names and a row:
    the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
@@ -28,7 +30,7 @@
 
 static const char usage_text[] =
     "usage: match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK] [--start X.csv] [--cost 50] [--seconds 0] "
-    "[--robust] [--exposure] [--tint] [--freeze NAME,...] [--pull 0] [--out-params CSV] [--out-png PNG]";
+    "[--robust] [--align] [--exposure] [--tint] [--freeze NAME,...] [--pull 0] [--change 1] [--view RENDERER TARGET]... [--out-params CSV] [--out-png PNG]";
 
 static int fail(const char *path, const char *what)
 {
@@ -166,20 +168,16 @@ static int freeze(const char *list, const char *names, int n, const double *sour
     }
 }
 
-/* Parameters that the picture leaves open: errors of the size of the RMSE in every value would move them by more than a
-   tenth of their range. */
-static void print_open(const matcher *m, const double *x, double rmse, const char *names)
+/* The standard deviations, and the parameters that the picture leaves open: errors of the size of the RMSE in every value would move
+   them by more than a tenth of their range. */
+static void print_open(const double *deviation, int n, const char *names)
 {
-    double singular_value[MS_PME_PARAMETERS_MAX], deviation[MS_PME_PARAMETERS_MAX];
     char name[64];
-    ms_error error;
     int i, count = 0;
-    if (ms_pme_sensitivity(&m->reduced, NULL, x, singular_value, NULL, deviation, &error) != MS_OK) {
-        printf("what the picture determines is not known: %s\n", error.message);
-        return;
-    }
-    for (i = 0; i < m->renderer.parameter_count; ++i)
-        if (!(rmse * deviation[i] < 0.1)) {
+    for (i = 0; i < n; ++i) printf("%s%.4f", i ? " " : "standard deviations: ", deviation[i]);
+    printf("\n");
+    for (i = 0; i < n; ++i)
+        if (!(deviation[i] < 0.1)) {
             name_of(names, i, name, sizeof name);
             printf("%s%d%s%s", count++ ? ", " : "parameters that the picture hardly determines: ", i, *name ? " " : "", name);
         }
@@ -189,23 +187,26 @@ static void print_open(const matcher *m, const double *x, double rmse, const cha
 int main(int argc, char **argv)
 {
     static const char *const stop[] = {"converged", "target reached", "cost spent", "time spent"};
-    static matcher m;
+    static matcher m, further[matcher_views_max];
+    static matcher_views views;
     static char header[32768], text[40000];
     const char *renderer = NULL, *target_path = NULL, *inversions = NULL, *mask_path = NULL, *start = NULL, *csv = NULL, *png = NULL;
-    const char *problem, *names, *frozen = NULL;
-    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX], pulls[MS_PME_PARAMETERS_MAX], pull = 0, x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX], cost = 50, limit = 0, seconds;
+    const char *problem, *names, *frozen = NULL, *view[2 * matcher_views_max];
+    matcher *all[matcher_views_max];
+    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX], pulls[MS_PME_PARAMETERS_MAX], pull = 0, change = 1, shift[2], deviation[MS_PME_PARAMETERS_MAX], x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX], cost = 50, limit = 0, seconds;
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
     image answer;
     materials guess;
-    float *target, *weight, *alpha, *counted, *picture;
+    float *target, *weight, *alpha, *picture;
     ms_error error;
     ms_status status;
-    size_t used = 0;
-    int i, n, pixels, has_alpha = 0, robust = 0, round;
+    size_t used = 0, total;
+    int i, k, n, pixels, has_alpha = 0, flags = 0, count = 1;
     for (i = 1; i < argc; ++i) {
         if (strcmp(argv[i], "--help") == 0) return puts(usage_text) < 0 || file_end_stdout("match");
-        if (strcmp(argv[i], "--robust") == 0) robust = 1;
+        if (strcmp(argv[i], "--robust") == 0) flags |= MATCHER_ROBUST;
+        else if (strcmp(argv[i], "--align") == 0) flags |= MATCHER_ALIGN;
         else if (strcmp(argv[i], "--exposure") == 0) options.nuisance |= MS_PME_EXPOSURE;
         else if (strcmp(argv[i], "--tint") == 0) options.nuisance |= MS_PME_TINT | MS_PME_OFFSET;
         else if (argv[i][0] != '-' && renderer == NULL) renderer = argv[i];
@@ -217,7 +218,12 @@ int main(int argc, char **argv)
         else if (strcmp(argv[i], "--out-params") == 0) csv = argv[++i];
         else if (strcmp(argv[i], "--out-png") == 0) png = argv[++i];
         else if (strcmp(argv[i], "--freeze") == 0) frozen = argv[++i];
-        else if (strcmp(argv[i], "--pull") == 0) {
+        else if (strcmp(argv[i], "--view") == 0 && i + 2 < argc && count < matcher_views_max) {
+            view[2 * count] = argv[++i];
+            view[2 * count++ + 1] = argv[++i];
+        } else if (strcmp(argv[i], "--change") == 0) {
+            if (!number(argv[++i], 0, &change)) return fail(argv[i], "--change takes a number from 0 to 1e9") + 1;
+        } else if (strcmp(argv[i], "--pull") == 0) {
             if (!number(argv[++i], 0, &pull)) return fail(argv[i], "--pull takes a number from 0 to 1e9") + 1;
         } else if (strcmp(argv[i], "--cost") == 0) {
             if (!number(argv[++i], 1, &cost)) return fail(argv[i], "--cost takes a number from 1 to 1e9") + 1;
@@ -225,7 +231,7 @@ int main(int argc, char **argv)
             if (!number(argv[++i], 0, &limit)) return fail(argv[i], "--seconds takes a number from 0 (no limit) to 1e9") + 1;
         } else break;
     }
-    if (i < argc || target_path == NULL) {
+    if (i < argc || target_path == NULL || (count > 1 && (flags || options.nuisance || mask_path))) {
         fprintf(stderr, "%s\n", usage_text);
         return 2;
     }
@@ -237,15 +243,21 @@ int main(int argc, char **argv)
         fprintf(stderr, "match: %s\n", error.message);
         return 1;
     }
+    for (k = 1, all[0] = &m, total = m.renderer.image_size; k < count; ++k) {
+        all[k] = &further[k];
+        status = matcher_open(all[k], view[2 * k], &error);
+        if (status != MS_OK) return fail(view[2 * k], error.message);
+        if (all[k]->renderer.parameter_count != m.renderer.parameter_count) return fail(view[2 * k], "a renderer of other parameters");
+        total += all[k]->renderer.image_size;
+    }
     n = m.renderer.parameter_count;
     pixels = m.network.size * m.network.size;
-    target = (float *)malloc(13 * (size_t)pixels * sizeof(float));
+    target = (float *)malloc(4 * total * sizeof(float)); /* target, picture, weight, alpha */
     answer = image_new(m.network.size, m.network.size, 3);
     if (target == NULL || answer.pixels == NULL) return fail(target_path, "out of memory");
-    picture = target + 3 * pixels;
-    weight = picture + 3 * pixels;
-    alpha = weight + 3 * pixels;
-    counted = alpha + pixels;
+    picture = target + total;
+    weight = picture + total;
+    alpha = weight + total;
     for (i = 0; i < 3 * pixels; ++i) weight[i] = 1;
     problem = mask_path ? read_mask(mask_path, m.network.size, weight) : NULL;
     if (problem) return fail(mask_path, problem);
@@ -253,17 +265,25 @@ int main(int argc, char **argv)
     if (problem) return fail(target_path, problem);
     for (i = 0; i < 3 * pixels && has_alpha; ++i) weight[i] *= alpha[i % pixels];
     if (!mask_path && !has_alpha) weight = NULL;
+    for (k = 1, used = m.renderer.image_size; k < count; used += all[k++]->renderer.image_size) {
+        problem = read_target(view[2 * k + 1], all[k]->network.size, NULL, target + used, alpha, &has_alpha);
+        if (!problem && (has_alpha || weight)) problem = "--view takes pictures without alpha";
+        if (problem) return fail(view[2 * k + 1], problem);
+    }
+    used = 0;
     names = ms_nn_file_metadata(ms_nn_tensors(m.network.nn), "ms_parameters");
     if (start && (problem = materials_read(start, n, &guess)) != NULL) return fail(start, problem);
     for (i = 0; start && i < n; ++i) source[i] = (double)guess.x[i];
     if (start && names == NULL) header_of(start, header, sizeof header);
     if (names == NULL && header[0]) names = header;
     for (i = 0; i < n; ++i) {
-        low[i] = 0;
-        high[i] = 1;
+        low[i] = start && source[i] > change ? (source[i] < 1 ? source[i] : 1) - change : 0; /* the source is clipped to [0, 1] */
+        high[i] = start && source[i] + change < 1 ? (source[i] > 0 ? source[i] : 0) + change : 1;
+        low[i] = low[i] > 0 ? low[i] : 0;
+        high[i] = high[i] < 1 ? high[i] : 1;
         pulls[i] = pull;
     }
-    if ((frozen || pull > 0) && !start) return fail("--freeze and --pull", "need --start, which says where") + 1;
+    if ((frozen || pull > 0 || change < 1) && !start) return fail("--freeze, --pull and --change", "need --start, which says where") + 1;
     if (frozen && !freeze(frozen, names, n, source, low, high)) return fail(frozen, "--freeze takes names or numbers of parameters") + 1;
 
     /* the match */
@@ -280,26 +300,13 @@ int main(int argc, char **argv)
     options.refine.restarts = 1000; /* while cost is left: from the other first guesses, then from random points */
     options.candidates = source;
     options.candidate_count = start != NULL;
-    status = matcher_aim(&m, target, weight, &error);
-    if (status == MS_OK) status = ms_pme_match(&m.renderer, target, weight, &options, x, picture, &result, &error);
-    for (round = 0; round < 5 && robust && status == MS_OK; ++round) { /* weights by what fits badly, and on from there */
-        ms_pme_match_options again = options;
-        ms_pme_match_result better;
-        ms_pme_renderer alone = m.renderer;
-        status = ms_pme_reweigh(MS_PME_TUKEY, 0, m.renderer.image_size, 3, picture, target, weight, counted, NULL, &error);
-        if (status == MS_OK) status = matcher_aim(&m, target, counted, &error);
-        alone.reduced = m.renderer.reduced;
-        alone.reduced_offset = m.renderer.reduced_offset;
-        alone.prediction_count = 0;
-        again.candidates = x;
-        again.candidate_count = 1;
-        again.refine.restarts = 0;
-        if (status == MS_OK) status = ms_pme_match(&alone, target, counted, &again, x, picture, &better, &error);
-        if (status != MS_OK) break;
-        better.cost += result.cost;
-        better.best_candidate = result.best_candidate;
-        better.rmse_initial = result.rmse_initial;
-        result = better;
+    options.deviation = deviation;
+    if (count == 1) {
+        status = matcher_match(&m, target, weight, &options, flags, x, picture, &result, shift, &error);
+    } else {
+        options.channels = 0; /* views have channels of their own */
+        status = matcher_views_aim(&views, all, count, target, NULL, &error);
+        if (status == MS_OK) status = ms_pme_match(&views.renderer, target, NULL, &options, x, picture, &result, &error);
     }
     if (status != MS_OK) return fail(target_path, error.message);
     seconds = now() - seconds;
@@ -319,7 +326,8 @@ int main(int argc, char **argv)
     printf("\n");
     if (options.nuisance)
         printf("gain %.3f %.3f %.3f, offset %.3f %.3f %.3f\n", result.gain[0], result.gain[1], result.gain[2], result.offset[0], result.offset[1], result.offset[2]);
-    print_open(&m, x, result.rmse, names);
+    if (flags & MATCHER_ALIGN) printf("the target lies %.2f pixels right, %.2f down\n", shift[0], shift[1]);
+    print_open(deviation, n, names);
     for (i = 0; i < n && names; ++i) {
         char name[64];
         name_of(names, i, name, sizeof name);
@@ -333,7 +341,7 @@ int main(int argc, char **argv)
     problem = png ? image_write(png, &answer) : NULL;
     if (problem) return fail(png, problem);
     if (file_end_stdout("match")) return 1;
-    matcher_close(&m);
+    for (k = 0; k < count; ++k) matcher_close(all[k]);
     if (start) materials_free(&guess);
     image_free(&answer);
     free(target);

@@ -7,13 +7,15 @@
      ms_pme_match(&m.renderer, target, weight, NULL, x, picture, &result, &error);
      matcher_close(&m);
 
-   Where the renderer ends in a linear layer the objective is collapsed: an evaluation runs the layers before it and a
+   matcher_match does the last two but one for pictures with parts that no material explains, or that slipped; matcher_views
+   stacks several pictures of one material. Where the renderer ends in a linear layer the objective is collapsed: an evaluation runs the layers before it and a
    small triangle, not every pixel. ms_nn.h and ms_pme.h, their implementations too, come first. POSIX, for the names of
    the files in a folder. */
 #ifndef EXAMPLES_MATCHER_H
 #define EXAMPLES_MATCHER_H
 #include "neural.h"
 #include <dirent.h>
+#include <math.h>
 
 enum { matcher_inversions_max = 64 };
 
@@ -28,8 +30,7 @@ typedef struct matcher {
     char name[matcher_inversions_max][64]; /* of their files, without folder and extension */
     ms_nn_collapse *collapse;              /* NULL: pictures are compared as they are */
     int plain;                             /* non-zero: it is made for weights of 1 */
-    const float *target, *weight;          /* of the last aim: the caller's */
-    ms_pme_function reduced;               /* what is left between picture and target, collapsed or not */
+    ms_pme_function reduced;               /* what is left between picture and target, collapsed */
     ms_pme_renderer renderer;
     matcher_block x, small, workspace; /* parameters as floats, the picture that an inversion network takes */
 } matcher;
@@ -75,24 +76,6 @@ static inline ms_status matcher__jacobian(void *user, const double *x, float *pi
     matcher *m = (matcher *)user;
     ms_status status = matcher__room(&m->workspace, ms_nn_workspace_size(m->network.nn, MS_NN_JACOBIAN, 1)); /* more than a collapse needs */
     return status != MS_OK ? status : ms_nn_jacobian(m->network.nn, matcher__floats(m, x), picture, jacobian, m->workspace.data);
-}
-
-/* The pictures' own residuals, where nothing is collapsed: for the sensitivity. */
-static inline ms_status matcher__plain_residuals(void *user, const double *x, double *r, double *jacobian)
-{
-    const matcher *m = (const matcher *)user;
-    size_t i, j, p = m->renderer.image_size, n = (size_t)m->renderer.parameter_count;
-    float *picture = (float *)malloc(p * (jacobian ? n + 1 : 1) * sizeof(float)), *slopes = picture + p;
-    ms_status status = picture == NULL ? MS_OUT_OF_MEMORY
-                       : jacobian      ? matcher__jacobian(user, x, picture, slopes)
-                                       : matcher__render(user, x, picture);
-    for (i = 0; i < p && status == MS_OK; ++i) {
-        double w = m->weight ? sqrt((double)m->weight[i]) : 1;
-        r[i] = w > 0 ? w * ((double)picture[i] - (double)m->target[i]) : 0;
-        for (j = 0; j < n && jacobian; ++j) jacobian[i * n + j] = w * (double)slopes[i * n + j];
-    }
-    free(picture);
-    return status;
 }
 
 static inline ms_status matcher__residuals(void *user, const double *x, double *r, double *jacobian)
@@ -243,8 +226,6 @@ static inline ms_status matcher__collapse(matcher *m, const float *weight, ms_er
     if (status != MS_OK && status != MS_UNSUPPORTED) return status;
     m->reduced.user = m;
     m->reduced.parameter_count = m->renderer.parameter_count;
-    m->reduced.residual_count = m->renderer.image_size;
-    m->reduced.residuals = matcher__plain_residuals;
     if (status != MS_OK) return MS_OK;
     m->reduced.residual_count = ms_nn_collapse_features(m->collapse) + 1;
     m->reduced.residuals = matcher__residuals;
@@ -253,16 +234,251 @@ static inline ms_status matcher__collapse(matcher *m, const float *weight, ms_er
     return matcher__room(&m->workspace, ms_nn_collapse_workspace_size(m->collapse, 1));
 }
 
-/* Once for every target, before ms_pme_match, with the same weights; both stay the caller's and must stay. Where a weight is 0 the target may be anything finite.
+/* Once for every target, before ms_pme_match, with the same weights. Where a weight is 0 the target may be anything finite.
    Other weights than the last time cost a QR factorisation of the last layer. */
 static inline ms_status matcher_aim(matcher *m, const float *target, const float *weight, ms_error *error)
 {
     ms_status status = MS_OK;
-    m->target = target;
-    m->weight = weight;
     if (weight != NULL || !m->plain) status = matcher__collapse(m, weight, error);
     m->plain = status == MS_OK && weight == NULL;
     if (status == MS_OUT_OF_MEMORY) return matcher__fail(error, status, "objective", ms_status_string(status));
     return status == MS_OK && m->collapse ? ms_nn_collapse_target(m->collapse, target, error) : status;
+}
+
+/* --- edits that are not of the material --- */
+
+enum { MATCHER_ROBUST = 1, MATCHER_ALIGN = 2 };
+
+/* Plane value at (x, y) by cubics through the pixels (Keys 1981, a = -1/2), which blur less than lines; outside *inside becomes 0. */
+static inline float matcher__sample(const float *plane, int size, double x, double y, int *inside)
+{
+    int column = (int)floor(x), row = (int)floor(y), i, k;
+    float u = (float)(x - column), v = (float)(y - row), wide[4], high[4], sum = 0;
+    if (x < 0 || y < 0 || x > size - 1 || y > size - 1) return (float)(*inside = 0);
+    for (k = 0; k < 2; ++k) {
+        float t = k ? v : u, *w = k ? high : wide;
+        w[0] = t * (-0.5f + t * (1 - 0.5f * t));
+        w[1] = 1 + t * t * (-2.5f + 1.5f * t);
+        w[2] = t * (0.5f + t * (2 - 1.5f * t));
+        w[3] = t * t * (-0.5f + 0.5f * t);
+    }
+    for (i = 0; i < 4; ++i)
+        for (k = 0; k < 4; ++k) {
+            int r = row - 1 + i, c = column - 1 + k;
+            r = r < 0 ? 0 : r < size ? r : size - 1;
+            c = c < 0 ? 0 : c < size ? c : size - 1;
+            sum += high[i] * wide[k] * plane[r * size + c];
+        }
+    return sum;
+}
+
+/* The weight of the pixel nearest to (x, y) of a plane; 1 for no weights, 0 outside. */
+static inline float matcher__weight(const float *plane, int size, double x, double y)
+{
+    if (x < 0 || y < 0 || x > size - 1 || y > size - 1) return 0;
+    return plane ? plane[(int)(y + 0.5) * size + (int)(x + 0.5)] : 1;
+}
+
+/* target as if it had never slipped by shift, and its weights, 0 where nothing is known. NULL weight: all 1. */
+static inline void matcher__shift(const float *target, const float *weight, int size, const double *shift, float *moved, float *moved_weight)
+{
+    int c, x, y;
+    for (c = 0; c < 3; ++c)
+        for (y = 0; y < size; ++y)
+            for (x = 0; x < size; ++x) {
+                int at = (c * size + y) * size + x, inside = 1;
+                moved[at] = matcher__sample(target + c * size * size, size, x + shift[0], y + shift[1], &inside);
+                moved_weight[at] = matcher__weight(weight ? weight + c * size * size : NULL, size, x + shift[0], y + shift[1]);
+            }
+}
+
+/* Mean square of picture and target moved by shift, and, unless NULL, the step of Gauss and Newton towards less. */
+static inline double matcher__shift_error(const float *picture, const float *target, const float *weight, int size, const double *shift, double *step)
+{
+    double sum = 0, total = 0, xx = 0, xy = 0, yy = 0, ex = 0, ey = 0, det;
+    int c, x, y, jump = step ? 1 : 1 + size / 64;
+    for (c = 0; c < 3; ++c)
+        for (y = 1; y + 1 < size; y += jump)
+            for (x = 1; x + 1 < size; x += jump) {
+                const float *plane = target + c * size * size, *p = picture + (c * size + y) * size + x;
+                int inside = 1;
+                double t = (double)matcher__sample(plane, size, x + shift[0], y + shift[1], &inside), w, e, gx, gy;
+                w = (double)matcher__weight(weight ? weight + c * size * size : NULL, size, x + shift[0], y + shift[1]);
+                e = t - (double)*p;
+                sum += w * e * e;
+                total += w;
+                gx = 0.5 * (double)(p[1] - p[-1]); /* near the answer the picture's slope is the target's, and it has no noise */
+                gy = 0.5 * (double)(p[size] - p[-size]);
+                xx += w * gx * gx;
+                xy += w * gx * gy;
+                yy += w * gy * gy;
+                ex += w * gx * e;
+                ey += w * gy * e;
+            }
+    det = xx * yy - xy * xy;
+    if (step) step[0] = det > 1e-6 * xx * yy ? -(yy * ex - xy * ey) / det : 0;
+    if (step) step[1] = det > 1e-6 * xx * yy ? -(xx * ey - xy * ex) / det : 0;
+    return total > 0 ? sum / total : 1e30;
+}
+
+/* How far the target lies right of the picture and below it: the best whole pixels, up to an eighth of the width, then fractions. */
+static inline void matcher_find_shift(const float *picture, const float *target, const float *weight, int size, double *shift)
+{
+    double least = 1e30, trial[2], step[2], error;
+    int x, y, reach = size / 8, i;
+    for (y = -reach; y <= reach; ++y)
+        for (x = -reach; x <= reach; ++x) {
+            trial[0] = x;
+            trial[1] = y;
+            error = matcher__shift_error(picture, target, weight, size, trial, NULL);
+            if (error < least) {
+                least = error;
+                shift[0] = x;
+                shift[1] = y;
+            }
+        }
+    least = matcher__shift_error(picture, target, weight, size, shift, step);
+    for (i = 0; i < 10 && fabs(step[0]) + fabs(step[1]) > 1e-3; ++i) {
+        double next[2];
+        trial[0] = shift[0] + step[0];
+        trial[1] = shift[1] + step[1];
+        error = matcher__shift_error(picture, target, weight, size, trial, next);
+        if (!(error < least) || fabs(trial[0]) > reach + 1 || fabs(trial[1]) > reach + 1) {
+            step[0] *= 0.5;
+            step[1] *= 0.5;
+            continue;
+        }
+        least = error;
+        memcpy(shift, trial, sizeof trial);
+        memcpy(step, next, sizeof next);
+    }
+}
+
+/* Aims and matches: with MATCHER_ROBUST what fits badly loses its weight (Tukey), with MATCHER_ALIGN the target is moved to where the
+   renderer's pictures lie, in some rounds, each from the last one's answer. picture may not be NULL. shift [2] out: pixels right and down that the target had slipped;
+   may be NULL. The result's RMSE is of what counts in the end. */
+static inline ms_status matcher_match(matcher *m, const float *target, const float *weight, const ms_pme_match_options *options, int flags, double *x,
+                                      float *picture, ms_pme_match_result *result, double *shift, ms_error *error)
+{
+    size_t p = m->renderer.image_size, count = (size_t)m->renderer.parameter_count, i;
+    ms_pme_match_options again = *options;
+    ms_pme_renderer alone;
+    float *moved = flags ? (float *)malloc(3 * p * sizeof(float)) : NULL, *known = moved ? moved + p : NULL, *counted = known;
+    double at[2] = {0, 0}, last[2], cost;
+    int round, n = options->candidate_count;
+    ms_status status = matcher_aim(m, target, weight, error);
+    if (status == MS_OK) status = ms_pme_match(&m->renderer, target, weight, options, x, picture, result, error);
+    if (flags && moved == NULL && status == MS_OK) status = matcher__fail(error, MS_OUT_OF_MEMORY, "match", ms_status_string(MS_OUT_OF_MEMORY));
+    for (round = 0; round < 6 && flags && status == MS_OK; ++round) {
+        double *guesses = (double *)malloc((size_t)(n + 1) * count * sizeof(double));
+        int slipped;
+        memcpy(last, at, sizeof at);
+        if (flags & MATCHER_ALIGN) matcher_find_shift(picture, target, weight, m->network.size, at);
+        slipped = fabs(at[0] - last[0]) + fabs(at[1] - last[1]) > 0.02;
+        if (guesses == NULL || (round > 0 && !(flags & MATCHER_ROBUST) && !slipped)) {
+            free(guesses);
+            break;
+        }
+        matcher__shift(target, weight, m->network.size, at, moved, known);
+        if (flags & MATCHER_ROBUST) status = ms_pme_reweigh(MS_PME_TUKEY, 0, p, 3, picture, moved, known, counted = known + p, NULL, error);
+        if (status == MS_OK) status = matcher_aim(m, moved, counted, error);
+        memcpy(guesses, x, count * sizeof(double)); /* where it slipped far, the other first guesses have another chance */
+        if (n > 0) memcpy(guesses + count, options->candidates, (size_t)n * count * sizeof(double));
+        again.candidates = guesses;
+        again.candidate_count = slipped ? n + 1 : 1;
+        again.refine.restarts = slipped ? options->refine.restarts : 0;
+        alone = m->renderer;
+        if (!slipped) alone.prediction_count = 0;
+        cost = result->cost;
+        if (status == MS_OK) {
+            ms_pme_match_result better;
+            status = ms_pme_match(&alone, moved, counted, &again, x, picture, &better, error);
+            if (status == MS_OK) {
+                better.rmse_initial = result->rmse_initial;
+                better.best_candidate = result->best_candidate;
+                better.cost += cost;
+                *result = better;
+            }
+        }
+        free(guesses);
+    }
+    for (i = 0; i < 2 && shift; ++i) shift[i] = at[i];
+    free(moved);
+    return status;
+}
+
+/* --- several pictures of one material: views, lights, sizes, each by its own renderer --- */
+
+enum { matcher_views_max = 8 };
+
+/* Their pictures follow each other in the target, the weights and the answer; the first one's inversion networks guess.
+     matcher_views v;                    matchers that are open, of equal parameters
+     matcher_views_aim(&v, view, count, target, weight, &error);
+     ms_pme_match(&v.renderer, target, weight, NULL, x, picture, &result, &error); */
+typedef struct matcher_views {
+    matcher *view[matcher_views_max];
+    int count;
+    ms_pme_function reduced;
+    ms_pme_renderer renderer;
+} matcher_views;
+
+static inline ms_status matcher__views_jacobian(void *user, const double *x, float *picture, float *jacobian)
+{
+    const matcher_views *v = (const matcher_views *)user;
+    size_t at = 0, n = (size_t)v->renderer.parameter_count;
+    ms_status status = MS_OK;
+    int i;
+    for (i = 0; i < v->count && status == MS_OK; at += v->view[i++]->renderer.image_size)
+        status = jacobian ? matcher__jacobian(v->view[i], x, picture + at, jacobian + at * n) : matcher__render(v->view[i], x, picture + at);
+    return status;
+}
+
+static inline ms_status matcher__views_render(void *user, const double *x, float *picture) { return matcher__views_jacobian(user, x, picture, NULL); }
+
+static inline ms_status matcher__views_residuals(void *user, const double *x, double *r, double *jacobian)
+{
+    const matcher_views *v = (const matcher_views *)user;
+    size_t at = 0, n = (size_t)v->renderer.parameter_count;
+    ms_status status = MS_OK;
+    int i;
+    for (i = 0; i < v->count && status == MS_OK; at += v->view[i++]->reduced.residual_count)
+        status = matcher__residuals(v->view[i], x, r + at, jacobian ? jacobian + at * n : NULL);
+    return status;
+}
+
+static inline ms_status matcher__views_predict(void *user, int i, const float *target, double *x)
+{
+    return matcher__predict(((matcher_views *)user)->view[0], i, target, x);
+}
+
+static inline ms_status matcher_views_aim(matcher_views *v, matcher *const *view, int count, const float *target, const float *weight, ms_error *error)
+{
+    ms_status status = MS_OK;
+    size_t at = 0;
+    int i, collapsed = 1;
+    memset(v, 0, sizeof *v);
+    if (count < 1 || count > matcher_views_max) return matcher__fail(error, MS_INVALID_ARGUMENT, "views", "from 1 to 8");
+    for (i = 0; i < count && status == MS_OK; at += view[i++]->renderer.image_size) {
+        if (view[i]->renderer.parameter_count != view[0]->renderer.parameter_count)
+            return matcher__fail(error, MS_INVALID_ARGUMENT, "views", "renderers of other parameters");
+        v->view[i] = view[i];
+        status = matcher_aim(view[i], target + at, weight ? weight + at : NULL, error);
+        collapsed = collapsed && view[i]->renderer.reduced != NULL;
+        v->reduced.residual_count += view[i]->reduced.residual_count;
+        v->reduced.jacobian_cost = view[i]->reduced.jacobian_cost;
+    }
+    v->count = count;
+    v->reduced.user = v->renderer.user = v;
+    v->reduced.parameter_count = v->renderer.parameter_count = view[0]->renderer.parameter_count;
+    v->reduced.residuals = matcher__views_residuals;
+    v->renderer.lower = view[0]->renderer.lower;
+    v->renderer.upper = view[0]->renderer.upper;
+    v->renderer.image_size = at;
+    v->renderer.render = matcher__views_render;
+    v->renderer.jacobian = matcher__views_jacobian;
+    v->renderer.prediction_count = view[0]->renderer.prediction_count;
+    v->renderer.predict = matcher__views_predict;
+    if (collapsed) v->renderer.reduced = &v->reduced;
+    return status;
 }
 #endif

@@ -177,6 +177,66 @@ static void test_names(void)
     image_free(&im);
 }
 
+/* Frames of a sequence change by no more than asked; two views of one material count both; a picture that slipped is put back. */
+static void test_sequences_and_views(void)
+{
+    image im = picture(3, 1), large;
+    double x[N], start[N], alone[N];
+    char row[900] = "", *at;
+    int i, k;
+    if (!have_tool()) SKIP("build/match is not there; make builds it");
+    for (i = 0; i < N; ++i) {
+        start[i] = i == 0 ? 0.02 : i == 1 ? 0.97 : 0.5;
+        snprintf(row + strlen(row), sizeof row - strlen(row), "%s%g", i ? "," : "", start[i]);
+    }
+    snprintf(row + strlen(row), sizeof row - strlen(row), "\n");
+    image_save(FOLDER "last.csv", row, strlen(row));
+    image_write(FOLDER "a.ppm", &im);
+    CHECK(answer(FOLDER "a.ppm --start " FOLDER "last.csv --change 0.05", x) > 0);
+    for (i = k = 0; i < N; ++i) {
+        CHECK(x[i] >= 0 && x[i] <= 1 && fabs(x[i] - start[i]) <= 0.05 + 1e-6);
+        k += fabs(x[i] - start[i]) > 0.0499;
+    }
+    CHECK(k > 5); /* another picture: it goes as far as it may */
+    CHECK(strstr(said, "standard deviations: ") != NULL);
+    CHECK(answer(FOLDER "a.ppm --start " FOLDER "last.csv --change 0", x) > 0);
+    for (i = 0; i < N; ++i) CHECK_NEAR(x[i], start[i], 1e-6);
+    CHECK_INT(run(FOLDER "a.ppm --change 0.1"), 2);
+    CHECK_INT(run(FOLDER "a.ppm --start " FOLDER "last.csv --change -1"), 2);
+    /* the picture twice is the picture once; with another one beside it is neither */
+    answer(FOLDER "a.ppm --cost 400", alone);
+    CHECK(answer(FOLDER "a.ppm --cost 400 --view " NET " " FOLDER "a.ppm", x) > 0);
+    CHECK(fabs(strtod(strstr(said, "match: RMSE ") + 12, NULL)) > 0);
+    for (i = 0; i < N; ++i) CHECK_NEAR(x[i], alone[i], 1e-3);
+    for (i = 0; i < 3 * S * S; ++i) im.pixels[i] = 1 - im.pixels[i];
+    image_write(FOLDER "other.ppm", &im);
+    answer(FOLDER "a.ppm --cost 400 --view " NET " " FOLDER "other.ppm", x);
+    for (i = k = 0; i < N; ++i) k += fabs(x[i] - alone[i]) > 0.01;
+    CHECK(k > 2);
+    CHECK_INT(run(FOLDER "a.ppm --robust --view " NET " " FOLDER "other.ppm"), 2);
+    CHECK_INT(run(FOLDER "a.ppm --view " NET), 2);
+    CHECK(run(FOLDER "a.ppm --view tests/data/nn/act_elu.safetensors " FOLDER "other.ppm") == 1);
+    image_free(&im);
+    /* held-out material 0 of the sheet, two pixels off, by the shipped network */
+    if (image_read("examples/data/materials.ppm", &large) == NULL && edit_tile(&large, 0, 64, &im) == NULL) {
+        double straight, slipped, aligned;
+        net = "examples/data/renderer_64.safetensors";
+        image_write(FOLDER "straight.ppm", &im);
+        edit__frame(&im, 1, 2, -1);
+        image_write(FOLDER "slipped.ppm", &im);
+        straight = answer(FOLDER "straight.ppm --inversion examples/data", x);
+        slipped = answer(FOLDER "slipped.ppm --inversion examples/data", x);
+        aligned = answer(FOLDER "slipped.ppm --inversion examples/data --align", x);
+        net = NET;
+        at = strstr(said, "the target lies ");
+        CHECK(at != NULL && fabs(strtod(at + 16, &at) + 2) < 0.1 && fabs(strtod(at + 14, NULL) - 1) < 0.1);
+        CHECK(slipped > 2 * straight);
+        CHECK_LE(aligned, 1.2 * straight); /* less its border: another mean of the same errors */
+        image_free(&im);
+        image_free(&large);
+    }
+}
+
 /* A brighter picture with a coloured cast: --tint finds both and leaves a closer picture; frozen parameters stay, pulled ones hardly move. */
 static void test_edits(void)
 {
@@ -285,5 +345,6 @@ static void test_mistakes(void)
     image_free(&bad);
 }
 
-static const test_case cases[] = {{"formats and sizes", test_formats}, {"masks", test_masks}, {"names", test_names}, {"edits", test_edits}, {"logo", test_logo}, {"mistakes", test_mistakes}};
+static const test_case cases[] = {{"formats and sizes", test_formats}, {"masks", test_masks}, {"names", test_names}, {"edits", test_edits}, {"sequences and views", test_sequences_and_views},
+                                  {"logo", test_logo}, {"mistakes", test_mistakes}};
 TEST_MAIN(cases)

@@ -1709,6 +1709,8 @@ static void test_reweigh(void)
     CHECK_INT(error.position, 3);
     CHECK_INT(ms_pme_reweigh(3, 0, COUNT, 3, image, target, weight, out, NULL, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_pme_reweigh(1, 0, COUNT, 2, image, target, weight, out, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_pme_reweigh(1, 0, COUNT, 3, image, target, weight, weight, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "memory of its own") != NULL);
     CHECK_INT(ms_pme_reweigh(1, 0, COUNT, 3, NULL, target, weight, out, NULL, &error), MS_INVALID_ARGUMENT);
 }
 

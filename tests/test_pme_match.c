@@ -402,6 +402,126 @@ static void test_shipped(void)
     image_free(&sheet);
 }
 
+/* --- edits that are not of the material, by the shipped networks --- */
+
+/* Root mean square over the parameters. */
+static double apart(const double *x, const double *y, int n)
+{
+    double sum = 0;
+    int j;
+    for (j = 0; j < n; ++j) sum += (x[j] - y[j]) * (x[j] - y[j]);
+    return sqrt(sum / n);
+}
+
+static double distance(const float *a, const float *b, int count)
+{
+    double sum = 0;
+    int i;
+    for (i = 0; i < count; ++i) sum += ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]);
+    return sqrt(sum / count);
+}
+
+/* A picture by the network that slipped by fractions of a pixel, another with a logo, one with both: the material comes back, and how far
+   it slipped. */
+static void test_slipped_and_stamped(void)
+{
+    static const double slips[4][2] = {{2, -1}, {-3, 5}, {-3.4, 2.7}, {0.3, 0.4}};
+    static matcher m;
+    static float target[3 * 64 * 64], picture[3 * 64 * 64], drawn[3 * 64 * 64];
+    materials held_out;
+    ms_error error;
+    int k, j;
+    double worst = 0, furthest = 0;
+    if (materials_read("examples/data/materials.csv", 19, &held_out)) SKIP("examples/data/materials.csv is not there");
+    if (matcher_open(&m, "examples/data/renderer_64.safetensors", &error) != MS_OK) SKIP("%.190s", error.message);
+    if (matcher_add_inversions(&m, "examples/data", &error) != MS_OK) SKIP("%.190s", error.message);
+    for (k = 0; k < 5; ++k) {
+        ms_pme_match_options options = ms_pme_match_defaults();
+        ms_pme_match_result result;
+        image im = image_new(64, 64, 3);
+        double truth[19], x[19], plain[19], shift[2], before, after;
+        int flags = (k < 4 ? MATCHER_ALIGN : 0) | (k == 0 || k == 4 ? MATCHER_ROBUST : 0);
+        for (j = 0; j < 19; ++j) truth[j] = (double)held_out.x[19 * (5 * k + 2) + j];
+        CHECK_INT(m.renderer.render(&m, truth, picture), MS_OK);
+        neural_paste(picture, 64, &im, 0, 0);
+        if (k < 4) edit__frame(&im, 1, (float)-slips[k][0], (float)-slips[k][1]);
+        if (flags & MATCHER_ROBUST) edit_logo(&im, NULL, 0.12f);
+        neural_planes(&im, target);
+        options.refine.max_cost = 300;
+        options.refine.restarts = 1000;
+        CHECK_INT(m.renderer.render(&m, truth, drawn), MS_OK);
+        CHECK_INT(matcher_match(&m, target, NULL, &options, 0, plain, picture, &result, NULL, &error), MS_OK);
+        before = distance(picture, drawn, 3 * 64 * 64);
+        error.message[0] = 0;
+        if (matcher_match(&m, target, NULL, &options, flags, x, picture, &result, shift, &error) != MS_OK) TEST_FAIL("case %d: %s", k, error.message);
+        after = distance(picture, drawn, 3 * 64 * 64);
+        /* fractions of a pixel blur the picture when it slips, and the material follows that: half of what a slip of four pixels costs
+           is left; less than a pixel costs no more than its blur */
+        if (!(after <= before * (k == 2 ? 0.5 : k == 3 ? 1.1 : 0.1))) TEST_FAIL("case %d: %.5f from the picture, %.5f without", k, after, before);
+        if (k < 2 || k == 4) CHECK_LE(apart(x, truth, 19), 0.5 * apart(plain, truth, 19)); /* what the border hid moves what hardly shows */
+        worst = fmax(worst, after / before);
+        for (j = 0; j < 2 && k < 4; ++j) {
+            CHECK_NEAR(shift[j], slips[k][j], 0.1);
+            furthest = fmax(furthest, fabs(shift[j] - slips[k][j]));
+        }
+        image_free(&im);
+    }
+    TEST_NOTE("from the picture at most %.3f of the plain match, shift %.3f pixels off", worst, furthest);
+    matcher_close(&m);
+    materials_free(&held_out);
+}
+
+/* Two pictures of a material in one objective: the collapsed one and that of the pictures themselves have the same minimum, which is
+   nearer to both than the other's own; and together they determine no parameter worse than one. */
+static void test_views(void)
+{
+    static const char *const other = FOLDER "view.safetensors";
+    static matcher m[2];
+    static float target[3 * 16 * 16 + 3 * 8 * 8], picture[3 * 16 * 16 + 3 * 8 * 8], weight[3 * 16 * 16 + 3 * 8 * 8];
+    matcher *view[2];
+    matcher_views v;
+    network n;
+    ms_error error;
+    double x[3][6], deviation[3][6];
+    int k, j;
+    size_t i, p[2];
+    memset(&n, 0, sizeof n);
+    dense(&n, 11, 6, 20, 2, "tanh");
+    dense(&n, 12, 20, 3 * 8 * 8, 1, "linear");
+    save(&n, other, "[6]");
+    CHECK_INT(matcher_open(&m[0], renderer(6, 16, 20, "linear"), &error), MS_OK);
+    CHECK_INT(matcher_open(&m[1], other, &error), MS_OK);
+    for (k = 0; k < 2; ++k) {
+        view[k] = &m[k];
+        p[k] = m[k].renderer.image_size;
+        make_target(&m[k], 0.1f, target + (k ? p[0] : 0));
+    }
+    for (i = 0; i < p[0] + p[1]; ++i) weight[i] = (float)(1 + i % 3);
+    for (k = 0; k < 3; ++k) { /* both, both by their pictures, the first alone */
+        ms_pme_match_options options = ms_pme_match_defaults();
+        ms_pme_match_result result;
+        options.refine.max_cost = 3000;
+        options.deviation = deviation[k];
+        CHECK_INT(matcher_views_aim(&v, view, k == 2 ? 1 : 2, target, weight, &error), MS_OK);
+        CHECK_INT(v.renderer.reduced != NULL, 1);
+        if (k == 1) v.renderer.reduced = NULL;
+        for (i = 0; i < 2 && k == 1; ++i) CHECK_INT(matcher__room(&m[i].workspace, ms_nn_workspace_size(m[i].network.nn, MS_NN_JACOBIAN, 1)), MS_OK);
+        CHECK_INT(ms_pme_match(&v.renderer, target, weight, &options, x[k], picture, &result, &error), MS_OK);
+        CHECK_INT(v.renderer.image_size, k == 2 ? p[0] : p[0] + p[1]);
+    }
+    for (j = 0; j < 6; ++j) {
+        CHECK_NEAR(x[0][j], x[1][j], 1e-4); /* as free as the rounding of pictures in floats leaves it */
+        CHECK_NEAR(deviation[0][j], deviation[1][j], 1e-3 * deviation[1][j]);
+    }
+    CHECK(apart(x[0], x[2], 6) > 1e-4); /* the second one counts */
+    CHECK_INT(matcher_views_aim(&v, view, 9, target, NULL, &error), MS_INVALID_ARGUMENT);
+    matcher_close(&m[1]);
+    CHECK_INT(matcher_open(&m[1], renderer(5, 16, 20, "linear"), &error), MS_OK);
+    CHECK_INT(matcher_views_aim(&v, view, 2, target, NULL, &error), MS_INVALID_ARGUMENT);
+    matcher_close(&m[0]);
+    matcher_close(&m[1]);
+}
+
 static const test_case cases[] = {{"collapsed or not: the same minimum", test_same_minimum},
                                   {"shared channels", test_shared},
                                   {"a last layer that is not linear", test_not_linear},
@@ -409,5 +529,7 @@ static const test_case cases[] = {{"collapsed or not: the same minimum", test_sa
                                   {"recovery", test_recovery},
                                   {"inversion networks", test_inversion},
                                   {"edits", test_edits},
+                                  {"views", test_views},
+                                  {"slipped and stamped", test_slipped_and_stamped},
                                   {"shipped networks", test_shipped}};
 TEST_MAIN(cases)
