@@ -518,6 +518,18 @@ MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int hal
 MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half);
 MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half);
 
+/* How a picture is filtered: what it costs against what it costs in error. */
+typedef enum ms_sss_method {
+    MS_SSS_METHOD_AUTO = 0,   /* half resolution where `budget` allows it, else taps; the pyramid, if there is one, where those would show
+                                 bands: 7 taps beyond a 99% radius of 24 pixels at the nearest depth, 11 beyond 48, 25 beyond 70; at
+                                 half resolution beyond twice that */
+    MS_SSS_METHOD_TAPS = 1,   /* two passes a term at full resolution */
+    MS_SSS_METHOD_HALF = 2,   /* the same on pixels of twice the size; what they change goes back to each pixel from those of its surface */
+    MS_SSS_METHOD_PYRAMID = 3 /* ms_sss_pyramid_filter */
+} ms_sss_method;
+
+struct ms_sss_pyramid;
+
 /* What is filtered. The input is light that entered the surface, linear, before the albedo unless the albedo is baked
    in; it must not hold specular reflection, which never went below the surface. */
 typedef struct ms_sss_frame {
@@ -534,6 +546,7 @@ typedef struct ms_sss_frame {
                                 rows grow, z towards the camera; none: from depth, see `flat` */
     ms_sss_image through;    /* optional RGB: light that comes through thin parts (ms_sss_transmission, summed over the lamps); the output is the
                                 larger of both, before albedo and specular */
+    ms_sss_method *taken;    /* optional [kernel_count], written: the method that each kernel in use was filtered by */
 } ms_sss_frame;
 
 /* How a tap whose surface lies dz in front of or behind the pixel counts. */
@@ -572,12 +585,17 @@ typedef struct ms_sss_filter_options {
     float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                                 1: not at all, as if every pixel faced the camera; between: slopes are that much less */
     int exact;               /* depth weights, 0: (1 - (dz / (3.0746 sigma))^2)^4; 1: the Gaussian, for comparisons */
+    ms_sss_method method;
+    float budget;            /* AUTO: root mean square that half resolution may differ by from taps, over the picture's standard deviation
+                                (0.03 + 0.35 / radius in pixels on pictures with edges); 0: nothing, so never half */
+    const struct ms_sss_pyramid *pyramids; /* [kernel_count], of the kernels' profiles; NULL: none */
 } ms_sss_filter_options;
 
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
-/* Bytes that ms_sss_filter needs for frames of this size: about 45 a pixel (flat 1: 25), 12 more with kernels of several terms,
-   flat 1 with rotation or jitter. Depends on width, height, kernels and options only; SIZE_MAX: more than this machine can address. */
+/* Bytes that ms_sss_filter needs for frames of this size: about 45 a pixel (flat 1: 25; half resolution: 25), 12 more with kernels
+   of several terms, flat 1 with rotation or jitter; with pyramids at least 52. Depends on width, height, kernels and options only;
+   SIZE_MAX: more than this machine can address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                           const ms_sss_filter_options *options);
 
@@ -602,6 +620,9 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
      flat 1, a constant stays constant within 1e-6 and what the rounding of depth does to slopes. A kernel whose terms have weights of both signs gives what is missing to the pixel's own colour instead.
    - Where the kernel's radius is under half a pixel, and where strength is 0, the input is returned bit for bit (without
      albedo and specular). A radius above the larger side of the picture is reduced to it.
+   - Half resolution: a pixel keeps the share of its own light that it keeps at full resolution, so that detail stays; the rest
+     comes from the up to four larger pixels around that lie near it in depth, and none leaves it as it is.
+   - Pyramids: MS_UNSUPPORTED with what ms_sss_pyramid_filter does not take, but for frame->profile; AUTO then takes none.
    - Depth edges wider than 3.1 sigma, flat 1: than the kernel's radius, let nothing through; beside a slope that is counted
      against its continuation.
    Bit-equal for any thread count at one level; across levels within 2e-6 of the largest input near the pixel.
@@ -3562,13 +3583,23 @@ typedef struct ms_sss__sweep {
     ptrdiff_t plan_row, window_stride;
     int *slot;         /* of each row in the ring; 0: nothing takes part */
     const float **row; /* the same as pointers, from MARGIN rows above the picture on */
-    float *least;      /* of each task, the least depth */
 } ms_sss__sweep;
 
 /* A row of a pyramid level, even and odd columns apart: colour, d, share, changes of d. */
 typedef struct ms_sss__split {
     const float *plane[2][7];
 } ms_sss__split;
+
+/* What a pixel keeps of its own light, and which pixels are its neighbours, where a kernel works at half resolution. */
+typedef struct ms_sss__halving {
+    const ms_sss_kernel *kernel;
+    int perspective;
+    float size, size_max, size_min, aspect[2]; /* as in ms_sss__pass, in pixels of the picture */
+    float apart;    /* size from which on the centre alone stands within a pixel of itself: the share is then */
+    float share[3];
+    float within;   /* 1 / dz from which on nothing counts */
+    float scale;    /* of depths of the scene */
+} ms_sss__halving;
 
 #define MS_SSS__GATHER 3.0625f /* square of the radius of a gather, in pixels of the level that it reads: 1.75^2 */
 
@@ -3623,6 +3654,10 @@ typedef struct ms_sss__kernels {
                   float *const out[3]);
     void (*invert)(const ms_sss__growth *s, const float *depth, int count, float *d);
     void (*split)(const float *from, int count, float *even, float *odd);
+    int (*halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit, int count, float *const out[4]);
+    void (*soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3], const float *depth, int count, float *const out[4]);
+    void (*refine)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4], int odd, int stream, int count,
+                   float *const out[3]);
 } ms_sss__kernels;
 
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
@@ -3898,6 +3933,9 @@ typedef struct ms_sss__job {
     const ms_sss_kernel *kernel; /* of the profile at hand */
     int profile, kernel_count, term;
     int block, padded; /* padded: width in whole blocks */
+    int full_width, full_height; /* of the picture whose pixels are `coarse` times smaller: its own, unless this is the half of one */
+    float coarse;
+    int rough;            /* its depth is binary16 */
     int begin, end, band; /* rows of the run at hand, rows a task */
     int ring;             /* rows of the planes between the passes; row y lies at y % ring */
     int fixed, turned, shaped, idle; /* idle: a kernel under half a pixel */
@@ -3917,6 +3955,7 @@ typedef struct ms_sss__job {
     float direction[64][2];
     float *planes;        /* the first */
     int plane_count, stale; /* stale: the empty rows around the planes were written over */
+    float nearest, least[MS_SSS__TASKS]; /* the picture's least depth, 0: not known; of each task's rows */
     unsigned char *sweep; /* workspace of a sweep */
 } ms_sss__job;
 
@@ -4027,7 +4066,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
     memcpy(depth - MS_SSS__LEFT, before - MS_SSS__LEFT, (size_t)MS_SSS__LEFT * sizeof(float));
     memcpy(depth + job->padded, before + job->padded, (size_t)MS_SSS__RIGHT * sizeof(float));
     if (job->idle) {
-        memcpy(depth, job->depth - job->stride, (size_t)job->padded * sizeof(float));
+        for (x = 0; x < job->padded; ++x) depth[x] = INFINITY;
         last = 0;
     } else if (f->profile) {
         const uint8_t *profile = f->profile + y * f->profile_row_stride;
@@ -4177,49 +4216,26 @@ static void ms_sss__first_pass(void *context, int task)
     }
 }
 
-/* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E,
-   fades, multiplies by the albedo, adds the specular light, and writes the pixels that take part. tiny: a pixel whose
-   kernel is under half a pixel may have been changed. */
-static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], const float *depth, int tiny)
+/* What is left to do for columns [x, x + count) of row y once blur holds the filtered light: fades it to own (NULL: there is
+   nothing to fade), multiplies by the albedo, adds the specular light, and writes the pixels that take part. */
+static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], const float *const *own, const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
-    const ms_sss_kernel *k = job->kernel;
-    float *in_buffer[3], *own_buffer[3], *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
-    const float *in[3], *albedo[3], *specular[3], *strength = NULL, *const *factor, *result[3];
-    const int last_term = job->term + 1 == k->term_count;
-    int c, i, need_own = tiny || job->gain < 1.0f || !job->whole[y];
+    float *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
+    const float *albedo[3], *specular[3], *strength = NULL, *const *factor, *result[3];
+    int c, i;
     int solid_first = job->solid_first[y] > x ? job->solid_first[y] - x : 0;
     int solid_last = job->solid_last[y] < x + count ? job->solid_last[y] - x : count;
     for (c = 0; c < 3; ++c) {
-        const float scale = k->scale[job->term][c];
-        float *sum = k->term_count > 1 ? job->sum[c] + (ptrdiff_t)y * job->stride + x : blur[c];
         result[c] = blur[c];
-        in_buffer[c] = ms_sss__buffer(job, task, 3 + c);
-        own_buffer[c] = ms_sss__buffer(job, task, 6 + c);
         albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
         specular_buffer[c] = ms_sss__buffer(job, task, 13 + c);
-        if (job->term > 0) job->simd->combine(scale, blur[c], 1.0f, sum, count, last_term ? blur[c] : sum);
-        else if (!last_term || ms_sss__differ(scale, 1.0f)) job->simd->combine(scale, blur[c], 0.0f, blur[c], count, sum);
-        if (ms_sss__differ(k->delta[c], 0.0f) || ms_sss__differ(scale, 1.0f) || ms_sss__differ(job->pass.total[c], 1.0f))
-            need_own = 1;
     }
-    if (!last_term) return;
-    if (need_own) {
-        ms_sss__load(&f->input, 3, f->width, y, x, count, in_buffer, in);
-        factor = ms_sss__albedo(job, 0, y, x, count, albedo_buffer, albedo);
-        if (!job->whole[y]) {
-            strength_buffer[0] = ms_sss__buffer(job, task, 12);
-            ms_sss__load(&f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
-        }
-        for (c = 0; c < 3; ++c) {
-            if (factor) {
-                for (i = 0; i < count; ++i) own_buffer[c][i] = in[c][i] * factor[c][i];
-                in[c] = own_buffer[c];
-            }
-            if (ms_sss__differ(k->delta[c], 0.0f)) job->simd->combine(k->delta[c], in[c], 1.0f, blur[c], count, blur[c]);
-            job->simd->fade(&job->pass, strength, job->gain, depth, in[c], count, blur[c]);
-        }
+    if (own && !job->whole[y]) {
+        strength_buffer[0] = ms_sss__buffer(job, task, 12);
+        ms_sss__load(&f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
     }
+    for (c = 0; c < 3 && own; ++c) job->simd->fade(&job->pass, strength, job->gain, depth, own[c], count, blur[c]);
     if (f->through.channel[0]) {
         ms_sss__load(&f->through, 3, f->width, y, x, count, specular_buffer, specular);
         for (c = 0; c < 3; ++c)
@@ -4237,6 +4253,42 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
     ms_sss__store(&f->output, f->width, y, x, 0, solid_first, result, depth);
     ms_sss__store(&f->output, f->width, y, x, solid_first, solid_last, result, NULL);
     ms_sss__store(&f->output, f->width, y, x, solid_last, count, result, depth);
+}
+
+/* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E and
+   composes. tiny: a pixel whose kernel is under half a pixel may have been changed. */
+static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], const float *depth, int tiny)
+{
+    const ms_sss_frame *f = &job->frame;
+    const ms_sss_kernel *k = job->kernel;
+    float *in_buffer[3], *own_buffer[3], *albedo_buffer[3];
+    const float *in[3], *albedo[3], *const *factor;
+    const int last_term = job->term + 1 == k->term_count;
+    int c, i, need_own = tiny || job->gain < 1.0f || !job->whole[y];
+    for (c = 0; c < 3; ++c) {
+        const float scale = k->scale[job->term][c];
+        float *sum = k->term_count > 1 ? job->sum[c] + (ptrdiff_t)y * job->stride + x : blur[c];
+        in_buffer[c] = ms_sss__buffer(job, task, 3 + c);
+        own_buffer[c] = ms_sss__buffer(job, task, 6 + c);
+        albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
+        if (job->term > 0) job->simd->combine(scale, blur[c], 1.0f, sum, count, last_term ? blur[c] : sum);
+        else if (!last_term || ms_sss__differ(scale, 1.0f)) job->simd->combine(scale, blur[c], 0.0f, blur[c], count, sum);
+        if (ms_sss__differ(k->delta[c], 0.0f) || ms_sss__differ(scale, 1.0f) || ms_sss__differ(job->pass.total[c], 1.0f))
+            need_own = 1;
+    }
+    if (!last_term) return;
+    if (need_own) {
+        ms_sss__load(&f->input, 3, f->width, y, x, count, in_buffer, in);
+        factor = ms_sss__albedo(job, 0, y, x, count, albedo_buffer, albedo);
+        for (c = 0; c < 3; ++c) {
+            if (factor) {
+                for (i = 0; i < count; ++i) own_buffer[c][i] = in[c][i] * factor[c][i];
+                in[c] = own_buffer[c];
+            }
+            if (ms_sss__differ(k->delta[c], 0.0f)) job->simd->combine(k->delta[c], in[c], 1.0f, blur[c], count, blur[c]);
+        }
+    }
+    ms_sss__compose(job, task, y, x, count, blur, need_own ? in : NULL, depth);
 }
 
 /* Fixed taps along y for columns [x, x + count) of row y, of which not all taps need to be inside or take part. */
@@ -4341,6 +4393,47 @@ static void ms_sss__prepare_band(void *context, int task)
         }
         ms_sss__prepare(job, y, task, colour, job->depth + (ptrdiff_t)y * job->stride);
     }
+}
+
+/* The least depth in a band of rows. */
+static void ms_sss__least_band(void *context, int task)
+{
+    ms_sss__job *job = (ms_sss__job *)context;
+    const int begin = job->begin + task * job->band, width = job->frame.width;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    float *buffer[1], least = MS_SSS__AWAY;
+    const float *depth;
+    int y;
+    buffer[0] = ms_sss__buffer(job, task, 0);
+    for (y = begin; y < end; ++y) {
+        float row;
+        ms_sss__load(&job->frame.depth, 1, width, y, 0, width, buffer, &depth);
+        row = job->simd->least(depth, width);
+        if (row < least) least = row;
+    }
+    job->least[task] = least;
+}
+
+/* One pass for rows [begin, end), cut into bands by the picture alone. */
+static void ms_sss__run(ms_sss__job *job, int begin, int end, void (*pass)(void *context, int task))
+{
+    const int rows = (end - begin + MS_SSS__TASKS - 1) / MS_SSS__TASKS;
+    if (begin >= end) return;
+    job->begin = begin;
+    job->end = end;
+    job->band = rows < 8 ? 8 : rows;
+    ms_sss__share(&job->options.parallel, (end - begin + job->band - 1) / job->band, pass, job);
+}
+
+static void ms_sss__find_nearest(ms_sss__job *job)
+{
+    int i;
+    if (job->nearest > 0) return;
+    for (i = 0; i < (int)MS_SSS__TASKS; ++i) job->least[i] = MS_SSS__AWAY;
+    ms_sss__run(job, 0, job->frame.height, ms_sss__least_band);
+    job->nearest = MS_SSS__AWAY;
+    for (i = 0; i < (int)MS_SSS__TASKS; ++i)
+        if (job->least[i] < job->nearest) job->nearest = job->least[i];
 }
 
 /* --- the sweep --- */
@@ -4490,25 +4583,6 @@ static void ms_sss__sweep_rest(void *context, int task)
     }
 }
 
-/* The least depth in a band of rows. */
-static void ms_sss__sweep_least(void *context, int task)
-{
-    ms_sss__sweep *s = (ms_sss__sweep *)context;
-    const ms_sss__job *job = s->job;
-    const int width = job->frame.width, end = task + 1 < s->bands ? (task + 1) * s->band : job->frame.height;
-    float *buffer[1];
-    const float *depth;
-    int y;
-    buffer[0] = ms_sss__buffer(job, task, 0);
-    s->least[task] = MS_SSS__AWAY;
-    for (y = task * s->band; y < end; ++y) {
-        float least;
-        ms_sss__load(&job->frame.depth, 1, width, y, 0, width, buffer, &depth);
-        least = job->simd->least(depth, width);
-        if (least < s->least[task]) s->least[task] = least;
-    }
-}
-
 static void ms_sss__splat(float to[16], double value)
 {
     int i;
@@ -4558,8 +4632,6 @@ static int ms_sss__swept(ms_sss__job *job)
 
     s.plan_row = (ptrdiff_t)(s.padded / s.lanes) * s.plan_size;
     s.window_stride = s.padded + 2 * MS_SSS__MARGIN;
-    s.least = (float *)(void *)at;
-    at += 64;
     s.row = (const float **)(void *)at + MS_SSS__MARGIN;
     at += (size_t)(height + 2 * MS_SSS__MARGIN) * sizeof(float *);
     s.slot = (int *)(void *)at;
@@ -4573,10 +4645,8 @@ static int ms_sss__swept(ms_sss__job *job)
     for (c = 0, across = 0; c < 2; ++c)
         for (i = 0; i < s.pairs; ++i) across = (double)s.offset[c][i][0] > across ? (double)s.offset[c][i][0] : across;
     if (p->perspective) {
-        float least = MS_SSS__AWAY;
-        ms_sss__share(&job->options.parallel, s.bands, ms_sss__sweep_least, &s);
-        for (i = 0; i < s.bands; ++i) least = s.least[i] < least ? s.least[i] : least;
-        size /= (double)(least * job->depth_scale);
+        ms_sss__find_nearest(job);
+        size /= (double)(job->nearest * job->depth_scale);
         if (size > (double)p->size_max) size = (double)p->size_max;
     }
     if (s.shaped) /* a plane that leans towards the ray is seen enlarged */
@@ -4631,8 +4701,9 @@ typedef struct ms_sss__layout {
 /* Slopes count, if there is depth. */
 static int ms_sss__may_shape(const ms_sss_filter_options *o) { return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE; }
 
+/* bare: without planes and sweep. */
 static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                   const ms_sss_filter_options *options)
+                                   const ms_sss_filter_options *options, int bare)
 {
     ms_sss__layout l;
     size_t floats, ints;
@@ -4647,6 +4718,7 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     if (ms_sss__differ(options->rotation, 0) || options->jitter > 0 || ms_sss__may_shape(options)) l.planes += 3;
     if (ms_sss__may_shape(options)) l.planes += 2;
     if (terms > 1) l.planes += 3;
+    if (bare) l.planes = 0;
     floats = ms__size_mul(l.plane, (size_t)l.planes);
     floats = ms__size_add(floats, ms__size_mul(l.stride, (size_t)MS_SSS__TASKS * MS_SSS__ROWS + 1));
     ints = (size_t)height * 5;
@@ -4655,6 +4727,7 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     l.sweep = ms__size_add(ms__size_mul((size_t)height + 1, l.row),
                            ((size_t)height + 2 * MS_SSS__MARGIN) * (sizeof(float *) + sizeof(int)) +
                                MS_SSS__TASKS * ((20 * l.window + 5 * (size_t)l.padded + 1) * sizeof(float) + l.row) + 256);
+    if (bare) l.sweep = 0;
     l.total = ms__size_add(ms__size_add(ms__size_mul(floats, sizeof(float)), ints * sizeof(int)), ms__size_add(l.sweep, 64));
     return l;
 }
@@ -4773,6 +4846,9 @@ static ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error 
     if (!(o->flat >= 0 && o->flat <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "flat %g is not within [0, 1]", (double)o->flat);
     if (!(o->jitter >= 0 && o->jitter <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "jitter %g is not within [0, 1]", (double)o->jitter);
     if (!ms__finite_f(o->rotation)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rotation is not finite");
+    if (!(o->budget >= 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "budget %g is negative", (double)o->budget);
+    if ((int)o->method < 0 || (int)o->method > (int)MS_SSS_METHOD_PYRAMID)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method %d is unknown", (int)o->method);
     if ((int)o->depth_mode < 0 || (int)o->depth_mode > (int)MS_SSS_DEPTH_SCALE)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth_mode %d is unknown", (int)o->depth_mode);
     if ((int)o->albedo_mode < 0 || (int)o->albedo_mode > (int)MS_SSS_ALBEDO_BOTH)
@@ -4784,8 +4860,9 @@ static ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error 
 static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int profile)
 {
     const ms_sss_filter_options *o = &job->options;
-    const int width = job->frame.width, height = job->frame.height, side = width > height ? width : height;
-    const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1, radius = (double)k->radius_mm;
+    const int width = job->full_width, height = job->full_height;
+    const double side = (double)(width > height ? width : height) / (double)job->coarse, radius = (double)k->radius_mm;
+    const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
     double size, widest, kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: differences so small that they count as none */
     ms_sss__pass *p = &job->pass;
     int c;
@@ -4800,6 +4877,7 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
         else size = height / ((double)o->ortho_height * mm);
         if (o->uv_steps) p->aspect[0] = (float)width / (float)height;
     }
+    size /= (double)job->coarse;
     p->perspective = o->fov_degrees > 0;
     p->follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
     p->exact = o->exact;
@@ -4827,10 +4905,10 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     p->focal[0] = (float)(p->perspective ? size * mm : size * mm / kappa);
     p->focal[1] = p->focal[0] * (o->pixels_per_mm[0] > 0 ? p->aspect[1] : 1.0f);
     p->tangent = p->perspective ? 1 / p->focal[0] : 0;
-    p->middle[0] = 0.5f * (float)width;
-    p->middle[1] = 0.5f * (float)height;
+    p->middle[0] = 0.5f * (float)width / job->coarse;
+    p->middle[1] = 0.5f * (float)height / job->coarse;
     p->least = -1;
-    p->grain = job->frame.depth.half ? 9.7668e-4f : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
+    p->grain = job->rough ? 9.7668e-4f : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
     for (c = 0; c < 3; ++c) {
         p->curve[c] = k->elevation_axis[c] / 4;
         p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
@@ -4843,16 +4921,21 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     p->tap_count = k->tap_count;
 }
 
-/* Whether the second pass is the last step of a pixel: one term, nothing to mix or multiply, planar float output. */
-static int ms_sss__direct(const ms_sss__job *job)
+/* Whether filtered light is the output: nothing to mix or multiply, planar float. */
+static int ms_sss__plain(const ms_sss__job *job)
 {
     const ms_sss_frame *f = &job->frame;
+    return !f->albedo.channel[0] && !f->specular.channel[0] && !f->through.channel[0] && !(job->gain < 1) && !f->output.half &&
+           f->output.pixel_stride == 1;
+}
+
+/* Whether the second pass is the last step of a pixel: besides, one term. */
+static int ms_sss__direct(const ms_sss__job *job)
+{
     const ms_sss_kernel *k = job->kernel;
     float total[3];
     int mixed[3], c;
-    if (k->term_count > 1 || f->albedo.channel[0] || f->specular.channel[0] || f->through.channel[0] || job->gain < 1 ||
-        f->output.half || f->output.pixel_stride != 1)
-        return 0;
+    if (k->term_count > 1 || !ms_sss__plain(job)) return 0;
     ms_sss__totals(k, 0, 0, total, mixed);
     for (c = 0; c < 3; ++c)
         if (ms_sss__differ(k->delta[c], 0) || ms_sss__differ(k->scale[0][c], 1) || ms_sss__differ(total[c], 1)) return 0;
@@ -4870,17 +4953,6 @@ static void ms_sss__set_term(ms_sss__job *job, int term)
         ms_sss__fix(&job->taps[0], job->kernel, term, (double)p->size * (double)p->aspect[0], side);
         ms_sss__fix(&job->taps[1], job->kernel, term, (double)p->size * (double)p->aspect[1], side);
     }
-}
-
-/* One pass for rows [begin, end), cut into bands by the picture alone. */
-static void ms_sss__run(ms_sss__job *job, int begin, int end, void (*pass)(void *context, int task))
-{
-    const int rows = (end - begin + MS_SSS__TASKS - 1) / MS_SSS__TASKS;
-    if (begin >= end) return;
-    job->begin = begin;
-    job->end = end;
-    job->band = rows < 8 ? 8 : rows;
-    ms_sss__share(&job->options.parallel, (end - begin + job->band - 1) / job->band, pass, job);
 }
 
 /* Both passes of a term. Fixed taps reach a known number of rows, so the second pass can follow the first at that
@@ -4946,13 +5018,6 @@ MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half)
     return image;
 }
 
-MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                          const ms_sss_filter_options *options)
-{
-    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX || !kernels || !options) return SIZE_MAX;
-    return ms_sss__plan(width, height, kernels, kernel_count, options).total;
-}
-
 /* The empty rows above and below the planes. */
 static void ms_sss__clear_around(ms_sss__job *job)
 {
@@ -4966,10 +5031,10 @@ static void ms_sss__clear_around(ms_sss__job *job)
     job->stale = 0;
 }
 
-/* Checks everything and lays the planes out in the workspace; *end: the first float behind them. */
+/* Checks everything and lays the planes (bare: none) out in the workspace; *end: the first float behind them. */
 static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size, size_t needed,
-                               float **end, ms_error *error)
+                               int bare, float **end, ms_error *error)
 {
     const int w = frame->width, h = frame->height;
     ms_sss__layout layout;
@@ -5001,13 +5066,17 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     if (!workspace || workspace_size < needed)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
 
-    layout = ms_sss__plan(w, h, kernels, kernel_count, options);
+    layout = ms_sss__plan(w, h, kernels, kernel_count, options, bare);
     job->simd = ms_sss__pick(options->simd);
     job->kernel_count = kernel_count;
     job->block = layout.block;
     job->padded = layout.padded;
     job->stride = (ptrdiff_t)layout.stride;
     job->ring = h;
+    job->full_width = w;
+    job->full_height = h;
+    job->coarse = 1;
+    job->rough = f->depth.half;
     job->gain = 1.0f - options->fade;
     job->turned = ms_sss__differ(options->rotation, 0) || options->jitter > 0;
     job->shaped = f->depth.channel[0] != NULL && ms_sss__may_shape(options);
@@ -5027,7 +5096,7 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         if (ms_sss__may_shape(options) && i >= 7 && i < 9) job->slope[i - 7] = plane;
         at += layout.plane;
     }
-    job->planes = job->middle[0] - MS_SSS__LEFT - layout.stride;
+    job->planes = (float *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
     job->plane_count = layout.planes;
     ms_sss__clear_around(job);
     job->fresh = at + MS_SSS__LEFT;
@@ -5059,34 +5128,256 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     return MS_OK;
 }
 
-MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
-                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                   ms_error *error)
+/* All terms of a kernel, on the pixels of a profile. */
+static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int profile)
+{
+    int term;
+    ms_sss__set_kernel(job, kernel, profile);
+    job->fixed = !job->turned && !job->pass.perspective && (!job->frame.depth.channel[0] || job->options.depth_mode == MS_SSS_DEPTH_SCALE);
+    job->direct = ms_sss__direct(job);
+    if (!(job->gain > 0)) job->idle = 1;
+    for (term = 0; term < (job->idle ? 1 : kernel->term_count); ++term) {
+        ms_sss__set_term(job, term);
+        if (!job->idle && ms_sss__swept(job)) continue;
+        if (job->stale) ms_sss__clear_around(job);
+        if (job->whole_first && term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__prepare_band);
+        if (job->shaped && !job->idle && term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__shape_band);
+        ms_sss__both_passes(job);
+    }
+}
+
+/* A kernel at full resolution. known: the picture's least depth. */
+static ms_status ms_sss__taps_filter(const ms_sss__job *known, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile, int kernel_count,
+                                     const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error)
 {
     ms_sss__job job;
-    ms_status status;
     float *end;
-    int i, term;
-    if (!frame || !kernels || !options)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, kernels or options is NULL");
-    status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
-                           ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options), &end, error);
+    ms_status status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size, workspace_size, 0, &end, error);
     if (status != MS_OK) return status;
-    job.fixed = !job.turned && !(options->fov_degrees > 0) &&
-                (!frame->depth.channel[0] || options->depth_mode == MS_SSS_DEPTH_SCALE);
-    for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
-        ms_sss__set_kernel(&job, &kernels[i], i);
-        job.direct = ms_sss__direct(&job);
-        if (!(job.gain > 0)) job.idle = 1;
-        for (term = 0; term < (job.idle ? 1 : kernels[i].term_count); ++term) {
-            ms_sss__set_term(&job, term);
-            if (!job.idle && ms_sss__swept(&job)) continue;
-            if (job.stale) ms_sss__clear_around(&job);
-            if (job.whole_first && term == 0) ms_sss__run(&job, 0, frame->height, ms_sss__prepare_band);
-            if (job.shaped && !job.idle && term == 0) ms_sss__run(&job, 0, frame->height, ms_sss__shape_band);
-            ms_sss__both_passes(&job);
+    job.nearest = known->nearest;
+    ms_sss__apply(&job, &kernels[profile], profile);
+    return MS_OK;
+}
+
+/* --- half resolution --- */
+
+enum { MS_SSS__HALF_PLANES = 11 }; /* light, result, depth, mask, normals */
+
+typedef struct ms_sss__half {
+    ms_sss__job job; /* first: tasks get its address */
+    ms_sss__job inner;
+    ms_sss__halving halving;
+    float *light[3], *blur[3], *depth, *mask, *normal[3];
+    ptrdiff_t stride;
+    int bold; /* nothing but a colour or depth can keep a pixel from taking part */
+} ms_sss__half;
+
+static size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count, const ms_sss_filter_options *options)
+{
+    const int w = (width + 1) / 2, h = (height + 1) / 2;
+    const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16), (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
+    return ms__size_add(ms__size_add(ms_sss__plan(width, height, kernels, kernel_count, options, 1).total, planes),
+                        ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, 0).total, 128));
+}
+
+/* The normal of the nearest of four pixels. */
+static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, const float *const depth[2])
+{
+    const ms_sss__job *job = &half->job;
+    const int width = job->frame.width;
+    const float *normal[2][3];
+    float *buffer[3];
+    int r, c, x, i;
+    for (r = 0; r < 2; ++r) {
+        for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, 18 + 3 * r + c);
+        ms_sss__load(&job->frame.normal, 3, width, 2 * y + r < job->frame.height ? 2 * y + r : 2 * y, 0, width, buffer, normal[r]);
+    }
+    for (x = 0; 2 * x < width; ++x) {
+        int best = 0;
+        for (i = 1; i < 4; ++i)
+            if (depth[i / 2][2 * x + i % 2] < depth[best / 2][2 * x + best % 2]) best = i;
+        for (c = 0; c < 3; ++c) half->normal[c][y * half->stride + x] = normal[best / 2][c][2 * x + best % 2];
+    }
+}
+
+/* Colour and depth of a row of the picture as they are. */
+static void ms_sss__half_rows(const ms_sss__job *job, int y, float *const buffer[4], const float *row[4])
+{
+    ms_sss__load(&job->frame.input, 3, job->frame.width, y, 0, job->padded, buffer, row);
+    ms_sss__load(&job->frame.depth, 1, job->frame.width, y, 0, job->padded, buffer + 3, row + 3);
+}
+
+/* The picture at half its size. Pixels that take no part are copied. */
+static void ms_sss__half_down(void *context, int task)
+{
+    const ms_sss__half *half = (const ms_sss__half *)context;
+    const ms_sss__job *job = &half->job;
+    const int begin = job->begin + task * job->band, count = (int)half->stride;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    float *row[2][4], *to[4];
+    const float *in[2][4];
+    int x, y, r, c;
+    for (r = 0; r < 8; ++r) row[r / 4][r % 4] = ms_sss__buffer(job, task, 10 + r);
+    for (y = begin; y < end; ++y) {
+        int all = half->bold && 2 * y + 1 < job->frame.height;
+        for (c = 0; c < 3; ++c) to[c] = half->light[c] + y * half->stride;
+        to[3] = half->depth + y * half->stride;
+        if (all) { /* as if all pixels took part */
+            for (r = 0; r < 2; ++r) ms_sss__half_rows(job, 2 * y + r, row[r], in[r]);
+            all = job->simd->halve(&half->halving, in[0], in[1], job->depth_scale, count, to);
+        }
+        for (r = 0; r < 2; ++r) {
+            const int at = 2 * y + r;
+            if (all) {
+                job->first[at] = job->solid_first[at] = 0;
+                job->last[at] = job->solid_last[at] = job->padded;
+                job->whole[at] = 1;
+            } else if (at < job->frame.height) {
+                ms_sss__prepare(job, at, task, row[r], row[r][3]);
+            } else {
+                for (c = 0; c < 4; ++c) ms_sss__clear(job, row[r][c], c == 3 ? INFINITY : 0.0f);
+            }
+        }
+        if (job->idle) continue;
+        if (!all) job->simd->halve(&half->halving, (const float *const *)row[0], (const float *const *)row[1], 1, count, to);
+        if (half->mask)
+            for (x = 0; x < count; ++x) half->mask[y * half->stride + x] = to[3][x] < INFINITY ? 1.0f : 0.0f;
+        if (half->normal[0]) {
+            const float *depth[2];
+            for (r = 0; r < 2; ++r) depth[r] = all ? in[r][3] : row[r][3];
+            ms_sss__half_normals(half, task, y, depth);
         }
     }
+}
+
+/* The picture from its half. */
+static void ms_sss__half_up(void *context, int task)
+{
+    const ms_sss__half *half = (const ms_sss__half *)context;
+    ms_sss__job again = half->job; /* what takes no part is written already */
+    const ms_sss_image *image = &again.frame.output;
+    const int begin = again.begin + task * again.band, coarse_height = (again.frame.height + 1) / 2;
+    const int end = begin + again.band < again.end ? begin + again.band : again.end;
+    const int fade = again.gain < 1;
+    float *own[4], *soft[2][4];
+    int have[2] = {-1, -1}, y, r, c;
+    again.unwritten = 0;
+    for (c = 0; c < 4; ++c) {
+        own[c] = ms_sss__buffer(&again, task, 17 + c);
+        for (r = 0; r < 2; ++r) {
+            soft[r][c] = ms_sss__buffer(&again, task, 21 + 4 * r + c);
+            ms_sss__clear(&again, soft[r][c], c == 3 ? MS_SSS__AWAY : 0.0f);
+        }
+    }
+    for (y = begin; y < end; ++y) {
+        const float *beside[2][4], *coarse[2][4];
+        float *blur[3];
+        const float *mine[4];
+        const int all = half->bold && again.whole[y] && again.padded == again.frame.width && ms_sss__solid(&again, y, 0, again.padded);
+        const int direct = again.direct && all;
+        int stream = direct;
+        if (all) {
+            ms_sss__half_rows(&again, y, own, mine);
+        } else {
+            ms_sss__prepare(&again, y, task, own, own[3]);
+            for (c = 0; c < 4; ++c) mine[c] = own[c];
+        }
+        if (again.first[y] == again.last[y]) continue;
+        for (r = 0; r < 2; ++r) {
+            const int at = ms_sss__clamp((y + 1) / 2 - 1 + r, 0, coarse_height - 1);
+            const ptrdiff_t row = at * half->stride;
+            for (c = 0; c < 3; ++c) {
+                beside[0][c] = half->light[c] + row;
+                beside[1][c] = half->blur[c] + row;
+            }
+            if (have[at % 2] != at) again.simd->soften(&half->halving, beside[0], beside[1], half->depth + row, (int)half->stride, soft[at % 2]);
+            have[at % 2] = at;
+            for (c = 0; c < 4; ++c) coarse[r][c] = soft[at % 2][c];
+        }
+        for (c = 0; c < 3; ++c) {
+            blur[c] = direct ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(&again, task, 29 + c);
+            if ((uintptr_t)blur[c] % 64) stream = 0;
+        }
+        again.simd->refine(&half->halving, mine, all ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2, stream, again.padded, blur);
+        if (!direct) ms_sss__compose(&again, task, y, 0, again.padded, blur, fade || !again.whole[y] ? mine : NULL, all ? again.fresh : own[3]);
+    }
+}
+
+/* Everything but the first and last step is the filter at full resolution, of a picture of half the size. */
+static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile, int kernel_count,
+                                     const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error)
+{
+    const ms_sss_kernel *k = &kernels[profile];
+    ms_sss__half half;
+    ms_sss__halving *h = &half.halving;
+    ms_sss_filter_options inner_options = *options;
+    ms_sss_frame inner;
+    ms_status status;
+    float *at, *end;
+    size_t plane, left;
+    int i, c, t;
+    status = ms_sss__begin(&half.job, frame, kernels, kernel_count, options, workspace, workspace_size, workspace_size, 1, &at, error);
+    if (status != MS_OK) return status;
+    memset(&inner, 0, sizeof inner);
+    inner.width = (frame->width + 1) / 2;
+    inner.height = (frame->height + 1) / 2;
+    half.stride = ms_sss__round_up(inner.width, 16);
+    plane = (size_t)half.stride * (size_t)inner.height;
+    for (c = 0; c < 3; ++c) {
+        const int given = half.job.shaped && frame->normal.channel[0] != NULL;
+        half.light[c] = at + (size_t)c * plane;
+        half.blur[c] = at + (size_t)(3 + c) * plane;
+        half.normal[c] = given ? at + (size_t)(8 + c) * plane : NULL;
+    }
+    half.depth = at + 6 * plane;
+    half.mask = frame->depth.channel[0] ? NULL : at + 7 * plane;
+    at += MS_SSS__HALF_PLANES * plane;
+    left = workspace_size - (size_t)((char *)at - (char *)workspace);
+
+    half.job.whole_first = 1; /* colours are 0 where nothing takes part */
+    ms_sss__set_kernel(&half.job, k, profile);
+    half.job.direct = ms_sss__plain(&half.job);
+    if (!(half.job.gain > 0)) half.job.idle = 1;
+    memset(h, 0, sizeof *h);
+    h->kernel = k;
+    h->perspective = half.job.pass.perspective;
+    h->size = half.job.pass.size;
+    h->size_max = half.job.pass.size_max;
+    h->size_min = half.job.pass.size_min;
+    h->within = 1 / sqrtf(half.job.pass.cut);
+    h->scale = half.job.depth_scale;
+    for (c = 0; c < 2; ++c) h->aspect[c] = half.job.pass.aspect[c];
+    for (i = 1; i < k->tap_count; ++i)
+        for (c = 0; c < 2; ++c)
+            if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * h->apart >= 1)) h->apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
+    for (c = 0; c < 3; ++c) {
+        double share = (double)k->delta[c];
+        for (t = 0; t < k->term_count; ++t) share += (double)k->scale[t][c] * (double)k->weight[t][0][c] * (double)k->weight[t][0][c];
+        h->share[c] = (float)(share < 0 ? 0 : share > 0.999 ? 0.999 : share);
+    }
+    half.bold = !half.job.idle && frame->depth.channel[0] && !frame->strength.channel[0] && !frame->profile && half.job.padded == frame->width &&
+                (!frame->albedo.channel[0] || options->albedo_mode == MS_SSS_ALBEDO_POST);
+    ms_sss__run(&half.job, 0, inner.height, ms_sss__half_down);
+    if (half.job.idle) return MS_OK;
+
+    inner.input = ms_sss_planar(half.light[0], half.light[1], half.light[2], 0);
+    inner.output = ms_sss_planar(half.blur[0], half.blur[1], half.blur[2], 0);
+    if (half.mask) inner.strength = ms_sss_map(half.mask, 1, 0);
+    else inner.depth = ms_sss_map(half.depth, 1, 0);
+    if (half.normal[0]) inner.normal = ms_sss_planar(half.normal[0], half.normal[1], half.normal[2], 0);
+    inner.input.row_stride = inner.output.row_stride = inner.strength.row_stride = inner.depth.row_stride = inner.normal.row_stride = half.stride;
+    inner_options.fade = 0;
+    inner_options.albedo_mode = MS_SSS_ALBEDO_POST;
+    status = ms_sss__begin(&half.inner, &inner, k, 1, &inner_options, at, left, left, 0, &end, error);
+    if (status != MS_OK) return status;
+    half.inner.full_width = frame->width;
+    half.inner.full_height = frame->height;
+    half.inner.coarse = 2;
+    half.inner.rough = frame->depth.half;
+    half.inner.unwritten = 0;
+    ms_sss__apply(&half.inner, k, 0);
+    for (c = 0; c < 3 && half.inner.idle; ++c) half.blur[c] = half.light[c]; /* under half of a larger pixel */
+    ms_sss__run(&half.job, 0, frame->height, ms_sss__half_up);
     return MS_OK;
 }
 
@@ -5512,7 +5803,7 @@ static size_t ms_sss__tower_plan(int width, int height, size_t *before)
     size_t floats;
     memset(&options, 0, sizeof options);
     options.flat = 1;
-    *before = ms_sss__plan(width, height, NULL, 0, &options).total;
+    *before = ms_sss__plan(width, height, NULL, 0, &options, 0).total;
     floats = ms__size_mul((size_t)ms_sss__tower_half(width),
                           (size_t)MS_SSS__TASKS * (size_t)MS_SSS__TOWER_ROWS);
     floats = ms__size_add(floats, ms_sss__tower_levels(NULL, width, height, NULL));
@@ -5526,32 +5817,26 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height)
     return ms_sss__tower_plan(width, height, &before);
 }
 
-MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
-                                           const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                           ms_error *error)
+/* Whether a pyramid can do what the options ask for. */
+static int ms_sss__tower_takes(const ms_sss_filter_options *o)
+{
+    return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) && !o->uv_steps && o->depth_mode != MS_SSS_DEPTH_FOLLOW &&
+           !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
+}
+
+/* Filters the pixels of one of several profiles. */
+static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid, int profile, int profiles,
+                                      const ms_sss_filter_options *options, void *workspace, ms_error *error)
 {
     ms_sss__tower *tower;
     ms_sss__job *job;
     ms_sss__growth *growth;
     ms_sss_filter_options upright;
     ms_status status;
-    size_t before, needed;
+    size_t before;
     double sigma;
     float *at, *end;
     int c, l;
-    if (!frame || !pyramid || !options)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, pyramid or options is NULL");
-    needed = ms_sss_pyramid_workspace(frame->width, frame->height);
-    if (needed < SIZE_MAX && (!workspace || workspace_size < needed))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
-    if (needed == SIZE_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", frame->width, frame->height,
-                        (int)MS_SSS__SIDE_MAX);
-    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
-    if (ms_sss__differ(options->rotation, 0) || options->jitter > 0 || options->uv_steps ||
-        options->depth_mode == MS_SSS_DEPTH_FOLLOW || frame->profile ||
-        (options->pixels_per_mm[1] > 0 && ms_sss__differ(options->pixels_per_mm[0], options->pixels_per_mm[1])))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW");
     ms_sss__tower_plan(frame->width, frame->height, &before);
     at = (float *)(((uintptr_t)workspace + before + 63) & ~(uintptr_t)63);
     tower = (ms_sss__tower *)(void *)at;
@@ -5564,8 +5849,9 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
     for (c = 0; c < 3; ++c) tower->kernel.weight[0][0][c] = tower->kernel.scale[0][c] = 1;
     upright = *options;
     upright.flat = 1; /* slopes are the pyramid's own affair */
-    status = ms_sss__begin(job, frame, &tower->kernel, 1, &upright, workspace, before, before, &end, error);
+    status = ms_sss__begin(job, frame, &tower->kernel, 1, &upright, workspace, before, before, 0, &end, error);
     if (status != MS_OK) return status;
+    job->kernel_count = profiles;
     at += ms_sss__tower_levels(tower, frame->width, frame->height, at);
     tower->level[0].first = job->first;
     tower->level[0].last = job->last;
@@ -5575,7 +5861,7 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
 
     tower->at = 0;
     job->whole_first = 1; /* colours are 0 where nothing takes part */
-    ms_sss__set_kernel(job, &tower->kernel, 0);
+    ms_sss__set_kernel(job, &tower->kernel, profile);
     ms_sss__set_term(job, 0);
     if (!(job->gain > 0)) job->idle = 1;
     memset(growth, 0, sizeof *growth);
@@ -5619,6 +5905,99 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
             job->end = job->band = tower->level[l].height;
             ms_sss__share(&job->options.parallel, 1, ms_sss__tower_grow, tower);
         }
+    }
+    return MS_OK;
+}
+
+MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
+                                           const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                           ms_error *error)
+{
+    ms_status status;
+    size_t needed;
+    if (!frame || !pyramid || !options)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, pyramid or options is NULL");
+    needed = ms_sss_pyramid_workspace(frame->width, frame->height);
+    if (needed < SIZE_MAX && (!workspace || workspace_size < needed))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
+    if (needed == SIZE_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", frame->width, frame->height,
+                        (int)MS_SSS__SIDE_MAX);
+    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
+    if (frame->profile || !ms_sss__tower_takes(options))
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW");
+    return ms_sss__tower_filter(frame, pyramid, 0, 1, options, workspace, error);
+}
+
+/* --- the entry: which method, and its workspace --- */
+
+static int ms_sss__may(const ms_sss_filter_options *o, ms_sss_method method)
+{
+    if (o->method != MS_SSS_METHOD_AUTO) return o->method == method;
+    if (method == MS_SSS_METHOD_HALF) return o->budget > 0;
+    return method == MS_SSS_METHOD_TAPS || (o->pyramids && ms_sss__tower_takes(o));
+}
+
+/* What half resolution differs by on pictures with edges, for a kernel's 99% radius in pixels. */
+static double ms_sss__half_error(double radius) { return radius > 0 ? 0.03 + 0.35 / radius : 1; }
+
+/* The radius in pixels up to which that many taps show no bands. */
+static double ms_sss__smooth_radius(int taps) { return taps < 11 ? 24 : taps < 25 ? 48 : taps < 33 ? 70 : 1e9; }
+
+static ms_sss_method ms_sss__choose(ms_sss__job *job, const ms_sss_kernel *k, int profile)
+{
+    const ms_sss_filter_options *o = &job->options;
+    const double smooth = ms_sss__smooth_radius(k->tap_count);
+    double radius = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
+    int half;
+    if (o->method != MS_SSS_METHOD_AUTO) return o->method;
+    if (!ms_sss__may(o, MS_SSS_METHOD_HALF) && !ms_sss__may(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_TAPS;
+    ms_sss__set_kernel(job, k, profile);
+    radius *= (double)job->pass.size * (double)(job->pass.aspect[0] > job->pass.aspect[1] ? job->pass.aspect[0] : job->pass.aspect[1]);
+    if (job->pass.perspective) {
+        ms_sss__find_nearest(job);
+        radius /= (double)(job->nearest * job->depth_scale);
+    }
+    half = o->budget > 0 && ms_sss__half_error(radius) <= (double)o->budget;
+    if (radius > (half ? 2 * smooth : smooth) && ms_sss__may(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_PYRAMID;
+    return half ? MS_SSS_METHOD_HALF : MS_SSS_METHOD_TAPS;
+}
+
+MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+                                          const ms_sss_filter_options *options)
+{
+    size_t size = 0, needed;
+    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX || !kernels || !options) return SIZE_MAX;
+    if (ms_sss__may(options, MS_SSS_METHOD_TAPS)) size = ms_sss__plan(width, height, kernels, kernel_count, options, 0).total;
+    if (ms_sss__may(options, MS_SSS_METHOD_HALF) && size < (needed = ms_sss__half_plan(width, height, kernels, kernel_count, options)))
+        size = needed;
+    if (ms_sss__may(options, MS_SSS_METHOD_PYRAMID) && size < (needed = ms_sss_pyramid_workspace(width, height))) size = needed;
+    return size ? size : SIZE_MAX;
+}
+
+MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
+                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                   ms_error *error)
+{
+    ms_sss__job job; /* to check everything before anything is written, and for the sizes of kernels */
+    ms_status status;
+    float *end;
+    int i;
+    if (!frame || !kernels || !options)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, kernels or options is NULL");
+    status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
+                           ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options), 1, &end, error);
+    if (status != MS_OK) return status;
+    if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__tower_takes(options)))
+        return ms__fail(error, MS_UNSUPPORTED, 0, options->pyramids ? "a pyramid is round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW"
+                                                                    : "method is MS_SSS_METHOD_PYRAMID, but options.pyramids is NULL");
+    for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
+        const ms_sss_method method = ms_sss__choose(&job, &kernels[i], i);
+        if (frame->taken) frame->taken[i] = method;
+        status = method == MS_SSS_METHOD_PYRAMID ? ms_sss__tower_filter(frame, &options->pyramids[i], i, kernel_count, options, workspace, error)
+                 : method == MS_SSS_METHOD_HALF  ? ms_sss__half_filter(frame, kernels, i, kernel_count, options, workspace, workspace_size, error)
+                                                 : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, options, workspace, workspace_size, error);
+        if (status != MS_OK) return status;
     }
     return MS_OK;
 }
@@ -6875,8 +7254,9 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         ms_sss__job job;
         memset(&job, 0, sizeof job);
         memset(&profile, 0, sizeof profile);
-        job.frame.width = width;
-        job.frame.height = height;
+        job.frame.width = job.full_width = width;
+        job.frame.height = job.full_height = height;
+        job.coarse = 1;
         job.options = *options;
         job.shaped = ms_sss__shader_shaped(shader, options);
         ms_sss__set_kernel(&job, k, 0);
@@ -7875,6 +8255,164 @@ static void MS_SSS__NAME(fade)(const ms_sss__pass *p, const float *strength, flo
     }
 }
 
+/* --- half resolution --- */
+
+/* Every four pixels of two rows of colour and depth become one: the mean of those near the nearest. count: of columns of the
+   result; unit: of the rows' depths. Returns whether all take part; if some do not, they must have depth INFINITY. */
+static int MS_SSS__NAME(halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit, int count, float *const out[4])
+{
+    const MS_SSS__V away = MS_SSS__SET(MS_SSS__AWAY), scale = MS_SSS__SET(h->within), raw = MS_SSS__SET(unit), zero = MS_SSS__SET(0.0f);
+    const unsigned every = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
+    unsigned all_part = every;
+    int x, c;
+    for (x = 0; x < count; x += MS_SSS__LANES) {
+        const MS_SSS__V a = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(above[3] + 2 * x), raw), away), b = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(above[3] + 2 * x + MS_SSS__LANES), raw), away);
+        const MS_SSS__V d = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(below[3] + 2 * x), raw), away), e = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(below[3] + 2 * x + MS_SSS__LANES), raw), away);
+        const MS_SSS__V z0 = MS_SSS__EVEN(a, b), z1 = MS_SSS__ODD(a, b), z2 = MS_SSS__EVEN(d, e), z3 = MS_SSS__ODD(d, e);
+        const MS_SSS__V least = MS_SSS__MIN(MS_SSS__MIN(z0, z1), MS_SSS__MIN(z2, z3));
+        MS_SSS__V w0 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z0, least), scale)), w1 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z1, least), scale));
+        MS_SSS__V w2 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z2, least), scale)), w3 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z3, least), scale)), z;
+        const MS_SSS__V all = MS_SSS__DIV(MS_SSS__SET(1.0f), MS_SSS__ADD(MS_SSS__ADD(w0, w1), MS_SSS__ADD(w2, w3)));
+        MS_SSS__V most = MS_SSS__MAX(MS_SSS__MAX(z0, z1), MS_SSS__MAX(z2, z3)), sums = zero;
+        w0 = MS_SSS__MUL(w0, all);
+        w1 = MS_SSS__MUL(w1, all);
+        w2 = MS_SSS__MUL(w2, all);
+        w3 = MS_SSS__MUL(w3, all);
+        MS_SSS__UNROLL
+        for (c = 0; c < 3; ++c) {
+            const MS_SSS__V p = MS_SSS__LOAD(above[c] + 2 * x), q = MS_SSS__LOAD(above[c] + 2 * x + MS_SSS__LANES);
+            const MS_SSS__V r = MS_SSS__LOAD(below[c] + 2 * x), t = MS_SSS__LOAD(below[c] + 2 * x + MS_SSS__LANES);
+            const MS_SSS__V sum = MS_SSS__MADD(w1, MS_SSS__ODD(p, q), MS_SSS__MUL(w0, MS_SSS__EVEN(p, q)));
+            sums = MS_SSS__MADD(MS_SSS__ADD(MS_SSS__ADD(p, q), MS_SSS__ADD(r, t)), zero, sums); /* 0, but NaN where a colour is not finite */
+            MS_SSS__STORE(out[c] + x, MS_SSS__ADD(sum, MS_SSS__MADD(w3, MS_SSS__ODD(r, t), MS_SSS__MUL(w2, MS_SSS__EVEN(r, t)))));
+        }
+        z = MS_SSS__ADD(MS_SSS__MADD(w1, z1, MS_SSS__MUL(w0, z0)), MS_SSS__MADD(w3, z3, MS_SSS__MUL(w2, z2)));
+        z = MS_SSS__SELECT(MS_SSS__LESS(least, MS_SSS__SET(MS_SSS__AWAY / 2)), MS_SSS__MUL(z, MS_SSS__SET(1 / h->scale)), MS_SSS__SET(INFINITY));
+        MS_SSS__STORE(out[3] + x, z);
+        most = MS_SSS__SELECT(MS_SSS__LESS(zero, least), most, away);
+        all_part &= MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__SAME(sums, zero), MS_SSS__LESS(most, MS_SSS__SET(MS_SSS__AWAY / 2))));
+    }
+    return all_part == every;
+}
+
+/* The share of a pixel's own light in the result where taps stand on it: each tap's bilinear part. */
+static MS_SSS__APART void MS_SSS__NAME(share)(const ms_sss__halving *h, const float *size, float *share)
+{
+    const ms_sss_kernel *k = h->kernel;
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), pixels = MS_SSS__LOAD(size);
+    int t, i, c, axis;
+    for (c = 0; c < 3; ++c) {
+        MS_SSS__V all = MS_SSS__SET(k->delta[c]);
+        for (t = 0; t < k->term_count; ++t) {
+            MS_SSS__V sum[2];
+            for (axis = 0; axis < 2; ++axis)
+                for (sum[axis] = zero, i = 0; i < k->tap_count; ++i)
+                    sum[axis] = MS_SSS__MADD(MS_SSS__SET(k->weight[t][i][c]), MS_SSS__MAX(MS_SSS__LESSEN(pixels, MS_SSS__SET(fabsf(k->offset_mm[i]) * h->aspect[axis]), one), zero), sum[axis]);
+            all = MS_SSS__MADD(MS_SSS__MUL(sum[0], sum[1]), MS_SSS__SET(k->scale[t][c]), all);
+        }
+        MS_SSS__STORE(share + c * MS_SSS__LANES, MS_SSS__MIN(MS_SSS__MAX(all, zero), MS_SSS__SET(0.999f)));
+    }
+}
+
+/* The same of pixels at depth z; the mask: whose kernels are not under half a pixel. */
+static MS_SSS__INLINE MS_SSS__MASK MS_SSS__NAME(keep)(const ms_sss__halving *h, MS_SSS__V z, MS_SSS__V share[3])
+{
+    MS_SSS__V size = MS_SSS__SET(h->size);
+    int c;
+    if (h->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(h->size_max));
+    if (MS_SSS__BITS(MS_SSS__LESS(size, MS_SSS__SET(h->apart)))) {
+        float pixels[MS_SSS__LANES], to[3 * MS_SSS__LANES];
+        MS_SSS__STORE(pixels, size);
+        MS_SSS__NAME(share)(h, pixels, to);
+        MS_SSS__UNROLL
+        for (c = 0; c < 3; ++c) share[c] = MS_SSS__LOAD(to + c * MS_SSS__LANES);
+    } else {
+        MS_SSS__UNROLL
+        for (c = 0; c < 3; ++c) share[c] = MS_SSS__SET(h->share[c]);
+    }
+    return MS_SSS__LESS(MS_SSS__SET(h->size_min), size);
+}
+
+/* A coarse row of light and what became of it, without what pixels keep of their own; depth in units of the falloff, AWAY
+   or so where nothing takes part. */
+static void MS_SSS__NAME(soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3], const float *depth, int count,
+                                 float *const out[4])
+{
+    int x, c;
+    for (x = 0; x < count; x += MS_SSS__LANES) {
+        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(depth + x), MS_SSS__SET(h->scale)), MS_SSS__SET(MS_SSS__AWAY));
+        const MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2));
+        MS_SSS__V share[3];
+        MS_SSS__NAME(keep)(h, z, share);
+        MS_SSS__UNROLL
+        for (c = 0; c < 3; ++c) {
+            const MS_SSS__V e = MS_SSS__LOAD(light[c] + x), change = MS_SSS__SUB(MS_SSS__LOAD(blur[c] + x), e);
+            const MS_SSS__V soft = MS_SSS__ADD(e, MS_SSS__DIV(change, MS_SSS__SUB(MS_SSS__SET(1.0f), share[c])));
+            MS_SSS__STORE(out[c] + x, MS_SSS__SELECT(part, soft, MS_SSS__SET(0.0f)));
+        }
+        MS_SSS__STORE(out[3] + x, MS_SSS__MUL(z, MS_SSS__SET(h->within)));
+    }
+}
+
+/* A row of the picture from its colour and depth (times unit) and the two softened rows beside it, of which the first is nearer if odd.
+   Weights 0.8 and 0.2 each way, sharper than the linear 0.75 and 0.25, make up for part of what averaging pixels blurs. */
+static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4], int odd, int stream,
+                                 int count, float *const out[3])
+{
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), tiny = MS_SSS__SET(1e-6f);
+    const MS_SSS__V near_row = MS_SSS__SET(odd ? 0.16f : 0.04f), far_row = MS_SSS__SET(odd ? 0.04f : 0.16f);
+    int x, side, i, j, c;
+    for (x = 0; 2 * x < count; x += MS_SSS__LANES) {
+        MS_SSS__V result[2][3];
+        MS_SSS__UNROLL
+        for (side = 0; side < 2; ++side) {
+            MS_SSS__V sum[3], n = zero, share[3], z;
+            MS_SSS__MASK large, some;
+            {
+                const MS_SSS__V a = MS_SSS__LOAD(own[3] + 2 * x), b = MS_SSS__LOAD(own[3] + 2 * x + MS_SSS__LANES);
+                z = MS_SSS__MIN(MS_SSS__MUL(side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b), MS_SSS__SET(unit)), MS_SSS__SET(MS_SSS__AWAY));
+            }
+            large = MS_SSS__NAME(keep)(h, z, share);
+            z = MS_SSS__MUL(z, MS_SSS__SET(h->within));
+            sum[0] = sum[1] = sum[2] = zero;
+            MS_SSS__UNROLL
+            for (j = 0; j < 2; ++j) {
+                const float *const *row = coarse[j];
+                const MS_SSS__V share_y = j ? far_row : near_row;
+                MS_SSS__UNROLL
+                for (i = 0; i < 2; ++i) {
+                    const int at = x + i - 1 + side;
+                    const MS_SSS__V f = MS_SSS__MUL(MS_SSS__NAME(falloff)(MS_SSS__SUB(MS_SSS__LOAD(row[3] + at), z)),
+                                                    i == side ? share_y : MS_SSS__MUL(share_y, MS_SSS__SET(4.0f)));
+                    n = MS_SSS__ADD(n, f);
+                    MS_SSS__UNROLL
+                    for (c = 0; c < 3; ++c) sum[c] = MS_SSS__MADD(f, MS_SSS__LOAD(row[c] + at), sum[c]);
+                }
+            }
+            some = MS_SSS__LESS(tiny, n);
+            n = MS_SSS__DIV(one, MS_SSS__MAX(n, tiny));
+            MS_SSS__UNROLL
+            for (c = 0; c < 3; ++c) {
+                const MS_SSS__V a = MS_SSS__LOAD(own[c] + 2 * x), b = MS_SSS__LOAD(own[c] + 2 * x + MS_SSS__LANES);
+                const MS_SSS__V e = side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b);
+                const MS_SSS__V to = MS_SSS__MADD(MS_SSS__SUB(one, share[c]), MS_SSS__SUB(MS_SSS__MUL(sum[c], n), e), e);
+                result[side][c] = MS_SSS__SELECT(MS_SSS__BOTH(large, some), to, e);
+            }
+        }
+        MS_SSS__UNROLL
+        for (c = 0; c < 3; ++c) {
+            const MS_SSS__V low = MS_SSS__ZIP_LOW(result[0][c], result[1][c]), high = MS_SSS__ZIP_HIGH(result[0][c], result[1][c]);
+            if (stream) {
+                MS_SSS__STREAM(out[c] + 2 * x, low);
+                MS_SSS__STREAM(out[c] + 2 * x + MS_SSS__LANES, high);
+            } else {
+                MS_SSS__STORE(out[c] + 2 * x, low);
+                MS_SSS__STORE(out[c] + 2 * x + MS_SSS__LANES, high);
+            }
+        }
+    }
+}
+
 /* ------------------------------------------------------- PYRAMID KERNELS */
 
 /* d from depth (INFINITY: takes no part). */
@@ -8287,7 +8825,8 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
     {{MS_SSS__NAME(sweep_slab), MS_SSS__NAME(sweep_three_slab)}, {MS_SSS__NAME(sweep_shaped_slab), MS_SSS__NAME(sweep_shaped_three_slab)}},
     MS_SSS__NAME(least), MS_SSS__LANES, MS_SSS__NAME(combine),
     MS_SSS__NAME(fade),    MS_SSS__NAME(lie),    MS_SSS__NAME(shrink),
-    MS_SSS__NAME(gather),  MS_SSS__NAME(settle), MS_SSS__NAME(invert), MS_SSS__NAME(split)};
+    MS_SSS__NAME(gather),  MS_SSS__NAME(settle), MS_SSS__NAME(invert), MS_SSS__NAME(split),
+    MS_SSS__NAME(halve),   MS_SSS__NAME(soften), MS_SSS__NAME(refine)};
 
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN

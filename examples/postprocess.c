@@ -1,14 +1,15 @@
 /* Subsurface scattering as a post-process of an engine: what happens once, at a new window size, and every frame.
 
      cc -O2 -I. examples/postprocess.c -o build/postprocess -lm
-     build/postprocess [OUT.png]
+     build/postprocess [OUT.png] [--method full|half|pyramid]
 
    The "engine" shades a ball in front of a wall into one buffer of four floats a pixel, diffuse light and depth. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "image.h"
 
-static const char usage[] = "usage: postprocess [OUT.png]\n";
+static const char usage[] = "usage: postprocess [OUT.png] [--method full|half|pyramid]\n"
+                            "  without --method: what the radius on the screen and an error of 5% allow\n";
 
 enum { WIDTH = 640, HEIGHT = 360 };
 
@@ -31,9 +32,12 @@ static void render(float *rgbz)
 
 int main(int argc, char **argv)
 {
-    const char *path = argc > 1 ? argv[1] : "build/postprocess.png", *problem;
+    static const char *const names[] = {"auto", "full", "half", "pyramid"}; /* in the order of ms_sss_method */
+    const char *path = "build/postprocess.png", *problem;
     const double reflectance[3] = {0.44, 0.22, 0.13}, d_mm[3] = {1.2, 0.55, 0.35};
     static ms_sss_kernel kernel;
+    static ms_sss_pyramid pyramid;
+    ms_sss_method taken;
     ms_sss_filter_options options = ms_sss_filter_defaults();
     ms_sss_profile *profile;
     ms_sss_frame frame;
@@ -45,21 +49,34 @@ int main(int argc, char **argv)
     int i, number, ok;
 
     if (file_help(argc, argv, usage)) return file_end_stdout("postprocess");
-    if (argc > 2 || (argc == 2 && argv[1][0] == '-')) return file_usage(usage);
-    /* Once: the material's kernel, 7 taps. An asset tool would store it. */
+    for (i = 1; i < argc; ++i) {
+        int method = 1;
+        if (argv[i][0] != '-' && i == 1) {
+            path = argv[i];
+            continue;
+        }
+        while (i + 1 < argc && method < 4 && strcmp(argv[i + 1], names[method]) != 0) ++method;
+        if (strcmp(argv[i], "--method") != 0 || i + 1 >= argc || method == 4) return file_usage(usage);
+        options.method = (ms_sss_method)method;
+        ++i;
+    }
+    /* Once: the material's kernel, 7 taps, and its pyramid. An asset tool would store them. */
     ok = rgbz && picture.pixels && ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, &error) == MS_OK;
     if (!ok) return 1;
-    ok = ms_sss_kernel_make(&kernel, NULL, profile, 24, NULL, NULL, &error) == MS_OK;
+    ok = ms_sss_kernel_make(&kernel, NULL, profile, 24, NULL, NULL, &error) == MS_OK && ms_sss_pyramid_make(&pyramid, profile, &error) == MS_OK;
     ms_sss_profile_destroy(profile);
 
     /* At a new window size: camera, views of the engine's buffers, workspace. options.parallel takes the thread pool. */
     options.fov_degrees = 35;
     options.mm_per_unit = 10; /* the scene is in cm */
+    options.pyramids = &pyramid;
+    if (options.method == MS_SSS_METHOD_AUTO) options.budget = 0.05f;
     memset(&frame, 0, sizeof frame);
     frame.width = WIDTH;
     frame.height = HEIGHT;
     frame.input = frame.output = ms_sss_interleaved(rgbz, 4, 0); /* in place */
     frame.depth = ms_sss_map(rgbz + 3, 4, 0);
+    frame.taken = &taken;
     size = ms_sss_filter_workspace(WIDTH, HEIGHT, &kernel, 1, &options);
     workspace = malloc(size);
 
@@ -76,6 +93,7 @@ int main(int argc, char **argv)
     image_to_srgb(&picture);
     problem = image_write(path, &picture);
     if (problem) fprintf(stderr, "postprocess: %s: %s\n", path, problem);
+    else puts(names[taken]);
     image_free(&picture);
     free(workspace);
     free(rgbz);

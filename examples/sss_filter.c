@@ -18,8 +18,9 @@ static const char usage[] =
     "usage: sss_filter IRRADIANCE.pfm DEPTH.pfm OUT.(pfm|png) --material NAME|--profile CSV [options]\n"
     "  --material NAME    one of the 11 materials of build/profile --list, such as skin1\n"
     "  --profile CSV      lines of r_mm,R,G,B in 1/mm^2, as build/profile prints them\n"
-    "  --method M         taps: two passes; pyramid; gather: from every pixel, in space; auto (auto): gather, in large\n"
-    "                     pictures as many taps as show no bands\n"
+    "  --method M         taps: two passes; half: the same at half resolution; pyramid; gather: from every pixel, in space;\n"
+    "                     auto (auto): gather, in large pictures what --budget allows of the others\n"
+    "  --budget E         how far half resolution may be from taps, of the picture's deviation, 0 to 1 (0: never taken)\n"
     "  --model M          of the taps: image, preintegrated, residual, gaussians, guided, artist, slice (image)\n"
     "  --taps N           samples of each of the two passes, odd, 3 to 257 (as many as show no bands)\n"
     "  --mm-per-unit S    millimetres in a unit of the depth (1)\n"
@@ -84,14 +85,14 @@ static const struct {
               {"slice", MS_SSS_SLICE}};
 enum { MODELS = sizeof models / sizeof models[0] };
 
-typedef enum method { AUTO, TAPS, PYRAMID, GATHER, METHODS } method;
-static const char *const method_names[METHODS] = {"auto", "taps", "pyramid", "gather"};
+typedef enum method { AUTO, TAPS, HALF, PYRAMID, GATHER, METHODS } method; /* but the last as in ms_sss_method */
+static const char *const method_names[METHODS] = {"auto", "taps", "half", "pyramid", "gather"};
 static const int gather_pixels = 600000; /* up to which a gather takes seconds */
 
 typedef struct settings {
     int method, model; /* model -1: not said */
     const char *path[3], *material, *csv;           /* irradiance, depth, result; one of the other two is NULL */
-    double taps, mm_per_unit, fov, ortho, strength; /* taps 0: not said; ortho 0: perspective */
+    double taps, mm_per_unit, fov, ortho, strength, budget; /* taps 0: not said; ortho 0: perspective */
 } settings;
 
 /* What has to be released, however the program ends. */
@@ -132,6 +133,7 @@ static int parse(int argc, char **argv, settings *s)
         else if (strcmp(name, "--mm-per-unit") == 0) good = value && number(value, 1e-9, 1e9, &s->mm_per_unit);
         else if (strcmp(name, "--fov") == 0) good = perspective = value && number(value, 0.01, 179.9, &s->fov);
         else if (strcmp(name, "--ortho") == 0) good = value && number(value, 1e-9, 1e9, &s->ortho);
+        else if (strcmp(name, "--budget") == 0) good = value && number(value, 0, 1, &s->budget);
         else if (strcmp(name, "--strength") == 0) good = value && number(value, 0, 1, &s->strength);
         else known = 0;
         if (!known) return fail(2, name, "unknown option; --help lists them");
@@ -143,9 +145,10 @@ static int parse(int argc, char **argv, settings *s)
         fail(2, "arguments", "three file names are expected");
         return file_usage(usage);
     }
-    if (s->method > TAPS && (s->taps > 0 || s->model >= 0))
-        return fail(2, method_names[s->method], "--taps and --model belong to the method taps");
-    if (s->taps > 0 || s->model >= 0) s->method = TAPS;
+    if (s->method > HALF && (s->taps > 0 || s->model >= 0))
+        return fail(2, method_names[s->method], "--taps and --model belong to the methods taps and half");
+    if (s->method == AUTO && (s->taps > 0 || s->model >= 0)) s->method = TAPS;
+    if (s->method != AUTO && s->budget > 0) return fail(2, method_names[s->method], "--budget belongs to the method auto");
     if ((s->material == NULL) == (s->csv == NULL))
         return fail(2, "arguments", "one of --material and --profile is expected");
     if (perspective && s->ortho > 0) return fail(2, "arguments", "--fov and --ortho exclude each other");
@@ -196,6 +199,7 @@ static int run(const settings *s, job *j)
     ms_status status;
     ms_sss_frame frame;
     ms_sss_filter_options options = ms_sss_filter_defaults();
+    ms_sss_method taken = MS_SSS_METHOD_AUTO;
     size_t size;
 
     if ((problem = image_read(s->path[0], &j->input)) != NULL) return fail(1, s->path[0], problem);
@@ -213,10 +217,12 @@ static int run(const settings *s, job *j)
     if (status != MS_OK) return error.position ? 1 : fail(1, s->material ? s->material : s->csv, error.message);
     radius = radius_px(s, j);
     for (i = 0; i < j->depth.width * j->depth.height; ++i) count += j->depth.pixels[i] > 0;
-    if (way == AUTO) way = radius > 0.5 && count <= gather_pixels ? GATHER : TAPS;
-    status = way == TAPS      ? make_kernel(s, j, radius > 0 ? radius : 1, &kernel, &error)
-             : way == PYRAMID ? ms_sss_pyramid_make(&pyramid, j->profile, &error)
-                              : MS_OK;
+    if (way == AUTO && radius > 0.5 && count <= gather_pixels) way = GATHER;
+    status = way == GATHER ? MS_OK : make_kernel(s, j, radius > 0 ? radius : 1, &kernel, &error);
+    if (status == MS_OK && (way == AUTO || way == PYRAMID)) {
+        status = ms_sss_pyramid_make(&pyramid, j->profile, &error);
+        options.pyramids = &pyramid;
+    }
     if (status != MS_OK) return fail(1, "kernel", error.message);
 
     j->output = image_new(j->input.width, j->input.height, 3);
@@ -230,17 +236,20 @@ static int run(const settings *s, job *j)
     options.fov_degrees = s->ortho > 0 ? 0 : (float)s->fov;
     options.mm_per_unit = (float)s->mm_per_unit;
     options.fade = (float)(1 - s->strength);
-    size = way == TAPS      ? ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options)
-           : way == PYRAMID ? ms_sss_pyramid_workspace(frame.width, frame.height)
-                            : ms_sss_gather_workspace(frame.width, frame.height, 0);
+    options.budget = (float)s->budget;
+    frame.taken = &taken;
+    if (way < GATHER) options.method = (ms_sss_method)way;
+    size = way == GATHER ? ms_sss_gather_workspace(frame.width, frame.height, 0)
+                         : ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);
     j->workspace = malloc(size);
     if (j->output.pixels == NULL || j->workspace == NULL) return fail(1, s->path[2], "out of memory");
-    status = way == TAPS      ? ms_sss_filter(&frame, &kernel, 1, &options, j->workspace, size, &error)
-             : way == PYRAMID ? ms_sss_pyramid_filter(&frame, &pyramid, &options, j->workspace, size, &error)
-                              : ms_sss_gather(&frame, NULL, j->profile, &options, j->workspace, size, &error);
+    status = way == GATHER ? ms_sss_gather(&frame, NULL, j->profile, &options, j->workspace, size, &error)
+                           : ms_sss_filter(&frame, &kernel, 1, &options, j->workspace, size, &error);
     if (status != MS_OK) return fail(1, s->path[0], error.message);
-    printf("%s", way == TAPS ? "two passes" : way == PYRAMID ? "pyramid" : "gathered in space");
-    if (way == TAPS) printf(" of %d taps, %d term%s", kernel.tap_count, kernel.term_count, kernel.term_count > 1 ? "s" : "");
+    if (way == GATHER) printf("gathered in space");
+    else if (taken == MS_SSS_METHOD_PYRAMID) printf("pyramid");
+    else printf("two passes of %d taps, %d term%s%s", kernel.tap_count, kernel.term_count, kernel.term_count > 1 ? "s" : "",
+                taken == MS_SSS_METHOD_HALF ? ", at half resolution" : "");
     printf("; 99%% of the light within %.1f pixels\n", radius);
 
     if (image__has_extension(s->path[2], ".png")) image_to_srgb(&j->output);

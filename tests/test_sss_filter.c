@@ -981,6 +981,357 @@ static void case_threads(void)
     test_scene_free(&s);
 }
 
+/* Half resolution as it is described, in double, around ms_sss_filter on a picture of half the sides. */
+static double half_share(const ms_sss_kernel *k, int c, double size, const double aspect[2])
+{
+    double all = (double)k->delta[c];
+    int t, i, axis;
+    for (t = 0; t < k->term_count; ++t) {
+        double part = (double)k->scale[t][c];
+        for (axis = 0; axis < 2; ++axis) {
+            double sum = 0;
+            for (i = 0; i < k->tap_count; ++i) sum += (double)k->weight[t][i][c] * fmax(0, 1 - size * aspect[axis] * fabs((double)k->offset_mm[i]));
+            part *= sum;
+        }
+        all += part;
+    }
+    return fmin(fmax(all, 0), 0.999);
+}
+
+static double half_falloff(double dz) { return fabs(dz) < 1 ? pow(1 - dz * dz, 4) : 0; }
+
+static void plain_half(const plain *p, int profile, double *const out[3])
+{
+    const test_scene *s = p->s;
+    const ms_sss_kernel *k = &p->kernels[profile];
+    const int w = s->width, h = s->height, cw = w / 2, ch = h / 2;
+    const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
+    const double mm = p->o.mm_per_unit > 0 ? (double)p->o.mm_per_unit : 1;
+    double end = 3.0746 * (p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : (0.12 + 0.13 * (1 - (double)p->o.flat)) * extent), size, aspect[2];
+    test_scene coarse = test_scene_make(cw, ch, 1);
+    ms_sss_filter_options o = p->o;
+    ms_sss_frame f;
+    float *blur[3];
+    int x, y, c, i, j;
+    if (p->o.flat >= 1 && end > (double)k->radius_mm) end = (double)k->radius_mm;
+    for (c = 0; c < 3; ++c) blur[c] = test_floats(cw * ch);
+    for (y = 0; y < ch; ++y) {
+        for (x = 0; x < cw; ++x) {
+            double sum[4] = {0, 0, 0, 0}, n = 0, least = 1e30;
+            for (j = 0; j < 2; ++j)
+                for (i = 0; i < 4; ++i) {
+                    const int at = (2 * y + i / 2) * w + 2 * x + i % 2;
+                    const double z = p->with & WITH_DEPTH ? (double)s->depth[at] : 0;
+                    double f_i;
+                    if (!plain_part(p, at) || plain_profile(p, at) != profile) continue;
+                    if (j == 0) {
+                        least = fmin(least, z);
+                        continue;
+                    }
+                    f_i = half_falloff((z - least) * mm / end);
+                    n += f_i;
+                    for (c = 0; c < 3; ++c) sum[c] += f_i * (double)s->rgb[c][at];
+                    sum[3] += f_i * z;
+                }
+            i = y * cw + x;
+            for (c = 0; c < 3; ++c) coarse.rgb[c][i] = n > 0 ? (float)(sum[c] / n) : 0;
+            coarse.depth[i] = n > 0 ? (float)(sum[3] / n) : INFINITY;
+            coarse.strength[i] = n > 0 ? 1.0f : 0.0f;
+        }
+    }
+    f = test_frame(&coarse, p->with & WITH_DEPTH ? WITH_DEPTH : WITH_STRENGTH, blur);
+    o.method = MS_SSS_METHOD_TAPS;
+    o.fade = 0;
+    for (c = 0; c < 2; ++c) o.pixels_per_mm[c] /= 2;
+    test_run(&f, k, 1, &o);
+    aspect[0] = 1;
+    aspect[1] = p->o.pixels_per_mm[1] > 0 ? (double)p->o.pixels_per_mm[1] / (double)p->o.pixels_per_mm[0] : 1;
+    size = p->o.pixels_per_mm[0] > 0 ? (double)p->o.pixels_per_mm[0]
+           : p->o.fov_degrees > 0    ? h / (2 * tan((double)p->o.fov_degrees * 3.14159265358979 / 360) * mm)
+                                     : h / ((double)p->o.ortho_height * mm);
+    for (y = 0; y < h; ++y) {
+        for (x = 0; x < w; ++x) {
+            const int at = y * w + x;
+            const double z = p->with & WITH_DEPTH ? (double)s->depth[at] : 0, pixels = p->o.fov_degrees > 0 ? size / z : size;
+            double sum[3] = {0, 0, 0}, n = 0;
+            if (!plain_part(p, at) || plain_profile(p, at) != profile) continue;
+            for (i = 0; i < 4; ++i) {
+                const int cx = (x + 1) / 2 - 1 + i % 2, cy = (y + 1) / 2 - 1 + i / 2;
+                const double near_x = cx == x / 2 ? 0.8 : 0.2, near_y = cy == y / 2 ? 0.8 : 0.2;
+                int q;
+                double f_i;
+                if (cx < 0 || cx >= cw) continue;
+                q = (cy < 0 ? 0 : cy >= ch ? ch - 1 : cy) * cw + cx;
+                if (!(coarse.strength[q] > 0)) continue;
+                f_i = near_x * near_y * (p->with & WITH_DEPTH ? half_falloff(((double)coarse.depth[q] - z) * mm / end) : 1);
+                n += f_i;
+                for (c = 0; c < 3; ++c) {
+                    const double e = (double)coarse.rgb[c][q], there = p->o.fov_degrees > 0 ? size / (double)coarse.depth[q] : size;
+                    sum[c] += f_i * (e + ((double)blur[c][q] - e) / (1 - half_share(k, c, there, aspect)));
+                }
+            }
+            for (c = 0; c < 3; ++c) {
+                const double e = (double)s->rgb[c][at];
+                double to = e, strength = 1 - (double)p->o.fade;
+                if (n > 1e-6 && pixels * (double)k->radius_mm > 0.5) to = e + (1 - half_share(k, c, pixels, aspect)) * (sum[c] / n - e);
+                if (p->with & WITH_STRENGTH) strength *= fmin((double)s->strength[at], 1);
+                out[c][at] = e + strength * (to - e);
+            }
+        }
+    }
+    for (c = 0; c < 3; ++c) free(blur[c]);
+    test_scene_free(&coarse);
+}
+
+static void case_half_size(void)
+{
+    test_scene s = test_scene_make(122, 86, test_seed);
+    const int n = 122 * 86;
+    int kind, level, c, i, wrong = 0;
+    double worst = 0;
+    ms_sss_kernel kernel[2];
+    kernel[0] = test_kernel(7, 9.0, 0.05);
+    kernel[1] = test_kernel_terms(9, 4.0); /* taps within a pixel of the centre */
+    for (i = 0; i < n; i += 97) s.depth[i] = i % 2 ? NAN : -1;
+    for (i = 5; i < n; i += 301) s.rgb[i % 3][i] = NAN;
+    for (kind = 0; kind < 3; ++kind) {
+        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+            plain p;
+            double *expected[3];
+            float *out[3];
+            ms_sss_frame f;
+            memset(&p, 0, sizeof p);
+            p.s = &s;
+            p.kernels = kernel;
+            p.count = 2;
+            p.with = (kind ? WITH_DEPTH : 0) | WITH_STRENGTH | WITH_PROFILE;
+            p.o = test_options(kind);
+            p.o.simd = (ms_simd)level;
+            p.o.method = MS_SSS_METHOD_HALF;
+            p.o.flat = kind == 1 ? 1.0f : 0.0f;
+            p.o.fade = kind == 2 ? 0.25f : 0.0f;
+            for (c = 0; c < 3; ++c) {
+                expected[c] = (double *)malloc((size_t)n * sizeof(double));
+                out[c] = test_floats(n);
+                for (i = 0; i < n; ++i) expected[c][i] = (double)s.rgb[c][i];
+            }
+            plain_half(&p, 0, expected);
+            plain_half(&p, 1, expected);
+            f = test_frame(&s, p.with, out);
+            test_run(&f, kernel, 2, &p.o);
+            for (c = 0; c < 3; ++c)
+                for (i = 0; i < n; ++i) {
+                    if (isnan(expected[c][i])) wrong += !isnan(out[c][i]);
+                    else if (!(fabs((double)out[c][i] - expected[c][i]) <= worst)) worst = fabs((double)out[c][i] - expected[c][i]);
+                }
+            for (c = 0; c < 3; ++c) {
+                free(expected[c]);
+                free(out[c]);
+            }
+        }
+    }
+    CHECK_INT(wrong, 0);
+    CHECK(worst < 1e-4); /* of values to 2.4: the rounding of the larger pixels' depths turns their slopes, which lift light */
+    TEST_NOTE("largest difference %.1e", worst);
+    test_scene_free(&s);
+}
+
+/* What is the same at half resolution: layouts, threads, odd sides, in place; what takes no part; a constant. */
+static void case_half_promises(void)
+{
+    static const int sizes[][2] = {{64, 48}, {61, 47}, {1, 33}, {33, 1}, {1, 1}, {2, 3}, {97, 130}};
+    int z, c, i, kind;
+    for (z = 0; z < (int)(sizeof sizes / sizeof sizes[0]); ++z) {
+        const int w = sizes[z][0], h = sizes[z][1], n = w * h;
+        for (kind = 0; kind < 3; ++kind) {
+            test_scene s = test_scene_make(w, h, test_seed + (uint64_t)z);
+            ms_sss_kernel k = test_kernel(7, 6.0, 0.0);
+            ms_sss_filter_options o = test_options(kind);
+            const int with = (kind ? WITH_DEPTH : 0) | (z % 2 ? WITH_STRENGTH | WITH_ALBEDO | WITH_SPECULAR : 0);
+            float *out[3], *other[3], *rgb = test_floats(3 * n);
+            ms_sss_frame f;
+            test_pool pool;
+            o.method = MS_SSS_METHOD_HALF;
+            o.albedo_mode = (ms_sss_albedo_mode)kind;
+            for (c = 0; c < 3; ++c) {
+                out[c] = test_floats(n);
+                other[c] = test_floats(n);
+            }
+            f = test_frame(&s, with, out);
+            if (test_run(&f, &k, 1, &o) != MS_OK) return;
+            o.parallel = test_parallel(&pool, 3);
+            f = test_frame(&s, with, other);
+            test_run(&f, &k, 1, &o);
+            for (c = 0; c < 3; ++c) CHECK(test_same(out[c], other[c], n));
+            for (c = 0; c < 3; ++c) memcpy(other[c], s.rgb[c], (size_t)n * sizeof(float));
+            f.input = f.output;
+            test_run(&f, &k, 1, &o);
+            for (c = 0; c < 3; ++c) CHECK(test_same(out[c], other[c], n));
+            memset(&o.parallel, 0, sizeof o.parallel);
+            f = test_frame(&s, with, other);
+            for (i = 0; i < n; ++i)
+                for (c = 0; c < 3; ++c) rgb[3 * i + c] = s.rgb[c][i];
+            f.input = f.output = ms_sss_interleaved(rgb, 3, 0);
+            test_run(&f, &k, 1, &o);
+            for (i = 0; i < n; ++i)
+                for (c = 0; c < 3; ++c) CHECK(test_same(&rgb[3 * i + c], &out[c][i], 1));
+
+            o = test_options(kind); /* a constant, and what lies behind a hole */
+            o.method = MS_SSS_METHOD_HALF;
+            o.flat = 1;
+            for (i = 0; i < n; ++i) {
+                s.strength[i] = i % 7 && i % w > w / 3 ? 1.0f : 0.0f;
+                for (c = 0; c < 3; ++c) s.rgb[c][i] = s.strength[i] > 0 ? 0.25f : i % 5 ? 1000.0f : INFINITY;
+            }
+            f = test_frame(&s, (kind ? WITH_DEPTH : 0) | WITH_STRENGTH, out);
+            test_run(&f, &k, 1, &o);
+            for (i = 0; i < n; ++i)
+                for (c = 0; c < 3; ++c) {
+                    if (s.strength[i] > 0) CHECK_NEAR(out[c][i], 0.25, 1e-6); /* as promised at full resolution */
+                    else CHECK(test_same(&out[c][i], &s.rgb[c][i], 1));
+                }
+            for (c = 0; c < 3; ++c) {
+                free(out[c]);
+                free(other[c]);
+            }
+            free(rgb);
+            test_scene_free(&s);
+        }
+    }
+}
+
+/* Root mean square of a - b over the standard deviation of b. */
+static double method_error(float *const a[3], float *const b[3], int n)
+{
+    double error = 0, mean = 0, square = 0;
+    int c, i;
+    for (c = 0; c < 3; ++c)
+        for (i = 0; i < n; ++i) {
+            const double d = (double)a[c][i] - (double)b[c][i];
+            error += d * d;
+            mean += (double)b[c][i] / (3.0 * n);
+            square += (double)b[c][i] * (double)b[c][i];
+        }
+    return sqrt(error / (square - 3.0 * n * mean * mean));
+}
+
+/* One entry: what AUTO takes and says, that it keeps to its budget, what can be forced, what is refused. */
+static void case_methods(void)
+{
+    enum { W = 320, H = 240 };
+    static ms_sss_kernel kernel[2];
+    static ms_sss_pyramid pyramid[2];
+    const double reflectance[3] = {0.44, 0.22, 0.13}, d_mm[3] = {1.2, 0.5, 0.3};
+    test_scene s = test_scene_make(W, H, test_seed);
+    ms_sss_filter_options o = ms_sss_filter_defaults();
+    ms_sss_method taken[2] = {MS_SSS_METHOD_AUTO, MS_SSS_METHOD_AUTO};
+    float *full[3], *out[3], *mask = test_floats(W * H);
+    ms_sss_profile *profile;
+    ms_sss_frame f;
+    ms_error error;
+    double size, e;
+    int c, i, which, flat, pixels;
+    CHECK_INT(ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, NULL), MS_OK);
+    CHECK_INT(ms_sss_kernel_make(&kernel[0], NULL, profile, 24, NULL, NULL, NULL), MS_OK);
+    CHECK_INT(ms_sss_pyramid_make(&pyramid[0], profile, NULL), MS_OK);
+    ms_sss_profile_destroy(profile);
+    kernel[1] = kernel[0];
+    pyramid[1] = pyramid[0];
+    for (c = 0; c < 3; ++c) {
+        full[c] = test_floats(W * H);
+        out[c] = test_floats(W * H);
+        for (i = 0; i < W * H; ++i) /* light through a window's bars, on a texture */
+            s.rgb[c][i] = 0.5f + 0.3f * sinf(0.05f * (float)(i % W)) + ((i % W / 40 + i / W / 40) % 2 ? 0.5f : 0.0f) + 0.1f * sinf(0.4f * (float)(i / W) + (float)c);
+    }
+    size = (double)kernel[0].profile_radius_mm; /* nearest depth 90 */
+    o.fov_degrees = 40;
+    for (which = 0; which < 3; ++which) {
+        pixels = which == 0 ? 20 : which == 1 ? 36 : 60;
+        o.mm_per_unit = (float)(size * H / (2 * tan(20 * 3.14159265358979 / 180) * pixels * (110 - 20 * sqrt(0.7))));
+        for (flat = 0; flat < 2; ++flat) {
+            o.flat = (float)flat;
+            o.method = MS_SSS_METHOD_AUTO;
+            o.budget = 0;
+            o.pyramids = NULL;
+            f = test_frame(&s, WITH_DEPTH, full);
+            f.taken = taken;
+            test_run(&f, kernel, 1, &o);
+            CHECK_INT(taken[0], MS_SSS_METHOD_TAPS);
+            o.method = MS_SSS_METHOD_TAPS;
+            f = test_frame(&s, WITH_DEPTH, out);
+            test_run(&f, kernel, 1, &o);
+            for (c = 0; c < 3; ++c) CHECK(test_same(full[c], out[c], W * H)); /* the default is what it was without methods */
+            o.method = MS_SSS_METHOD_AUTO;
+            o.budget = 0.05f;
+            f.taken = taken;
+            test_run(&f, kernel, 1, &o);
+            CHECK_INT(taken[0], MS_SSS_METHOD_HALF);
+            e = method_error(out, full, W * H);
+            TEST_NOTE("%d pixels, flat %d: %.1f%% at half resolution", pixels, flat, 100 * e);
+            CHECK(e > 0 && e < 0.05);
+            o.budget = 0.02f;
+            test_run(&f, kernel, 1, &o);
+            CHECK_INT(taken[0], MS_SSS_METHOD_TAPS);
+            o.pyramids = pyramid; /* 7 taps show bands beyond 24 pixels */
+            test_run(&f, kernel, 1, &o);
+            CHECK_INT(taken[0], which ? MS_SSS_METHOD_PYRAMID : MS_SSS_METHOD_TAPS);
+            o.budget = 0.05f; /* at half resolution beyond 48 */
+            test_run(&f, kernel, 1, &o);
+            CHECK_INT(taken[0], which == 2 ? MS_SSS_METHOD_PYRAMID : MS_SSS_METHOD_HALF);
+        }
+    }
+    /* forced, for two profiles: each region as the pyramid filters it alone */
+    o.flat = 0;
+    o.method = MS_SSS_METHOD_PYRAMID;
+    o.pyramids = pyramid;
+    for (i = 0; i < W * H; ++i) s.profile[i] = (uint8_t)(i % W > W / 3 ? 1 : 0);
+    f = test_frame(&s, WITH_DEPTH | WITH_PROFILE, out);
+    f.taken = taken;
+    test_run(&f, kernel, 2, &o);
+    CHECK_INT(taken[0], MS_SSS_METHOD_PYRAMID);
+    CHECK_INT(taken[1], MS_SSS_METHOD_PYRAMID);
+    for (which = 0; which < 2; ++which) {
+        const size_t bytes = ms_sss_pyramid_workspace(W, H);
+        void *workspace = malloc(bytes);
+        for (i = 0; i < W * H; ++i) mask[i] = s.profile[i] == which ? 1.0f : 0.0f;
+        f = test_frame(&s, WITH_DEPTH, full);
+        f.strength = ms_sss_map(mask, 1, 0);
+        CHECK_INT(ms_sss_pyramid_filter(&f, &pyramid[which], &o, workspace, bytes, NULL), MS_OK);
+        for (c = 0; c < 3; ++c)
+            for (i = 0; i < W * H; ++i)
+                if (mask[i] > 0) CHECK(test_same(&full[c][i], &out[c][i], 1));
+        free(workspace);
+    }
+    { /* refused before anything is written */
+        char workspace[1];
+        const size_t bytes = ms_sss_filter_workspace(W, H, kernel, 1, &o);
+        void *all = malloc(bytes);
+        f = test_frame(&s, WITH_DEPTH, out);
+        memcpy(full[0], out[0], W * H * sizeof(float));
+        o.pyramids = NULL;
+        CHECK_INT(ms_sss_filter(&f, kernel, 1, &o, all, bytes, &error), MS_UNSUPPORTED);
+        CHECK(strstr(error.message, "pyramids") != NULL);
+        o.pyramids = pyramid;
+        o.rotation = 0.5f;
+        CHECK_INT(ms_sss_filter(&f, kernel, 1, &o, all, bytes, &error), MS_UNSUPPORTED);
+        o.rotation = 0;
+        CHECK_INT(ms_sss_filter(&f, kernel, 1, &o, workspace, 1, &error), MS_INVALID_ARGUMENT);
+        o.method = (ms_sss_method)4;
+        CHECK_INT(ms_sss_filter(&f, kernel, 1, &o, all, bytes, &error), MS_INVALID_ARGUMENT);
+        o.method = MS_SSS_METHOD_AUTO;
+        o.budget = -1;
+        CHECK_INT(ms_sss_filter(&f, kernel, 1, &o, all, bytes, &error), MS_INVALID_ARGUMENT);
+        CHECK(test_same(full[0], out[0], W * H));
+        free(all);
+    }
+    for (c = 0; c < 3; ++c) {
+        free(full[c]);
+        free(out[c]);
+    }
+    free(mask);
+    test_scene_free(&s);
+}
+
 /* Light behind a hole of the mask, and on the other side of a boundary between profiles, stays there. */
 static void case_mask(void)
 {
@@ -1476,6 +1827,9 @@ static const test_case cases[] = {
     {"binary16", case_half},
     {"threads", case_threads},
     {"masks and profiles", case_mask},
+    {"half resolution in double", case_half_size},
+    {"half resolution: promises", case_half_promises},
+    {"methods", case_methods},
     {"refused", case_refused},
     {"upload of taps", case_upload},
     {"planes", case_planes},
