@@ -1,4 +1,4 @@
-/* From optical parameters to pictures: build/demo_sss FOLDER [--width 1920] writes
+/* From optical parameters to pictures: build/demo_sss FOLDER [--width 1920] [--method half] writes
      profiles_red.svg, _green, _blue       diffusion profiles of all 11 materials
      skin1_before.png, _after, and skin1.png with half of each; the same for marble; demo.png with both
      bust.png, knot.png                    before, after, truth (random walks, examples/data/truth_*.bin) and their difference,
@@ -13,8 +13,10 @@
 #include "plot.h"
 #include "scene.h"
 
-static const char usage[] = "usage: demo_sss FOLDER [--width 64..7680]\n";
+static const char usage[] = "usage: demo_sss FOLDER [--width 64..7680] [--method auto|taps|half|pyramid]\n";
 static const char *folder;
+static const char *const methods[] = {"auto", "taps", "half", "pyramid"}; /* in the order of ms_sss_method */
+static ms_sss_method method;                                              /* of skin1 and marble */
 
 static const char *file(const char *name)
 {
@@ -135,6 +137,8 @@ static image show_object(scene_object object, const char *material, int width)
     ms_sss_profile *profile = material_profile(material);
     ms_sss_kernel_options design = ms_sss_kernel_defaults();
     static ms_sss_kernel kernel;
+    static ms_sss_pyramid pyramid;
+    ms_sss_method taken;
     ms_sss_frame frame;
     ms_sss_filter_options options = ms_sss_filter_defaults();
     scene s;
@@ -165,6 +169,10 @@ static image show_object(scene_object object, const char *material, int width)
     frame.depth = ms_sss_map(s.depth.pixels, 1, 0);
     frame.strength = ms_sss_map(s.mask.pixels, 1, 0);
     options.fov_degrees = 2 * atanf(s.camera.tan_half_fov) * (180 / 3.14159265f);
+    need_ok(ms_sss_pyramid_make(&pyramid, profile, NULL), "pyramid");
+    options.method = method;
+    options.pyramids = &pyramid;
+    frame.taken = &taken;
     size = ms_sss_filter_workspace(width, height, &kernel, 1, &options);
     workspace = malloc(size);
     if (filtered.pixels == NULL || workspace == NULL) need("out of memory", "filter");
@@ -526,10 +534,16 @@ int main(int argc, char **argv)
     image bust, knot;
     file_out truths;
     FILE *lines;
-    int width = argc == 4 && strcmp(argv[2], "--width") == 0 ? atoi(argv[3]) : 1920;
+    int width = 1920, i, known = argc > 1;
     if (file_help(argc, argv, usage)) return file_end_stdout("demo_sss");
-    if ((argc != 2 && argc != 4) || width < 64 || width > 7680)
-        return file_usage(usage);
+    for (i = 2; i < argc && known; i += 2) {
+        int way = 0;
+        while (i + 1 < argc && way < 4 && strcmp(argv[i + 1], methods[way]) != 0) ++way;
+        if (strcmp(argv[i], "--width") == 0 && i + 1 < argc) width = atoi(argv[i + 1]);
+        else if (strcmp(argv[i], "--method") == 0 && i + 1 < argc && way < 4) method = (ms_sss_method)way;
+        else known = 0;
+    }
+    if (!known || width < 64 || width > 7680) return file_usage(usage);
     folder = argv[1];
     page = file_create(file("kernels.html"), &out);
     if (page == NULL) need(out.problem, file("kernels.html"));
