@@ -5146,16 +5146,16 @@ static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int pro
     }
 }
 
-/* A kernel at full resolution. known: the picture's least depth. */
-static ms_status ms_sss__taps_filter(const ms_sss__job *known, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile, int kernel_count,
+/* A kernel at full resolution. job: of which the picture's least depth is known, or not. */
+static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile, int kernel_count,
                                      const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error)
 {
-    ms_sss__job job;
+    const float nearest = job->nearest;
     float *end;
-    ms_status status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size, workspace_size, 0, &end, error);
+    ms_status status = ms_sss__begin(job, frame, kernels, kernel_count, options, workspace, workspace_size, workspace_size, 0, &end, error);
     if (status != MS_OK) return status;
-    job.nearest = known->nearest;
-    ms_sss__apply(&job, &kernels[profile], profile);
+    job->nearest = nearest;
+    ms_sss__apply(job, &kernels[profile], profile);
     return MS_OK;
 }
 
@@ -5177,7 +5177,7 @@ static size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kern
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16), (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
     return ms__size_add(ms__size_add(ms_sss__plan(width, height, kernels, kernel_count, options, 1).total, planes),
-                        ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, 0).total, 128));
+                        ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, 0).total, sizeof(ms_sss__half) + 192));
 }
 
 /* The normal of the nearest of four pixels. */
@@ -5308,45 +5308,45 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
                                      const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error)
 {
     const ms_sss_kernel *k = &kernels[profile];
-    ms_sss__half half;
-    ms_sss__halving *h = &half.halving;
+    ms_sss__half *half = (ms_sss__half *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    ms_sss__halving *h = &half->halving;
     ms_sss_filter_options inner_options = *options;
     ms_sss_frame inner;
     ms_status status;
     float *at, *end;
-    size_t plane, left;
+    size_t plane, left = workspace_size - (size_t)((char *)(half + 1) - (char *)workspace);
     int i, c, t;
-    status = ms_sss__begin(&half.job, frame, kernels, kernel_count, options, workspace, workspace_size, workspace_size, 1, &at, error);
+    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, 1, &at, error);
     if (status != MS_OK) return status;
     memset(&inner, 0, sizeof inner);
     inner.width = (frame->width + 1) / 2;
     inner.height = (frame->height + 1) / 2;
-    half.stride = ms_sss__round_up(inner.width, 16);
-    plane = (size_t)half.stride * (size_t)inner.height;
+    half->stride = ms_sss__round_up(inner.width, 16);
+    plane = (size_t)half->stride * (size_t)inner.height;
     for (c = 0; c < 3; ++c) {
-        const int given = half.job.shaped && frame->normal.channel[0] != NULL;
-        half.light[c] = at + (size_t)c * plane;
-        half.blur[c] = at + (size_t)(3 + c) * plane;
-        half.normal[c] = given ? at + (size_t)(8 + c) * plane : NULL;
+        const int given = half->job.shaped && frame->normal.channel[0] != NULL;
+        half->light[c] = at + (size_t)c * plane;
+        half->blur[c] = at + (size_t)(3 + c) * plane;
+        half->normal[c] = given ? at + (size_t)(8 + c) * plane : NULL;
     }
-    half.depth = at + 6 * plane;
-    half.mask = frame->depth.channel[0] ? NULL : at + 7 * plane;
+    half->depth = at + 6 * plane;
+    half->mask = frame->depth.channel[0] ? NULL : at + 7 * plane;
     at += MS_SSS__HALF_PLANES * plane;
     left = workspace_size - (size_t)((char *)at - (char *)workspace);
 
-    half.job.whole_first = 1; /* colours are 0 where nothing takes part */
-    ms_sss__set_kernel(&half.job, k, profile);
-    half.job.direct = ms_sss__plain(&half.job);
-    if (!(half.job.gain > 0)) half.job.idle = 1;
+    half->job.whole_first = 1; /* colours are 0 where nothing takes part */
+    ms_sss__set_kernel(&half->job, k, profile);
+    half->job.direct = ms_sss__plain(&half->job);
+    if (!(half->job.gain > 0)) half->job.idle = 1;
     memset(h, 0, sizeof *h);
     h->kernel = k;
-    h->perspective = half.job.pass.perspective;
-    h->size = half.job.pass.size;
-    h->size_max = half.job.pass.size_max;
-    h->size_min = half.job.pass.size_min;
-    h->within = 1 / sqrtf(half.job.pass.cut);
-    h->scale = half.job.depth_scale;
-    for (c = 0; c < 2; ++c) h->aspect[c] = half.job.pass.aspect[c];
+    h->perspective = half->job.pass.perspective;
+    h->size = half->job.pass.size;
+    h->size_max = half->job.pass.size_max;
+    h->size_min = half->job.pass.size_min;
+    h->within = 1 / sqrtf(half->job.pass.cut);
+    h->scale = half->job.depth_scale;
+    for (c = 0; c < 2; ++c) h->aspect[c] = half->job.pass.aspect[c];
     for (i = 1; i < k->tap_count; ++i)
         for (c = 0; c < 2; ++c)
             if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * h->apart >= 1)) h->apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
@@ -5355,29 +5355,29 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
         for (t = 0; t < k->term_count; ++t) share += (double)k->scale[t][c] * (double)k->weight[t][0][c] * (double)k->weight[t][0][c];
         h->share[c] = (float)(share < 0 ? 0 : share > 0.999 ? 0.999 : share);
     }
-    half.bold = !half.job.idle && frame->depth.channel[0] && !frame->strength.channel[0] && !frame->profile && half.job.padded == frame->width &&
+    half->bold = !half->job.idle && frame->depth.channel[0] && !frame->strength.channel[0] && !frame->profile && half->job.padded == frame->width &&
                 (!frame->albedo.channel[0] || options->albedo_mode == MS_SSS_ALBEDO_POST);
-    ms_sss__run(&half.job, 0, inner.height, ms_sss__half_down);
-    if (half.job.idle) return MS_OK;
+    ms_sss__run(&half->job, 0, inner.height, ms_sss__half_down);
+    if (half->job.idle) return MS_OK;
 
-    inner.input = ms_sss_planar(half.light[0], half.light[1], half.light[2], 0);
-    inner.output = ms_sss_planar(half.blur[0], half.blur[1], half.blur[2], 0);
-    if (half.mask) inner.strength = ms_sss_map(half.mask, 1, 0);
-    else inner.depth = ms_sss_map(half.depth, 1, 0);
-    if (half.normal[0]) inner.normal = ms_sss_planar(half.normal[0], half.normal[1], half.normal[2], 0);
-    inner.input.row_stride = inner.output.row_stride = inner.strength.row_stride = inner.depth.row_stride = inner.normal.row_stride = half.stride;
+    inner.input = ms_sss_planar(half->light[0], half->light[1], half->light[2], 0);
+    inner.output = ms_sss_planar(half->blur[0], half->blur[1], half->blur[2], 0);
+    if (half->mask) inner.strength = ms_sss_map(half->mask, 1, 0);
+    else inner.depth = ms_sss_map(half->depth, 1, 0);
+    if (half->normal[0]) inner.normal = ms_sss_planar(half->normal[0], half->normal[1], half->normal[2], 0);
+    inner.input.row_stride = inner.output.row_stride = inner.strength.row_stride = inner.depth.row_stride = inner.normal.row_stride = half->stride;
     inner_options.fade = 0;
     inner_options.albedo_mode = MS_SSS_ALBEDO_POST;
-    status = ms_sss__begin(&half.inner, &inner, k, 1, &inner_options, at, left, left, 0, &end, error);
+    status = ms_sss__begin(&half->inner, &inner, k, 1, &inner_options, at, left, left, 0, &end, error);
     if (status != MS_OK) return status;
-    half.inner.full_width = frame->width;
-    half.inner.full_height = frame->height;
-    half.inner.coarse = 2;
-    half.inner.rough = frame->depth.half;
-    half.inner.unwritten = 0;
-    ms_sss__apply(&half.inner, k, 0);
-    for (c = 0; c < 3 && half.inner.idle; ++c) half.blur[c] = half.light[c]; /* under half of a larger pixel */
-    ms_sss__run(&half.job, 0, frame->height, ms_sss__half_up);
+    half->inner.full_width = frame->width;
+    half->inner.full_height = frame->height;
+    half->inner.coarse = 2;
+    half->inner.rough = frame->depth.half;
+    half->inner.unwritten = 0;
+    ms_sss__apply(&half->inner, k, 0);
+    for (c = 0; c < 3 && half->inner.idle; ++c) half->blur[c] = half->light[c]; /* under half of a larger pixel */
+    ms_sss__run(&half->job, 0, frame->height, ms_sss__half_up);
     return MS_OK;
 }
 
