@@ -145,6 +145,17 @@ def studio(b):
     layout(b, "studio")
     b.look(1600, 1000)
 
+    # more and fewer of a kind
+    version = b.value("studio.version")
+    b.click("#like")
+    b.until("studio.version > %d && studio.idle()" % version, WAIT)
+    version = b.value("studio.version")
+    b.click("#avoid")
+    b.until("studio.version > %d && studio.idle()" % version, WAIT)
+    x = b.value("studio.view.x")
+    near = min(math.sqrt(mean((p - q) ** 2 for p, q in zip(x, r))) for r in b.value("studio.recommended.map(r => r.x)"))
+    check("not like it: nothing nearer than 0.15", near >= 0.15 - 1e-6, near)  # ms_gpr.h's avoid_distance
+
     # what leaves the page
     b.value("HTMLAnchorElement.prototype.click = function () { studio.link = this.download }")
     b.click("#csv")
@@ -160,6 +171,37 @@ def studio(b):
     check("MaterialX", root.get("version") == "1.38" and [e.tag for e in root] == ["standard_surface", "surfacematerial"] * 2 and
           len(set(names)) == 4 and all(re.fullmatch("[A-Za-z_][A-Za-z0-9_]*", n) for n in names), names)
     check("studio: no complaint on the console", b.problems == [], b.problems[:5])
+
+
+def pairs(b):
+    """The better of two, and neither, without a score."""
+    b.open("examples/web/studio.html", 1600, 1000)
+    b.until("window.studio && studio.idle()", WAIT)
+    b.click("#by-pair")
+    shown = []
+    for n in range(1, 31):
+        b.until("document.querySelectorAll('#deck .card:not(.gone):not(.waiting)').length === 2", WAIT)
+        likes = [taste([float(v) for v in x.split(",")]) for x in b.value("[...document.querySelectorAll('#deck .card:not(.gone)')].map(c => c.dataset.x)")]
+        shown += likes if n <= 8 else []
+        if max(likes) < 1:
+            b.click("#neither")
+        else:
+            b.click_on("document.querySelectorAll('#deck .card:not(.gone)')[%d]" % (likes[1] > likes[0]))
+        b.until("studio.answers === %d" % n, WAIT)
+    b.until("studio.idle()", WAIT)
+    b.picture(out + "/pairs.png", True)
+    liked = mean(taste(x) for x in b.value("studio.recommended.map(r => r.x)"))
+    print("recommendations %.2f of 10 after 30 comparisons, the first 16 shown %.2f" % (liked, mean(shown)))
+    # ten sessions of other seeds: 4.0 to 9.0
+    check("recommendations to the taste, from comparisons alone", liked > 2.5, liked)
+    b.click("#undo")
+    b.until("studio.answers === 31 && studio.idle()", WAIT)
+    b.click("#by-score")
+    b.until("studio.idle() && document.querySelectorAll('#deck .scale').length === 8", WAIT)
+    b.click_on("document.querySelector('#deck .card:not(.gone)').querySelectorAll('.scale button')[7]")
+    b.until("studio.answers === 32 && studio.idle()", WAIT)
+    check("a score after comparisons", b.value("studio.scored.length") == 1)
+    check("pairs: no complaint on the console", b.problems == [], b.problems[:5])
 
 
 def kernels(b):
@@ -267,7 +309,7 @@ def kernels(b):
     check("kernels: no complaint on the console", b.problems == [], b.problems[:5])
 
 
-pages = {"studio": studio, "kernels": kernels}
+pages = {"studio": studio, "pairs": pairs, "kernels": kernels}
 for name in sys.argv[2:] or pages:
     with Browser(out) as browser:
         try:

@@ -120,6 +120,10 @@ CALL(int, settled, (void)) { return session.settled || session.state == STUDIO_E
 CALL(int, gallery, (int count)) { return (int)studio_gallery(&session, count, material, NULL, &error); }
 CALL(int, score, (double score)) { return (int)studio_score(&session, material, score, &error); }
 CALL(int, rescore, (int index, double score)) { return (int)studio_rescore(&session, index, score, &error); }
+CALL(int, better, (void)) { return (int)studio_better(&session, material, material + M, &error); } /* material 0 of x than material 1 */
+CALL(int, neither, (int count)) { return (int)studio_pick(&session, material, count, NULL, 0, &error); }
+CALL(int, like, (int count)) { return (int)studio_like(&session, material, count, &error); }
+CALL(int, avoid, (void)) { return (int)studio_avoid(&session, material, &error); }
 CALL(int, undo, (void)) { return (int)studio_undo(&session, &error); }
 CALL(int, update, (void)) { return (int)studio_update(&session, &error); }
 

@@ -96,7 +96,7 @@ function sparks(at, kinds) {
 }
 
 // ------------------------------------------------------------------------------------------------------------- the session
-const studio = window.studio = { deck: [], scored: [], recommended: [], chosen: null, view: null, match: null, kept: [], settled: true, version: 0, longest: 0 };
+const studio = window.studio = { deck: [], scored: [], recommended: [], chosen: null, view: null, match: null, kept: [], settled: true, version: 0, answers: 0, longest: 0 };
 // The longest that the page itself held a frame up, in ms; for whoever wants to know.
 const timed = f => function (...a) {
   const t = performance.now();
@@ -167,65 +167,69 @@ function leave(item) {
   setTimeout(deal, 230);
 }
 
+// An answer on its way to the mind, and how the page takes it back.
+const done = [];
+function says(call, args, back) {
+  ++studio.answers;
+  studio.settled = false;
+  if (back) done.push(back);
+  $('undo').disabled = done.length === 0;
+  const told = mind.ask(call, args);
+  told.catch(fail);
+  return told;
+}
 const answer = timed((item, score, at) => {
   if (!studio.deck.includes(item) || item.card.classList.contains('gone')) return;
   if (score >= 9) sparks(at, [heart, star]);
-  const index = studio.scored.length;
-  studio.scored.push({ x: item.x, score, picture: item.picture });
-  studio.settled = false;
-  mind.ask('score', { x: item.x, score }).catch(fail);
+  const s = { x: item.x, score, picture: item.picture };
+  studio.scored.push(s);
+  s.row = says('score', { x: item.x, score }, () => { studio.scored.pop(); again(s); });
   leave(item);
-  piece(() => remember(index));
+  piece(() => remember(s));
   tell();
 });
 
-function remember(index) {
-  const s = studio.scored[index], b = make('button', { className: 'was', ariaLabel: `${nameOf(s.x, s.picture)}: ${s.score}` }, ball(s.picture), make('b', { textContent: s.score }));
-  b.onclick = () => rethink(index);
-  s.button = b;
-  $('history').prepend(b);
-  $('undo').disabled = false;
+function remember(s) {
+  if (s.gone) return;
+  s.button = make('button', { className: 'was', ariaLabel: `${nameOf(s.x, s.picture)}: ${s.score}` }, ball(s.picture), make('b', { textContent: s.score }));
+  if (s.row) s.button.onclick = () => rethink(s);
+  $('history').prepend(s.button);
 }
-function rethink(index) {
-  const s = studio.scored[index], d = make('dialog');
-  d.append(ball(s.picture), scale(k => {
-    undone.push({ index, score: s.score });
-    s.score = k;
-    s.button.querySelector('b').textContent = k;
-    studio.settled = false;
-    mind.ask('rescore', { index, score: k }).catch(fail);
+// What was taken back is shown again.
+function again(...items) {
+  for (const s of items) {
+    s.gone = true;
+    if (s.button) s.button.remove();
+  }
+  for (const item of studio.deck.splice(studio.deck.length - items.length)) { if (item.card) item.card.remove(); queue.unshift(item); }
+  for (const s of items) queue.unshift({ x: s.x, picture: s.picture });
+  deal();
+}
+function rethink(s) {
+  const d = make('dialog'), mark = score => { s.score = score; s.button.querySelector('b').textContent = score; };
+  d.append(ball(s.picture), scale(async k => {
+    const old = s.score;
+    mark(k);
     d.close();
+    says('rescore', { index: await s.row, score: k }, () => mark(old));
   }, s.score));
   d.onclose = () => d.remove();
   d.onclick = e => { if (e.target === d) d.close(); };
   document.body.append(d);
   d.showModal();
 }
-const undone = []; // rescores since the last score, to be taken back in their order
-$('undo').onclick = timed(async () => {
-  studio.settled = false;
-  const again = undone.length && undone[undone.length - 1].index < studio.scored.length ? undone.pop() : null;
-  if (again) {
-    const s = studio.scored[again.index];
-    s.score = again.score;
-    s.button.querySelector('b').textContent = s.score;
-  } else {
-    const s = studio.scored.pop();
-    s.button.remove();
-    queue.unshift({ x: s.x, picture: s.picture });
-    const last = studio.deck.pop();
-    if (last) { if (last.card) last.card.remove(); queue.splice(1, 0, last); }
-    deal();
-  }
-  $('undo').disabled = studio.scored.length === 0;
-  await mind.ask('undo').catch(fail);
+$('undo').onclick = timed(() => {
+  const back = done.pop();
+  says('undo');
+  back();
+  tell();
 });
 
 // --------------------------------------------------------------------------------------------------------- recommendations
 let restock;
 function heard({ learned, settled, state, problem }) {
   if (problem) return fail(problem);
-  if (learned !== studio.scored.length && settled) return; // scores are under way
+  if (learned !== studio.answers && settled) return; // more is under way
   if (state >= 2) restock(settled);
   if (settled && !(state >= 2)) studio.settled = true;
 }
@@ -239,14 +243,14 @@ restock = latest(async settled => {
   } catch (e) {
     studio.recommended = [];
     $('shelf').replaceChildren();
-    $('advice').textContent = studio.scored.length < 8 ? 'Keep going: nothing to go by yet.' : 'Nothing that you like so far. Score something a little higher, and I will find its friends.';
+    $('advice').textContent = done.length < 8 ? 'Keep going: nothing to go by yet.' : 'Nothing that you like so far. Score something a little higher, and I will find its friends.';
   }
   if (settled) studio.settled = true;
   tell();
 });
 function stock(found) { // the shelf's buttons stay, their pictures change one after the other
-  const shelf = $('shelf'), best = Math.max(10, ...studio.scored.map(s => s.score)), version = ++studio.version;
   studio.recommended = found;
+  const shelf = $('shelf'), top = best(), version = ++studio.version;
   found.forEach((f, k) => piece(() => {
     if (version !== studio.version) return;
     let b = shelf.children[k];
@@ -258,25 +262,27 @@ function stock(found) { // the shelf's buttons stay, their pictures change one a
     b.material = f.x;
     b.dataset.x = f.x.map(v => v.toFixed(5)).join();
     b.classList.remove('chosen');
-    b.title = b.ariaLabel = `${nameOf(f.x, f.picture)}: about ${f.mean.toFixed(1)} ± ${f.sigma.toFixed(1)}`;
+    b.title = b.ariaLabel = studio.scored.length ? `${nameOf(f.x, f.picture)}: about ${f.mean.toFixed(1)} ± ${f.sigma.toFixed(1)}` : nameOf(f.x, f.picture);
     show(b.firstChild, f.picture);
     b.firstChild.getAnimations().forEach(a => { a.cancel(); a.play(); });
-    b.lastChild.innerHTML = face(Math.min(Math.max(f.mean / best, 0), 1));
+    b.lastChild.innerHTML = face(Math.min(Math.max(f.mean / top, 0), 1));
   }));
   $('advice').textContent = 'Click one to walk around it.';
   $('more').disabled = false;
 }
 $('more').onclick = () => restock(false);
 
+// What a delighted face stands for: without scores predictions have a scale of their own.
+const best = () => studio.scored.length ? Math.max(10, ...studio.scored.map(s => s.score)) : Math.max(1e-3, ...studio.recommended.map(r => r.mean));
 function tell() {
-  const n = studio.scored.length, r = studio.recommended, mean = r.length ? r.reduce((s, f) => s + f.mean, 0) / r.length / 10 : 0.5;
+  const n = done.length, r = studio.recommended, mean = r.length ? r.reduce((s, f) => s + f.mean, 0) / r.length / best() : 0.5;
   $('mood').innerHTML = face(n ? Math.min(Math.max(r.length ? mean : 0.35, 0), 1) : 0.7);
   const lobes = { diffuse: 0, metal: 0, glass: 0, jelly: 0 };
   r.forEach(f => { const s = shares(f.x); for (const k in s) lobes[k] += s[k] / r.length; });
   const top = Object.keys(lobes).sort((a, b) => lobes[b] - lobes[a]);
   $('says').textContent = n === 0 ? 'Tell me what you like. I learn while you click.'
-    : r.length === 0 ? `${n} ${n === 1 ? 'score' : 'scores'}, and I am curious …`
-    : n < 10 ? `${n} scores. A hunch: ${names[top[0]]}?` : `${n} scores. You seem to like ${names[top[0]]}${lobes[top[1]] > 0.28 ? ' and ' + names[top[1]] : ''}.`;
+    : r.length === 0 ? `${n} ${n === 1 ? 'answer' : 'answers'}, and I am curious …`
+    : n < 10 ? `${n} answers. A hunch: ${names[top[0]]}?` : `${n} answers. You seem to like ${names[top[0]]}${lobes[top[1]] > 0.28 ? ' and ' + names[top[1]] : ''}.`;
 }
 
 // --------------------------------------------------------------------------------------------------------------- the plane
@@ -355,16 +361,16 @@ const step = latest(async to => {
 const look = timed(v => {
   studio.view = { x: v.x, score: v.score, sigma: v.sigma, picture: v.picture };
   show($('here'), v.picture);
-  const s = shares(v.x), best = Math.max(10, ...studio.scored.map(q => q.score));
-  $('here-face').innerHTML = face(Math.min(Math.max(v.score / best, 0), 1));
+  const s = shares(v.x);
+  $('here-face').innerHTML = face(Math.min(Math.max(v.score / best(), 0), 1));
   $('here-name').textContent = nameOf(v.x, v.picture);
-  $('where').textContent = `I guess ${Math.max(v.score, 0).toFixed(1)} ± ${v.sigma.toFixed(1)}`;
+  $('where').textContent = studio.scored.length ? `I guess ${Math.max(v.score, 0).toFixed(1)} ± ${v.sigma.toFixed(1)}` : v.score > 0.8 * best() ? 'I think that you love it' : v.score > 0.5 * best() ? 'I think that you like it' : v.score > 0.2 * best() ? 'I am not sure about it' : 'I doubt that you like it';
   $('here-mix').replaceChildren(...Object.keys(s).map(k => {
     const e = make('i', { title: `${names[k]} ${Math.round(100 * s[k])}%` });
     e.style.cssText = `width:${100 * s[k]}%;background:rgb(${shown(v.x.slice(colours[k], colours[k] + 3))})`;
     return e;
   }));
-  $('keep').disabled = $('brush').disabled = false;
+  for (const id of ['keep', 'brush', 'like', 'avoid']) $(id).disabled = false;
   if (!easel.dirty) begin(v.x, v.picture);
 });
 function walk(to) {
@@ -458,6 +464,8 @@ for (const c of ['#e8502a', '#f2b134', '#f6e7c1', '#5fae57', '#2a9d8f', '#2f7de1
 }
 $('wipe').onclick = () => { if (studio.view) begin(studio.view.x, studio.view.picture); };
 $('brush').onclick = () => { begin(studio.view.x, studio.view.picture); $('lab').scrollIntoView({ behavior: 'smooth', block: 'center' }); };
+$('like').onclick = e => { sparks(e.target, [heart]); says('like', { x: studio.view.x }, () => {}); tell(); };
+$('avoid').onclick = () => { says('avoid', { x: studio.view.x }, () => {}); tell(); };
 $('adopt').onclick = () => { if (studio.match) { easel.dirty = false; choose(studio.match.x); $('walk').scrollIntoView({ behavior: 'smooth', block: 'center' }); } };
 
 // --------------------------------------------------------------------------------------------------------- the collection
@@ -488,9 +496,42 @@ $('csv').onclick = () => save('csv', 'text/csv').catch(fail);
 $('mtlx').onclick = () => save('mtlx', 'application/xml').catch(fail);
 
 // -------------------------------------------------------------------------------------------------------------- this or that
-function prefer() {}
-$('by-pair').hidden = true;
-document.querySelector('.switch').hidden = true;
+const prefer = timed(item => {
+  const other = studio.deck.find(o => o !== item);
+  if (!other || !studio.deck.includes(item)) return;
+  const s = { x: item.x, score: '♥', picture: item.picture }, t = { x: other.x, picture: other.picture };
+  sparks(item.card, [heart]);
+  says('better', { x: [item.x, other.x] }, () => again(s, t));
+  leave(other);
+  leave(item);
+  piece(() => remember(s));
+  tell();
+});
+const neither = timed(() => {
+  if (studio.deck.length < 2) return;
+  const pair = studio.deck.slice(), s = pair.map(o => ({ x: o.x, score: '–', picture: o.picture }));
+  says('neither', { x: pair.map(o => o.x) }, () => again(...s));
+  pair.forEach(leave);
+  s.forEach(one => piece(() => remember(one)));
+  tell();
+});
+function answerBy(next) {
+  if (next === mode) return;
+  mode = next;
+  for (const [id, m] of [['by-score', 'score'], ['by-pair', 'pair']]) $(id).ariaPressed = String(m === mode);
+  queue = [...studio.deck.map(({ x, picture }) => ({ x, picture })), ...queue];
+  studio.deck.length = slots.length = 0;
+  $('deck').replaceChildren();
+  $('deck').className = mode;
+  if (mode === 'pair') {
+    const b = make('button', { className: 'quiet', id: 'neither', textContent: 'Neither' });
+    b.onclick = neither;
+    $('deck').append(make('div', { className: 'pair-bar' }, b));
+  }
+  deal();
+}
+$('by-score').onclick = () => answerBy('score');
+$('by-pair').onclick = () => answerBy('pair');
 
 // ------------------------------------------------------------------------------------------------------------------- begin
 (async () => {

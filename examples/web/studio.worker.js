@@ -1,7 +1,7 @@
 // One of the studio's two workers: `mind` holds scores, recommendations and the plane, `hand` draws and matches pictures. Calls come as
 // {id, call, args}, answers leave as {id, result} or {id, problem}. Between calls the mind learns, a slice at a time.
 const M = 19, SIDE = 128;
-let wasm, files, learning = false, told = -1;
+let wasm, files, learning = false;
 const floats = (at, n) => new Float64Array(wasm.memory.buffer, at, n);
 const put = (at, values) => floats(at, values.length).set(values);
 const take = (at, n) => Array.from(floats(at, n));
@@ -27,9 +27,14 @@ const calls = {
     check(wasm.open(matches ? 1 : 0));
   },
   gallery({ count }) { check(wasm.gallery(count)); return rows(count); },
-  score({ x, score }) { put(wasm.x(), x); check(wasm.score(score)); learn(); return wasm.scores(); },
-  rescore({ index, score }) { check(wasm.rescore(index, score)); learn(); },
-  undo() { check(wasm.undo()); learn(); return wasm.scores(); },
+  // What the user says. Each counts as an answer; a score returns the row that it has in the model.
+  score({ x, score }) { put(wasm.x(), x); return answered(wasm.score(score)) - 1; },
+  rescore({ index, score }) { answered(wasm.rescore(index, score)); },
+  better({ x }) { put(wasm.x(), x.flat()); answered(wasm.better()); },
+  neither({ x }) { put(wasm.x(), x.flat()); answered(wasm.neither(x.length)); },
+  like({ x }) { put(wasm.x(), x); answered(wasm.like(1)); },
+  avoid({ x }) { put(wasm.x(), x); answered(wasm.avoid()); },
+  undo() { answered(wasm.undo()); },
   recommend({ count }) {
     check(wasm.recommend(count));
     const mean = take(wasm.numbers(), 2 * count);
@@ -81,15 +86,22 @@ const calls = {
   },
 };
 
+let answers = 0;
+function answered(status) {
+  ++answers;
+  learn();
+  check(status);
+  return wasm.scores();
+}
 function learn() {
   if (learning) return;
   learning = true;
   const slice = () => {
     if (!wasm.settled()) {
       const status = wasm.update();
-      postMessage({ learned: wasm.scores(), settled: status ? 1 : wasm.settled(), state: wasm.state(), problem: status ? sentence() : '' });
+      postMessage({ learned: answers, settled: status ? 1 : wasm.settled(), state: wasm.state(), problem: status ? sentence() : '' });
       if (!status) return void setTimeout(slice, 0);
-    } else postMessage({ learned: wasm.scores(), settled: 1, state: wasm.state(), problem: '' });
+    } else postMessage({ learned: answers, settled: 1, state: wasm.state(), problem: '' });
     learning = false;
   };
   setTimeout(slice, 0);
