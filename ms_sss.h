@@ -3617,6 +3617,8 @@ typedef struct ms_sss__growth {
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
     float quarter[3], most[3]; /* K / 4; 1 / reflectance */
     float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
+    float grain; /* twice the relative error of d */
+    float rough; /* on planes the gather's taps are less than this from the tangent plane, in pixels of their level (times d, not in perspective) */
 } ms_sss__growth;
 
 typedef struct ms_sss__kernels {
@@ -3646,7 +3648,7 @@ typedef struct ms_sss__kernels {
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
-    void (*lie)(const ms_sss__growth *s, const float *const d[3], const float *const normal[3], int y, int first, int count, float *const out[3]);
+    void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first, int count, float *const out[3]);
     void (*shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int first, int count, float *const out[7]);
     int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *const *const coarse[4], int first, int count, int y,
                   float *const out[6]);
@@ -5588,12 +5590,12 @@ static void ms_sss__tower_lie(const ms_sss__tower *tower, int task, int y, int f
 {
     const ms_sss__job *job = &tower->job;
     const ms_sss__level *v = &tower->level[0];
-    const float *d[3], *normal[3];
+    const float *d[5], *normal[3];
     float *buffer[3];
     const int given = job->frame.normal.channel[0] && tower->growth.upright > 0;
     int i;
+    for (i = 0; i < 5; ++i) d[i] = v->plane[MS_SSS__D] + ms_sss__clamp(y + i - 2, -1, v->height) * v->stride;
     for (i = 0; i < 3; ++i) {
-        d[i] = v->plane[MS_SSS__D] + (y + i - 1) * v->stride;
         buffer[i] = ms_sss__buffer(job, task, i);
     }
     if (given) ms_sss__load(&job->frame.normal, 3, v->width, y, first, last - first, buffer, normal);
@@ -5671,8 +5673,8 @@ static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin
 /* The rows of level 1 that a band of the picture makes without its neighbours. */
 static void ms_sss__tower_inside(const ms_sss__tower *tower, int begin, int end, int *first, int *last)
 {
-    *first = begin > 0 ? (begin + 3) / 2 : 0;
-    *last = end < tower->level[0].height ? (end - 2) / 2 : tower->levels > 1 ? tower->level[1].height : 0;
+    *first = begin > 0 ? (begin + 4) / 2 : 0; /* 4 rows each, and 2 more on either side for their slopes */
+    *last = end < tower->level[0].height ? (end - 3) / 2 : tower->levels > 1 ? tower->level[1].height : 0;
     if (*last < *first) *last = *first;
 }
 
@@ -5794,6 +5796,9 @@ static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
     growth->norm = (float)(1 / n);
     growth->mean = (float)(r1 / r2);
     growth->spread = (float)(r2 / r4);
+    /* Two depths' errors, and of slopes, which average over the level, as much again for each of their pixels of 3.5 there and
+       back; each level's sums round a few times more. */
+    growth->rough = 10 * (0.5f * growth->grain + 2.4e-7f * (float)(level + 1)) / (growth->step * (float)(1 << (level + 1)));
 }
 
 /* As the plan of a filter with one term and without slopes, the levels, and what is too large for the stack. */
@@ -5872,6 +5877,7 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
     growth->size = job->pass.size * pyramid->radius_mm;
     growth->size_max = job->pass.size_max * pyramid->radius_mm;
     growth->step = 1 / job->pass.focal[0];
+    growth->grain = job->pass.grain + (growth->perspective ? 1.2e-7f : 0); /* rounded once more when inverted */
     growth->middle[0] = 0.5f * (float)frame->width;
     growth->middle[1] = 0.5f * (float)frame->height;
     growth->tangent = growth->perspective ? growth->step : 0;
@@ -8447,32 +8453,40 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(area)(MS_SSS__V sx, MS_SSS__V sy, M
     return MS_SSS__SQRT(MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(n, n))));
 }
 
-/* The slope from the steps on both sides, those that the radius lets count: their mean where they turn little, else the one
-   of smaller magnitude. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(incline)(MS_SSS__V before, MS_SSS__V d, MS_SSS__V after, MS_SSS__V deep, MS_SSS__V radius)
+/* As slope above, of d: its slope from the steps on both sides, those that the radius lets count. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(incline)(const ms_sss__growth *s, const MS_SSS__V at[5], MS_SSS__V deep, MS_SSS__V radius)
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f);
-    const MS_SSS__V a = MS_SSS__MUL(MS_SSS__SUB(d, before), deep), b = MS_SSS__MUL(MS_SSS__SUB(after, d), deep);
-    const MS_SSS__MASK is_a = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(before)), MS_SSS__LESS(MS_SSS__ABS(a), radius));
-    const MS_SSS__MASK is_b = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(after)), MS_SSS__LESS(MS_SSS__ABS(b), radius));
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f), one = MS_SSS__SET(1.0f);
+    const MS_SSS__V a = MS_SSS__MUL(MS_SSS__SUB(at[2], at[1]), deep), b = MS_SSS__MUL(MS_SSS__SUB(at[3], at[2]), deep);
+    const MS_SSS__MASK is_a = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[1])), MS_SSS__LESS(MS_SSS__ABS(a), radius));
+    const MS_SSS__MASK is_b = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[3])), MS_SSS__LESS(MS_SSS__ABS(b), radius));
     const MS_SSS__V a0 = MS_SSS__SELECT(is_a, a, zero), b0 = MS_SSS__SELECT(is_b, b, zero), sum = MS_SSS__ADD(a0, b0);
-    const MS_SSS__MASK even = MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MADD(MS_SSS__MUL(a, b), half, half));
-    const MS_SSS__V less = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), a,
-                                          MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a)), b, MS_SSS__MUL(half, sum)));
-    const MS_SSS__V both = MS_SSS__SELECT(even, MS_SSS__MUL(half, sum), less);
-    return MS_SSS__SELECT(MS_SSS__BOTH(is_a, is_b), both, sum);
+    const MS_SSS__MASK both = MS_SSS__BOTH(is_a, is_b), even = MS_SSS__BOTH(both, MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MADD(MS_SSS__MUL(a, b), half, half)));
+    MS_SSS__V slope = MS_SSS__MUL(half, sum);
+    if (MS_SSS__BITS(even) != ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES)) {
+        const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
+        const MS_SSS__V less = MS_SSS__SELECT(both, MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, slope)), sum);
+        const MS_SSS__MASK before = MS_SSS__LESS(half, MS_SSS__SELECT(is_b, MS_SSS__SELECT(is_a, MS_SSS__SELECT(first_a, one, zero), zero), one));
+        const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), far = MS_SSS__SELECT(before, at[0], at[4]);
+        const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, far);
+        const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain), MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner)));
+        MS_SSS__V more = MS_SSS__MIN(MS_SSS__DIV(excess, MS_SSS__ABS(inner)), MS_SSS__SET(0.85f));
+        more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(MS_SSS__MUL(step, deep), MS_SSS__MUL(inner, deep)))), more, zero);
+        more = MS_SSS__MUL(more, MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
+        slope = MS_SSS__SELECT(even, slope, MS_SSS__MADD(less, more, less));
+    }
+    return slope;
 }
 
-/* Share and change of d along x and y of row y of the picture; d: the rows above, at and below; normal: the caller's or
-   NULL. */
-static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[3], const float *const normal[3], int y, int first,
+/* Share and change of d along x and y of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL. */
+static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first,
                               int count, float *const out[3])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), most = MS_SSS__SET(8.0f), infinity = MS_SSS__SET(INFINITY);
     const MS_SSS__V ry = MS_SSS__SET(((float)y + 0.5f - s->middle[1]) * s->tangent);
     int i;
     for (i = first; i < count; i += MS_SSS__LANES) {
-        const MS_SSS__V own = MS_SSS__LOAD(d[1] + i);
+        const MS_SSS__V own = MS_SSS__LOAD(d[2] + i);
         const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(own));
         const MS_SSS__V safe = MS_SSS__SELECT(part, own, MS_SSS__SET(-1.0f));
         const MS_SSS__V deep = MS_SSS__NAME(deep)(s, safe), radius = MS_SSS__NAME(radius)(s, safe);
@@ -8493,8 +8507,14 @@ static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[3], 
             sx = MS_SSS__SELECT(sound, MS_SSS__DIV(a, n), zero);
             sy = MS_SSS__SELECT(sound, MS_SSS__DIV(b, n), zero);
         } else {
-            sx = MS_SSS__NAME(incline)(MS_SSS__LOAD(d[1] + i - 1), own, MS_SSS__LOAD(d[1] + i + 1), deep, radius);
-            sy = MS_SSS__NAME(incline)(MS_SSS__LOAD(d[0] + i), own, MS_SSS__LOAD(d[2] + i), deep, radius);
+            MS_SSS__V across[5], down[5];
+            int k;
+            for (k = 0; k < 5; ++k) {
+                across[k] = MS_SSS__LOAD(d[2] + i + k - 2);
+                down[k] = MS_SSS__LOAD(d[k] + i);
+            }
+            sx = MS_SSS__NAME(incline)(s, across, deep, radius);
+            sy = MS_SSS__NAME(incline)(s, down, deep, radius);
         }
         sx = MS_SSS__MUL(MS_SSS__MIN(MS_SSS__MAX(sx, MS_SSS__SUB(zero, most)), most), MS_SSS__SET(s->upright));
         sy = MS_SSS__MUL(MS_SSS__MIN(MS_SSS__MAX(sy, MS_SSS__SUB(zero, most)), most), MS_SSS__SET(s->upright));
@@ -8558,13 +8578,13 @@ static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split ro
                     MS_SSS__V f = MS_SSS__NAME(beside)(MS_SSS__MUL(MS_SSS__SUB(level, d), narrow));
                     f = MS_SSS__MUL(MS_SSS__MUL(f, MS_SSS__SET(side[x] * side[y])), MS_SSS__LOAD(p[4] + at));
                     f = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), nearest), scale)), MS_SSS__SET(1.0f)), f, zero);
-                    r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
-                    g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
-                    b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
                     level = MS_SSS__SELECT(MS_SSS__LESS(zero, f), MS_SSS__LOAD(p[3] + at), nearest); /* planes continue, but not beyond what is there */
                     least = MS_SSS__MIN(least, level);
                     greatest = MS_SSS__MAX(greatest, level);
                     dd = MS_SSS__MADD(f, MS_SSS__SUB(level, rise), dd);
+                    r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
+                    g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
+                    b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
                     gx = MS_SSS__MADD(f, MS_SSS__LOAD(p[5] + at), gx);
                     gy = MS_SSS__MADD(f, MS_SSS__LOAD(p[6] + at), gy);
                     n = MS_SSS__ADD(n, f);
@@ -8608,15 +8628,16 @@ static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int leve
     }
 }
 
-/* light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square v of sin(theta). */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(raise)(const ms_sss__growth *s, int channel, MS_SSS__V light, MS_SSS__V moment, MS_SSS__V v)
+/* light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square v of sin(theta), of which grain may
+   be rounding. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(raise)(const ms_sss__growth *s, int channel, MS_SSS__V light, MS_SSS__V moment, MS_SSS__V v, MS_SSS__V grain)
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), quarter = MS_SSS__SET(s->quarter[channel]);
     MS_SSS__V m = MS_SSS__DIV(moment, MS_SSS__SELECT(MS_SSS__SAME(light, zero), one, light)), u;
-    m = MS_SSS__MIN(MS_SSS__MAX(m, MS_SSS__SET(-1.0f)), one);
+    m = MS_SSS__MIN(MS_SSS__MAX(MS_SSS__NAME(beyond)(m, grain), MS_SSS__SET(-1.0f)), one);
     u = MS_SSS__MAX(MS_SSS__MADD(quarter, m, one), zero);
     u = MS_SSS__MUL(u, u);
-    m = MS_SSS__MAX(MS_SSS__SUB(v, MS_SSS__MUL(m, m)), zero);
+    m = MS_SSS__MAX(MS_SSS__SUB(v, MS_SSS__MADD(grain, grain, MS_SSS__MUL(m, m))), zero);
     m = MS_SSS__MADD(MS_SSS__MUL(m, MS_SSS__MUL(quarter, quarter)), MS_SSS__SET(6.0f), u);
     return MS_SSS__MUL(light, MS_SSS__MIN(MS_SSS__MUL(u, m), MS_SSS__SET(s->most[channel])));
 }
@@ -8702,12 +8723,18 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
     }
     norm = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), MS_SSS__SET(s->norm));
     if (s->upright > 0) {
-        const MS_SSS__V facing = MS_SSS__DIV(inverse, area), turn = MS_SSS__MUL(facing, MS_SSS__SET(s->mean));
+        const MS_SSS__V facing = MS_SSS__DIV(inverse, area), turn = MS_SSS__MUL(facing, MS_SSS__SET(s->mean)), grain = MS_SSS__MUL(turn, s->perspective ? MS_SSS__SET(s->rough) : MS_SSS__MUL(d, MS_SSS__SET(s->rough)));
         const MS_SSS__V spread = MS_SSS__MUL(MS_SSS__MUL(facing, facing), MS_SSS__SET(s->spread));
+        /* planes so steep that four pixels are a radius deep have no tangent plane on this level: see shrink */
+        const MS_SSS__MASK sound = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ADD(MS_SSS__ABS(sx), MS_SSS__ABS(sy)), MS_SSS__SET(0.5f * cells)), radius);
+        v = MS_SSS__SELECT(sound, v, zero);
+        mr = MS_SSS__SELECT(sound, mr, zero);
+        mg = MS_SSS__SELECT(sound, mg, zero);
+        mb = MS_SSS__SELECT(sound, mb, zero);
         v = MS_SSS__MUL(MS_SSS__DIV(v, MS_SSS__SELECT(MS_SSS__LESS(zero, n), n, one)), spread);
-        r = MS_SSS__NAME(raise)(s, 0, r, MS_SSS__MUL(mr, turn), v);
-        g = MS_SSS__NAME(raise)(s, 1, g, MS_SSS__MUL(mg, turn), v);
-        b = MS_SSS__NAME(raise)(s, 2, b, MS_SSS__MUL(mb, turn), v);
+        r = MS_SSS__NAME(raise)(s, 0, r, MS_SSS__MUL(mr, turn), v, grain);
+        g = MS_SSS__NAME(raise)(s, 1, g, MS_SSS__MUL(mg, turn), v, grain);
+        b = MS_SSS__NAME(raise)(s, 2, b, MS_SSS__MUL(mb, turn), v, grain);
     }
     n = MS_SSS__MUL(n, norm);
     norm = MS_SSS__SELECT(part, norm, zero);
