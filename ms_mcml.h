@@ -559,6 +559,7 @@ typedef struct ms_mcml_layered_options {
     double *a_l;           /* [layer_count] out: part absorbed in each layer; or NULL */
     ms_progress progress;  /* asked before every frequency */
     ms_allocator allocator;
+    ms_simd simd;          /* a cap; levels round differently, to 1e-12 of the totals */
 } ms_mcml_layered_options;
 
 /* Reflectance and transmittance of layers under a pencil beam at normal incidence, without noise. A plain value: copy it
@@ -3391,7 +3392,14 @@ typedef struct ms_mcml__smoother {
     double *right;                 /* [nodes][even] */
 } ms_mcml__smoother;
 
+struct ms_mcml__flights;
+typedef void (*ms_mcml__fly_function)(const struct ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2]);
+typedef void (*ms_mcml__weigh_function)(const double *moment, const double *h, const double *polynomial, double *out);
+static ms_mcml__fly_function ms_mcml__fly_kernel(ms_simd level, ms_mcml__weigh_function *weigh);
+
 typedef struct ms_mcml__flights {
+    ms_mcml__fly_function fly;
+    ms_mcml__weigh_function weigh;
     int layers, order, nodes, panels, shapes, parts;
     double n_above, n_below, specular, unscattered; /* reflected and transmitted without scattering */
     ms_mcml__stratum layer[MS_MCML__STRATA];
@@ -3658,33 +3666,22 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
             for (a = 0; a < s->azimuths; ++a)
                 for (i = 0; i < l->shapes; ++i) {
                     double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) + (size_t)(l->table + i)) * 48 * R;
+                    double moment[2][6][2][R], h[R]; /* of flights through two of the four steps of a panel; the others are alike */
                     for (j = 0; j < R; ++j) {
                         const double mu = s->mu[(b * s->layers + layer) * R + j], sine = s->nu[b * R + j] / l->n;
-                        const double h = l->shape[i] / mu; /* of a flight */
-                        double moment[2][6][2];
+                        double q[6][2];
                         int step;
-                        if (!(mu > 0)) continue;
+                        h[j] = mu > 0 ? l->shape[i] / mu : 0;
                         for (step = 0; step < 2; ++step) {
-                            const double length = h * (ms_mcml__lobatto[step + 1] - ms_mcml__lobatto[step]);
-                            ms_mcml__exponential_moments(l->mu_t * length, k * sine * s->cosine[(b * s->azimuths + a) * R + j] * length,
-                                                         moment[step]);
-                        }
-                        for (step = 0; step < 4; ++step) {
-                            double (*q)[2] = moment[step < 2 ? step : 3 - step], *o = t + step * 12 * R + j;
-                            int point;
-                            o[0] = q[5][0];
-                            o[R] = q[5][1];
-                            for (point = 0; point < 5; ++point) {
-                                double re = 0, im = 0;
-                                for (n = 0; n < 5; ++n) {
-                                    re += polynomial[step][point][n] * q[n][0];
-                                    im += polynomial[step][point][n] * q[n][1];
-                                }
-                                o[(2 + 2 * point) * R] = re * h;
-                                o[(3 + 2 * point) * R] = im * h;
+                            const double length = h[j] * (ms_mcml__lobatto[step + 1] - ms_mcml__lobatto[step]);
+                            ms_mcml__exponential_moments(l->mu_t * length, k * sine * s->cosine[(b * s->azimuths + a) * R + j] * length, q);
+                            for (n = 0; n < 6; ++n) {
+                                moment[step][n][0][j] = q[n][0];
+                                moment[step][n][1][j] = q[n][1];
                             }
                         }
                     }
+                    s->weigh(&moment[0][0][0][0], h, &polynomial[0][0][0], t);
                 }
         }
 }
@@ -3693,298 +3690,8 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
    scattering arrives; leave: what leaves at the top and at the bottom on that flight. */
 static void ms_mcml__fly(const ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2])
 {
-    enum { R = MS_MCML__RAYS };
-    const size_t nz = (size_t)s->nodes, plane = nz * R, sheets = (size_t)s->most + 1;
-    double *source_down = s->work, *source_up = source_down + sheets * plane; /* [m][node][R] */
-    double *sum_even = source_up + sheets * plane, *sum_odd = sum_even + sheets * plane;
-    double *down = sum_odd + sheets * plane, *up = down + 2 * plane, *line = up + 2 * plane; /* [node][2][R] */
-    const double k = s->k;
-    int b, a, j, layer, m, l, i, node, p, point;
-    memset(out, 0, (size_t)s->terms * nz * sizeof(double));
-    leave[0] = leave[1] = 0;
-    for (b = 0; b < s->blocks; ++b) {
-        const double *nu = s->nu + b * R;
-        for (layer = 0; layer < s->layers; ++layer) {
-            const ms_mcml__stratum *y = &s->layer[layer];
-            const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
-            const size_t from = (size_t)y->node, until = from + (size_t)(y->used ? 4 * y->used + 1 : 0);
-            size_t z;
-            if (y->clear || !(nu[0] < y->n)) continue;
-            for (m = 0; m <= s->most; ++m) {
-                double *sd = source_down + (size_t)m * plane, *su = source_up + (size_t)m * plane;
-                memset(sum_even + (size_t)m * plane + from * R, 0, (until - from) * R * sizeof(double));
-                memset(sum_odd + (size_t)m * plane + from * R, 0, (until - from) * R * sizeof(double));
-                for (z = from; z < until; ++z) {
-                    double even[R], odd[R];
-                    for (j = 0; j < R; ++j) even[j] = odd[j] = 0;
-                    for (l = m; l <= s->order; ++l) {
-                        const size_t term = (size_t)(ms_mcml__first_term(s->order, m) + l - m);
-                        const double *t = theta + term * R;
-                        double q = d ? d[term * nz + z] * y->sigma[l] : 0;
-                        if (beam && m == 0) {
-                            const double pole = sqrt((2 * l + 1) * 0.5) * 0.3989422804014327 * y->sigma[l];
-                            const double there = y->mu_t * s->z[z], back = y->mu_t * (y->d - s->z[z]);
-                            q += pole * y->down * (there < 700 ? exp(-there) : 0);
-                            if (!y->semi) q += pole * y->up * (back < 700 ? exp(-back) : 0) * (l & 1 ? -1 : 1);
-                        }
-                        if ((l - m) & 1) for (j = 0; j < R; ++j) odd[j] += q * t[j];
-                        else for (j = 0; j < R; ++j) even[j] += q * t[j];
-                    }
-                    for (j = 0; j < R; ++j) {
-                        sd[z * R + (size_t)j] = even[j] + odd[j];
-                        su[z * R + (size_t)j] = even[j] - odd[j];
-                    }
-                }
-            }
-        }
-        for (a = 0; a < s->azimuths; ++a) {
-            const double *around = s->around + (size_t)(b * s->azimuths + a) * sheets * R;
-            const double *turn = s->turn + (b * s->azimuths + a) * R, *cosine = s->cosine + (b * s->azimuths + a) * R;
-            ms_mcml__pair *carry = (ms_mcml__pair *)(void *)s->chain, *d_out = carry + MS_MCML__STRATA, *u_out = d_out + MS_MCML__STRATA;
-            ms_mcml__pair *rho = u_out + MS_MCML__STRATA, *v = rho + MS_MCML__STRATA, *rb = v + MS_MCML__STRATA, *vb = rb + MS_MCML__STRATA;
-            double in[2][R];
-            for (layer = 0; layer < s->layers; ++layer) { /* flights within each layer */
-                const ms_mcml__stratum *y = &s->layer[layer];
-                const double *mu = s->mu + (b * s->layers + layer) * R;
-                double (*state)[R] = d_out[layer];
-                if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
-                for (j = 0; j < R; ++j) {
-                    const double x = y->mu_t * y->d / mu[j], angle = k * nu[j] / y->n * cosine[j] * y->d / mu[j];
-                    const double e = x < 700 && !y->semi ? exp(-x) : 0;
-                    carry[layer][0][j] = e * cos(e > 0 ? angle : 0);
-                    carry[layer][1][j] = -e * sin(e > 0 ? angle : 0);
-                    state[0][j] = state[1][j] = 0;
-                    u_out[layer][0][j] = u_out[layer][1][j] = 0;
-                }
-                if (y->clear) continue;
-                for (node = y->node; node <= y->node + 4 * y->used; ++node) { /* the sources at this azimuth: into line */
-                    double *q = line + (size_t)node * 4 * R;
-                    for (j = 0; j < 4 * R; ++j) q[j] = 0;
-                    for (m = 0; m <= s->most; ++m) {
-                        const double *c = around + m * R, *sd = source_down + (size_t)m * plane + (size_t)node * R;
-                        const double *su = source_up + (size_t)m * plane + (size_t)node * R;
-                        double *x = q + (m & 1) * R;
-                        for (j = 0; j < R; ++j) {
-                            x[j] += c[j] * sd[j];
-                            x[2 * R + j] += c[j] * su[j];
-                        }
-                    }
-                }
-                for (j = 0; j < 2 * R; ++j) down[(size_t)y->node * 2 * R + (size_t)j] = 0;
-                for (p = 0; p < y->used; ++p) {
-                    const double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
-                                                  (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
-                    const double *q = line + (size_t)(y->node + 4 * p) * 4 * R;
-                    for (i = 0; i < 4; ++i, t += 12 * R) {
-                        double *x = down + (size_t)(y->node + 4 * p + i) * 2 * R, re[R], im[R];
-                        for (j = 0; j < R; ++j) {
-                            re[j] = t[j] * x[j] - t[R + j] * x[R + j];
-                            im[j] = t[j] * x[R + j] + t[R + j] * x[j];
-                        }
-                        for (point = 0; point < 5; ++point) {
-                            const double *tr = t + (2 + 2 * point) * R, *qr = q + point * 4 * R;
-                            for (j = 0; j < R; ++j) {
-                                re[j] += tr[j] * qr[j] - tr[R + j] * qr[R + j];
-                                im[j] += tr[j] * qr[R + j] + tr[R + j] * qr[j];
-                            }
-                        }
-                        for (j = 0; j < R; ++j) {
-                            x[2 * R + j] = re[j];
-                            x[3 * R + j] = im[j];
-                        }
-                    }
-                }
-                for (j = 0; j < R; ++j) {
-                    state[0][j] = down[(size_t)(y->node + 4 * y->used) * 2 * R + (size_t)j];
-                    state[1][j] = down[(size_t)(y->node + 4 * y->used) * 2 * R + R + (size_t)j];
-                }
-                for (j = 0; j < 2 * R; ++j) up[(size_t)(y->node + 4 * y->used) * 2 * R + (size_t)j] = 0;
-                for (p = y->used - 1; p >= 0; --p) { /* the same weights, mirrored */
-                    const double *table = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
-                                                      (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
-                    const double *q = line + (size_t)(y->node + 4 * p) * 4 * R + 2 * R;
-                    for (i = 3; i >= 0; --i) {
-                        const double *t = table + (3 - i) * 12 * R;
-                        double *x = up + (size_t)(y->node + 4 * p + i) * 2 * R, re[R], im[R];
-                        for (j = 0; j < R; ++j) {
-                            re[j] = t[j] * x[2 * R + j] - t[R + j] * x[3 * R + j];
-                            im[j] = t[j] * x[3 * R + j] + t[R + j] * x[2 * R + j];
-                        }
-                        for (point = 0; point < 5; ++point) {
-                            const double *tr = t + (2 + 2 * point) * R, *qr = q + (4 - point) * 4 * R;
-                            for (j = 0; j < R; ++j) {
-                                re[j] += tr[j] * qr[j] - tr[R + j] * qr[R + j];
-                                im[j] += tr[j] * qr[R + j] + tr[R + j] * qr[j];
-                            }
-                        }
-                        for (j = 0; j < R; ++j) {
-                            x[j] = re[j];
-                            x[R + j] = im[j];
-                        }
-                    }
-                }
-                for (j = 0; j < R; ++j) {
-                    u_out[layer][0][j] = up[(size_t)y->node * 2 * R + (size_t)j];
-                    u_out[layer][1][j] = up[(size_t)y->node * 2 * R + R + (size_t)j];
-                }
-            }
-            for (layer = s->layers - 1; layer >= 0; --layer) { /* what comes back from below, boundary by boundary */
-                const ms_mcml__stratum *y = &s->layer[layer];
-                const double below = layer + 1 < s->layers ? s->layer[layer + 1].n : s->n_below;
-                const int open = layer + 1 < s->layers && nu[0] < below && (s->layer[layer + 1].clear || s->layer[layer + 1].used);
-                const int cut = !y->clear && y->used < y->panels;
-                if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
-                for (j = 0; j < R; ++j) {
-                    const double er = carry[layer][0][j], ei = carry[layer][1][j];
-                    double r = cut || y->semi ? 0 : ms_mcml__fresnel_nu(y->n, below, nu[j]), br = r, bi = 0, wr = 0, wi = 0, tr, ti;
-                    if (open && !cut) {
-                        const double across = (1 - r) * (1 - r), factor = (1 - r) * (y->n / below) * (y->n / below);
-                        const double *pr = rho[layer + 1][0], *pi = rho[layer + 1][1];
-                        const double nr = 1 - r * pr[j], ni = -r * pi[j], size = nr * nr + ni * ni;
-                        const double qr = nr / size, qi = -ni / size; /* 1 / (1 - rho r) */
-                        br += across * (pr[j] * qr - pi[j] * qi);
-                        bi += across * (pr[j] * qi + pi[j] * qr);
-                        wr = factor * (v[layer + 1][0][j] * qr - v[layer + 1][1][j] * qi);
-                        wi = factor * (v[layer + 1][0][j] * qi + v[layer + 1][1][j] * qr);
-                    }
-                    rb[layer][0][j] = br;
-                    rb[layer][1][j] = bi;
-                    vb[layer][0][j] = wr;
-                    vb[layer][1][j] = wi;
-                    tr = br * er - bi * ei;
-                    ti = br * ei + bi * er;
-                    rho[layer][0][j] = tr * er - ti * ei;
-                    rho[layer][1][j] = tr * ei + ti * er;
-                    tr = br * d_out[layer][0][j] - bi * d_out[layer][1][j] + wr;
-                    ti = br * d_out[layer][1][j] + bi * d_out[layer][0][j] + wi;
-                    v[layer][0][j] = u_out[layer][0][j] + er * tr - ei * ti;
-                    v[layer][1][j] = u_out[layer][1][j] + er * ti + ei * tr;
-                }
-            }
-            for (layer = 0; layer < s->layers; ++layer) { /* and down again */
-                const ms_mcml__stratum *y = &s->layer[layer];
-                const double above = layer ? s->layer[layer - 1].n : s->n_above;
-                const int open = layer > 0 && nu[0] < above;
-                double in_up[2][R];
-                if (!(nu[0] < y->n)) continue;
-                if (!y->clear && y->used == 0) break;
-                for (j = 0; j < R; ++j) {
-                    const double r = ms_mcml__fresnel_nu(y->n, above, nu[j]), er = carry[layer][0][j], ei = carry[layer][1][j];
-                    const double nr = 1 - r * rho[layer][0][j], ni = -r * rho[layer][1][j], size = nr * nr + ni * ni;
-                    double sr = r * v[layer][0][j], si = r * v[layer][1][j], wr, wi, outr, outi;
-                    if (open) { /* in still holds what came out of the layer above */
-                        const double factor = (1 - r) * (y->n / above) * (y->n / above);
-                        sr += factor * in[0][j];
-                        si += factor * in[1][j];
-                    }
-                    wr = size > 0 ? (sr * nr + si * ni) / size : 0;
-                    wi = size > 0 ? (si * nr - sr * ni) / size : 0;
-                    if (layer == 0) {
-                        const double ur = v[0][0][j] + rho[0][0][j] * wr - rho[0][1][j] * wi;
-                        leave[0] += 4 * s->nu_weight[b * R + j] * turn[j] * nu[j] / (y->n * y->n) * (1 - r) * ur;
-                    }
-                    outr = d_out[layer][0][j] + er * wr - ei * wi;
-                    outi = d_out[layer][1][j] + er * wi + ei * wr;
-                    in_up[0][j] = rb[layer][0][j] * outr - rb[layer][1][j] * outi + vb[layer][0][j];
-                    in_up[1][j] = rb[layer][0][j] * outi + rb[layer][1][j] * outr + vb[layer][1][j];
-                    in[0][j] = wr;
-                    in[1][j] = wi;
-                    if (layer == s->layers - 1 && !y->semi && (y->clear || y->used == y->panels))
-                        leave[1] += 4 * s->nu_weight[b * R + j] * turn[j] * nu[j] / (y->n * y->n) *
-                                    (1 - ms_mcml__fresnel_nu(y->n, s->n_below, nu[j])) * outr;
-                    rho[layer][0][j] = outr; /* no longer needed: kept for the next layer */
-                    rho[layer][1][j] = outi;
-                }
-                if (!y->clear) {
-                    for (p = 0; p < y->used; ++p) { /* what came in from outside the layer */
-                        const double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
-                                                      (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
-                        for (i = 0; i < 4; ++i, t += 12 * R) {
-                            double *x = down + (size_t)(y->node + 4 * p + i) * 2 * R;
-                            for (j = 0; j < R; ++j) {
-                                const double re = in[0][j], im = in[1][j];
-                                x[j] += re;
-                                x[R + j] += im;
-                                in[0][j] = t[j] * re - t[R + j] * im;
-                                in[1][j] = t[j] * im + t[R + j] * re;
-                            }
-                        }
-                    }
-                    for (j = 0; j < R; ++j) {
-                        double *x = down + (size_t)(y->node + 4 * y->used) * 2 * R;
-                        x[j] += in[0][j];
-                        x[R + j] += in[1][j];
-                    }
-                    for (p = y->used - 1; p >= 0; --p) {
-                        const double *table = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
-                                                          (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
-                        for (i = 3; i >= 0; --i) {
-                            const double *t = table + (3 - i) * 12 * R;
-                            double *x = up + (size_t)(y->node + 4 * p + i + 1) * 2 * R;
-                            for (j = 0; j < R; ++j) {
-                                const double re = in_up[0][j], im = in_up[1][j];
-                                x[j] += re;
-                                x[R + j] += im;
-                                in_up[0][j] = t[j] * re - t[R + j] * im;
-                                in_up[1][j] = t[j] * im + t[R + j] * re;
-                            }
-                        }
-                    }
-                    for (j = 0; j < R; ++j) {
-                        double *x = up + (size_t)y->node * 2 * R;
-                        x[j] += in_up[0][j];
-                        x[R + j] += in_up[1][j];
-                    }
-                    for (node = y->node; node <= y->node + 4 * y->used; ++node) {
-                        const double *x = down + (size_t)node * 2 * R, *u = up + (size_t)node * 2 * R;
-                        double plus[2 * R], minus[2 * R];
-                        for (j = 0; j < 2 * R; ++j) {
-                            plus[j] = turn[j & (R - 1)] * (x[j] + u[j]);
-                            minus[j] = turn[j & (R - 1)] * (x[j] - u[j]);
-                        }
-                        for (m = 0; m <= s->most; ++m) {
-                            const double *c = around + m * R, *x1 = plus + (m & 1) * R, *x2 = minus + (m & 1) * R;
-                            double *e = sum_even + (size_t)m * plane + (size_t)node * R, *o = sum_odd + (size_t)m * plane + (size_t)node * R;
-                            for (j = 0; j < R; ++j) {
-                                e[j] += c[j] * x1[j];
-                                o[j] += c[j] * x2[j];
-                            }
-                        }
-                    }
-                }
-                for (j = 0; j < R; ++j) {
-                    in[0][j] = rho[layer][0][j];
-                    in[1][j] = rho[layer][1][j];
-                }
-            }
-        }
-        for (layer = 0; layer < s->layers; ++layer) { /* from sums over the azimuth to moments */
-            const ms_mcml__stratum *y = &s->layer[layer];
-            const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
-            const double *mu = s->mu + (b * s->layers + layer) * R;
-            double weight[R];
-            if (y->clear || !(nu[0] < y->n) || y->used == 0) continue;
-            for (j = 0; j < R; ++j) weight[j] = 4 * s->nu_weight[b * R + j] * nu[j] / (y->n * y->n * mu[j]);
-            for (m = 0; m <= s->most; ++m)
-                for (node = y->node; node <= y->node + 4 * y->used; ++node) {
-                    const double *e = sum_even + (size_t)m * plane + (size_t)node * R, *o = sum_odd + (size_t)m * plane + (size_t)node * R;
-                    double x[2][R];
-                    for (j = 0; j < R; ++j) {
-                        x[0][j] = weight[j] * e[j];
-                        x[1][j] = weight[j] * o[j];
-                    }
-                    for (l = m; l <= s->order; ++l) {
-                        const size_t term = (size_t)(ms_mcml__first_term(s->order, m) + l - m);
-                        const double *t = theta + term * R, *q = x[(l - m) & 1];
-                        double sum = 0;
-                        for (j = 0; j < R; ++j) sum += t[j] * q[j];
-                        out[term * nz + (size_t)node] += sum;
-                    }
-                }
-        }
-    }
+    s->fly(s, d, beam, out, leave);
 }
-
 
 /* Inverse of a symmetric positive matrix in place, by Gauss-Jordan. */
 static void ms_mcml__invert(double *a, int n)
@@ -4307,6 +4014,7 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
     int i, j, p, n = 0;
     if (s == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the layers", sizeof *s);
     memset(s, 0, sizeof *s);
+    s->fly = ms_mcml__fly_kernel(ms__simd_pick(o->simd), &s->weigh);
     s->order = order;
     s->parts = parts;
     s->n_above = tissue->n_above;
@@ -4668,7 +4376,8 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
     enum { MOST = MS_MCML_LAYERED_RATES };
     double k[MOST], value[2][MOST], scale[2][MOST], noise[MOST], step = o->frequency_step, mu_t = 0, low = 1e300, finest = 0, deepest = 0;
     const size_t size = (size_t)(2 * MOST * (MOST + 4)) * sizeof(double), n3 = (size_t)s->nodes;
-    double *a = (double *)ms__alloc(&o->allocator, size), *d = s->moments;
+    double *a = (double *)ms__alloc(&o->allocator, size), *d = s->moments, *before = d + (size_t)ms_mcml__first_term(s->order, s->order + 1) * n3;
+    size_t e;
     int i, j, side, count = 0, layer, terms = 0;
     if (a == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the fit of the spectrum", size);
     for (layer = 0; layer < s->layers; ++layer) {
@@ -4706,6 +4415,11 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
         terms = s->terms;
         /* low frequencies make the far tail and cost little: up to 30 times the accuracy */
         care = k[i] < 0.3 * mu_t ? 0.03 + 0.97 * k[i] / (0.3 * mu_t) : 1;
+        for (e = 0; e < (size_t)s->terms * n3; ++e) { /* from the last two frequencies on */
+            const double here = d[e];
+            if (i > 2) d[e] += here - before[e];
+            before[e] = here;
+        }
         residual = ms_mcml__settle(s, d, care * o->tolerance, leave);
         if (residual / care > out->residual) out->residual = residual / care;
         value[0][i] = leave[0] - ms_mcml__single_spectrum(s);
@@ -5303,6 +5017,7 @@ static void ms_mcml__profile_solve(void *context, int channel)
         memset(&options, 0, sizeof options);
         options.allocator = o->allocator;
         options.frequency_step = o->frequency_step;
+        options.simd = o->simd;
         job->failure[channel].status = MS_OK;
         job->layered[channel].rd = -1;
         ms_mcml__profile_tissue(job, channel, &tissue, &layer);
@@ -5864,6 +5579,23 @@ static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
 #endif /* MS__X64 */
 #undef MS_MCML__PASS
 
+static ms_mcml__fly_function ms_mcml__fly_kernel(ms_simd level, ms_mcml__weigh_function *weigh)
+{
+#if defined(MS__X64)
+    *weigh = ms_mcml__weigh_avx512;
+    if (level == MS_SIMD_AVX512) return ms_mcml__fly_avx512;
+    *weigh = ms_mcml__weigh_avx2;
+    if (level == MS_SIMD_AVX2) return ms_mcml__fly_avx2;
+#endif
+#if defined(MS__X64) || defined(MS__NEON)
+    *weigh = ms_mcml__weigh_base;
+    if (level == MS_SIMD_BASE) return ms_mcml__fly_base;
+#endif
+    (void)level;
+    *weigh = ms_mcml__weigh_scalar;
+    return ms_mcml__fly_scalar;
+}
+
 static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 {
 #if defined(MS__X64)
@@ -6297,6 +6029,412 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
     }
 }
 
+/* Eight doubles, the rays of a flight. */
+#if MS_MCML__ISA == 4
+#define MS_MCML__D __m512d
+static inline __m512d MS_MCML__FN(d_set)(double a) { return _mm512_set1_pd(a); }
+static inline __m512d MS_MCML__FN(d_load)(const double *p) { return _mm512_loadu_pd(p); }
+static inline void MS_MCML__FN(d_store)(double *p, __m512d a) { _mm512_storeu_pd(p, a); }
+static inline __m512d MS_MCML__FN(d_add)(__m512d a, __m512d b) { return _mm512_add_pd(a, b); }
+static inline __m512d MS_MCML__FN(d_sub)(__m512d a, __m512d b) { return _mm512_sub_pd(a, b); }
+static inline __m512d MS_MCML__FN(d_mul)(__m512d a, __m512d b) { return _mm512_mul_pd(a, b); }
+static inline __m512d MS_MCML__FN(d_madd)(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
+static inline __m512d MS_MCML__FN(d_nmadd)(__m512d a, __m512d b, __m512d c) { return _mm512_fnmadd_pd(a, b, c); }
+#elif MS_MCML__ISA == 3
+#define MS_MCML__D ms_mcml__four_pairs
+typedef struct ms_mcml__four_pairs {
+    __m256d low, high;
+} ms_mcml__four_pairs;
+#define MS_MCML__D_BOTH(f) MS_MCML__D r; r.low = f(low); r.high = f(high); return r
+#define MS_MCML__D_ADD(x) _mm256_add_pd(a.x, b.x)
+#define MS_MCML__D_SUB(x) _mm256_sub_pd(a.x, b.x)
+#define MS_MCML__D_MUL(x) _mm256_mul_pd(a.x, b.x)
+#define MS_MCML__D_MADD(x) _mm256_fmadd_pd(a.x, b.x, c.x)
+#define MS_MCML__D_NMADD(x) _mm256_fnmadd_pd(a.x, b.x, c.x)
+static inline MS_MCML__D MS_MCML__FN(d_set)(double a) { MS_MCML__D r; r.low = r.high = _mm256_set1_pd(a); return r; }
+static inline MS_MCML__D MS_MCML__FN(d_load)(const double *p) { MS_MCML__D r; r.low = _mm256_loadu_pd(p); r.high = _mm256_loadu_pd(p + 4); return r; }
+static inline void MS_MCML__FN(d_store)(double *p, MS_MCML__D a) { _mm256_storeu_pd(p, a.low); _mm256_storeu_pd(p + 4, a.high); }
+static inline MS_MCML__D MS_MCML__FN(d_add)(MS_MCML__D a, MS_MCML__D b) { MS_MCML__D_BOTH(MS_MCML__D_ADD); }
+static inline MS_MCML__D MS_MCML__FN(d_sub)(MS_MCML__D a, MS_MCML__D b) { MS_MCML__D_BOTH(MS_MCML__D_SUB); }
+static inline MS_MCML__D MS_MCML__FN(d_mul)(MS_MCML__D a, MS_MCML__D b) { MS_MCML__D_BOTH(MS_MCML__D_MUL); }
+static inline MS_MCML__D MS_MCML__FN(d_madd)(MS_MCML__D a, MS_MCML__D b, MS_MCML__D c) { MS_MCML__D_BOTH(MS_MCML__D_MADD); }
+static inline MS_MCML__D MS_MCML__FN(d_nmadd)(MS_MCML__D a, MS_MCML__D b, MS_MCML__D c) { MS_MCML__D_BOTH(MS_MCML__D_NMADD); }
+#undef MS_MCML__D_BOTH
+#undef MS_MCML__D_ADD
+#undef MS_MCML__D_SUB
+#undef MS_MCML__D_MUL
+#undef MS_MCML__D_MADD
+#undef MS_MCML__D_NMADD
+#else
+#if MS_MCML__ISA == 1
+#define MS_MCML__D ms_mcml__eight
+typedef struct ms_mcml__eight {
+    double a, b, c, d, e, f, g, h;
+} ms_mcml__eight;
+#define MS_MCML__D_ALL(op) do { op(a, 0); op(b, 1); op(c, 2); op(d, 3); op(e, 4); op(f, 5); op(g, 6); op(h, 7); } while (0)
+#define MS_MCML__D_SET(x, n) r.x = k
+#define MS_MCML__D_LOAD(x, n) r.x = p[n]
+#define MS_MCML__D_STORE(x, n) p[n] = k.x
+#define MS_MCML__D_ADD(x, n) r.x = k.x + l.x
+#define MS_MCML__D_SUB(x, n) r.x = k.x - l.x
+#define MS_MCML__D_MUL(x, n) r.x = k.x * l.x
+#define MS_MCML__D_MADD(x, n) r.x = k.x * l.x + m.x
+#define MS_MCML__D_NMADD(x, n) r.x = m.x - k.x * l.x
+#else
+#define MS_MCML__D ms_mcml__four_twos
+#define MS_MCML__D_ALL(op) do { op(a, 0); op(b, 2); op(c, 4); op(d, 6); } while (0)
+#if defined(MS__X64)
+typedef struct ms_mcml__four_twos {
+    __m128d a, b, c, d;
+} ms_mcml__four_twos;
+#define MS_MCML__D_SET(x, n) r.x = _mm_set1_pd(k)
+#define MS_MCML__D_LOAD(x, n) r.x = _mm_loadu_pd(p + n)
+#define MS_MCML__D_STORE(x, n) _mm_storeu_pd(p + n, k.x)
+#define MS_MCML__D_ADD(x, n) r.x = _mm_add_pd(k.x, l.x)
+#define MS_MCML__D_SUB(x, n) r.x = _mm_sub_pd(k.x, l.x)
+#define MS_MCML__D_MUL(x, n) r.x = _mm_mul_pd(k.x, l.x)
+#define MS_MCML__D_MADD(x, n) r.x = _mm_add_pd(_mm_mul_pd(k.x, l.x), m.x)
+#define MS_MCML__D_NMADD(x, n) r.x = _mm_sub_pd(m.x, _mm_mul_pd(k.x, l.x))
+#else
+typedef struct ms_mcml__four_twos {
+    float64x2_t a, b, c, d;
+} ms_mcml__four_twos;
+#define MS_MCML__D_SET(x, n) r.x = vdupq_n_f64(k)
+#define MS_MCML__D_LOAD(x, n) r.x = vld1q_f64(p + n)
+#define MS_MCML__D_STORE(x, n) vst1q_f64(p + n, k.x)
+#define MS_MCML__D_ADD(x, n) r.x = vaddq_f64(k.x, l.x)
+#define MS_MCML__D_SUB(x, n) r.x = vsubq_f64(k.x, l.x)
+#define MS_MCML__D_MUL(x, n) r.x = vmulq_f64(k.x, l.x)
+#define MS_MCML__D_MADD(x, n) r.x = vfmaq_f64(m.x, k.x, l.x)
+#define MS_MCML__D_NMADD(x, n) r.x = vfmsq_f64(m.x, k.x, l.x)
+#endif
+#endif
+static inline MS_MCML__D MS_MCML__FN(d_set)(double k) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_SET); return r; }
+static inline MS_MCML__D MS_MCML__FN(d_load)(const double *p) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_LOAD); return r; }
+static inline void MS_MCML__FN(d_store)(double *p, MS_MCML__D k) { MS_MCML__D_ALL(MS_MCML__D_STORE); }
+static inline MS_MCML__D MS_MCML__FN(d_add)(MS_MCML__D k, MS_MCML__D l) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_ADD); return r; }
+static inline MS_MCML__D MS_MCML__FN(d_sub)(MS_MCML__D k, MS_MCML__D l) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_SUB); return r; }
+static inline MS_MCML__D MS_MCML__FN(d_mul)(MS_MCML__D k, MS_MCML__D l) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_MUL); return r; }
+static inline MS_MCML__D MS_MCML__FN(d_madd)(MS_MCML__D k, MS_MCML__D l, MS_MCML__D m) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_MADD); return r; }
+static inline MS_MCML__D MS_MCML__FN(d_nmadd)(MS_MCML__D k, MS_MCML__D l, MS_MCML__D m) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_NMADD); return r; }
+#undef MS_MCML__D_ALL
+#undef MS_MCML__D_SET
+#undef MS_MCML__D_LOAD
+#undef MS_MCML__D_STORE
+#undef MS_MCML__D_ADD
+#undef MS_MCML__D_SUB
+#undef MS_MCML__D_MUL
+#undef MS_MCML__D_MADD
+#undef MS_MCML__D_NMADD
+#endif
+
+static inline double MS_MCML__FN(d_sum)(MS_MCML__D a)
+{
+    double v[8];
+    MS_MCML__FN(d_store)(v, a);
+    return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
+}
+
+/* to = t[0] from + the sum of t[1 .. 5] times five points of q, complex */
+static inline void MS_MCML__FN(step)(const double *t, const double *from, const double *q, int stride, double *to)
+{
+    enum { R = MS_MCML__RAYS };
+    const MS_MCML__D xr = MS_MCML__FN(d_load)(from), xi = MS_MCML__FN(d_load)(from + R), tr = MS_MCML__FN(d_load)(t), ti = MS_MCML__FN(d_load)(t + R);
+    MS_MCML__D re = MS_MCML__FN(d_nmadd)(ti, xi, MS_MCML__FN(d_mul)(tr, xr)), im = MS_MCML__FN(d_madd)(ti, xr, MS_MCML__FN(d_mul)(tr, xi));
+    int point;
+    for (point = 0; point < 5; ++point, q += stride) {
+        const MS_MCML__D wr = MS_MCML__FN(d_load)(t + (2 + 2 * point) * R), wi = MS_MCML__FN(d_load)(t + (3 + 2 * point) * R);
+        const MS_MCML__D qr = MS_MCML__FN(d_load)(q), qi = MS_MCML__FN(d_load)(q + R);
+        re = MS_MCML__FN(d_nmadd)(wi, qi, MS_MCML__FN(d_madd)(wr, qr, re));
+        im = MS_MCML__FN(d_madd)(wi, qr, MS_MCML__FN(d_madd)(wr, qi, im));
+    }
+    MS_MCML__FN(d_store)(to, re);
+    MS_MCML__FN(d_store)(to + R, im);
+}
+
+/* x += in, in *= t[0], complex */
+static inline void MS_MCML__FN(pass)(const double *t, double *x, double *in)
+{
+    enum { R = MS_MCML__RAYS };
+    const MS_MCML__D re = MS_MCML__FN(d_load)(in), im = MS_MCML__FN(d_load)(in + R), tr = MS_MCML__FN(d_load)(t), ti = MS_MCML__FN(d_load)(t + R);
+    MS_MCML__FN(d_store)(x, MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(x), re));
+    MS_MCML__FN(d_store)(x + R, MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(x + R), im));
+    MS_MCML__FN(d_store)(in, MS_MCML__FN(d_nmadd)(ti, im, MS_MCML__FN(d_mul)(tr, re)));
+    MS_MCML__FN(d_store)(in + R, MS_MCML__FN(d_madd)(ti, re, MS_MCML__FN(d_mul)(tr, im)));
+}
+
+/* The weights of five points for the four steps of a panel, from moment[2][6][2][R]; h: the panel's length along each ray;
+   out[4][6][2][R]: what passes a step, then the points. */
+static void MS_MCML__FN(weigh)(const double *moment, const double *h, const double *polynomial, double *out)
+{
+    enum { R = MS_MCML__RAYS };
+    const MS_MCML__D length = MS_MCML__FN(d_load)(h);
+    int step, point, n;
+    for (step = 0; step < 4; ++step) {
+        const double *q = moment + (step < 2 ? step : 3 - step) * 12 * R;
+        MS_MCML__FN(d_store)(out, MS_MCML__FN(d_load)(q + 10 * R));
+        MS_MCML__FN(d_store)(out + R, MS_MCML__FN(d_load)(q + 11 * R));
+        out += 2 * R;
+        for (point = 0; point < 5; ++point, out += 2 * R, polynomial += 5) {
+            MS_MCML__D re = MS_MCML__FN(d_set)(0), im = re;
+            for (n = 0; n < 5; ++n) {
+                const MS_MCML__D p = MS_MCML__FN(d_set)(polynomial[n]);
+                re = MS_MCML__FN(d_madd)(p, MS_MCML__FN(d_load)(q + 2 * n * R), re);
+                im = MS_MCML__FN(d_madd)(p, MS_MCML__FN(d_load)(q + (2 * n + 1) * R), im);
+            }
+            MS_MCML__FN(d_store)(out, MS_MCML__FN(d_mul)(re, length));
+            MS_MCML__FN(d_store)(out + R, MS_MCML__FN(d_mul)(im, length));
+        }
+    }
+}
+
+/* ms_mcml__fly: eight rays side by side. */
+static void MS_MCML__FN(fly)(const ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2])
+{
+    enum { R = MS_MCML__RAYS };
+    const size_t nz = (size_t)s->nodes, plane = nz * R, sheets = (size_t)s->most + 1;
+    double *source_down = s->work, *source_up = source_down + sheets * plane; /* [m][node][R] */
+    double *sum_even = source_up + sheets * plane, *sum_odd = sum_even + sheets * plane;
+    double *down = sum_odd + sheets * plane, *up = down + 2 * plane, *line = up + 2 * plane; /* [node][2][R] */
+    const double k = s->k;
+    int b, a, j, layer, m, l, i, node, p;
+    memset(out, 0, (size_t)s->terms * nz * sizeof(double));
+    leave[0] = leave[1] = 0;
+    for (b = 0; b < s->blocks; ++b) {
+        const double *nu = s->nu + b * R;
+        for (layer = 0; layer < s->layers; ++layer) {
+            const ms_mcml__stratum *y = &s->layer[layer];
+            const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
+            const size_t from = (size_t)y->node, until = from + (size_t)(y->used ? 4 * y->used + 1 : 0);
+            size_t z;
+            if (y->clear || !(nu[0] < y->n)) continue;
+            for (m = 0; m <= s->most; ++m) {
+                double *sd = source_down + (size_t)m * plane, *su = source_up + (size_t)m * plane;
+                memset(sum_even + (size_t)m * plane + from * R, 0, (until - from) * R * sizeof(double));
+                memset(sum_odd + (size_t)m * plane + from * R, 0, (until - from) * R * sizeof(double));
+                for (z = from; z < until; ++z) {
+                    MS_MCML__D even = MS_MCML__FN(d_set)(0), odd = even;
+                    for (l = m; l <= s->order; ++l) {
+                        const size_t term = (size_t)(ms_mcml__first_term(s->order, m) + l - m);
+                        const double *t = theta + term * R;
+                        double q = d ? d[term * nz + z] * y->sigma[l] : 0;
+                        if (beam && m == 0) {
+                            const double pole = sqrt((2 * l + 1) * 0.5) * 0.3989422804014327 * y->sigma[l];
+                            const double there = y->mu_t * s->z[z], back = y->mu_t * (y->d - s->z[z]);
+                            q += pole * y->down * (there < 700 ? exp(-there) : 0);
+                            if (!y->semi) q += pole * y->up * (back < 700 ? exp(-back) : 0) * (l & 1 ? -1 : 1);
+                        }
+                        if ((l - m) & 1) odd = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q), MS_MCML__FN(d_load)(t), odd);
+                        else even = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q), MS_MCML__FN(d_load)(t), even);
+                    }
+                    MS_MCML__FN(d_store)(sd + z * R, MS_MCML__FN(d_add)(even, odd));
+                    MS_MCML__FN(d_store)(su + z * R, MS_MCML__FN(d_sub)(even, odd));
+                }
+            }
+        }
+        for (a = 0; a < s->azimuths; ++a) {
+            const double *around = s->around + (size_t)(b * s->azimuths + a) * sheets * R;
+            const double *turn = s->turn + (b * s->azimuths + a) * R, *cosine = s->cosine + (b * s->azimuths + a) * R;
+            ms_mcml__pair *carry = (ms_mcml__pair *)(void *)s->chain, *d_out = carry + MS_MCML__STRATA, *u_out = d_out + MS_MCML__STRATA;
+            ms_mcml__pair *rho = u_out + MS_MCML__STRATA, *v = rho + MS_MCML__STRATA, *rb = v + MS_MCML__STRATA, *vb = rb + MS_MCML__STRATA;
+            double in[2][R];
+            for (layer = 0; layer < s->layers; ++layer) { /* flights within each layer */
+                const ms_mcml__stratum *y = &s->layer[layer];
+                const double *mu = s->mu + (b * s->layers + layer) * R;
+                double (*state)[R] = d_out[layer];
+                if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
+                for (j = 0; j < R; ++j) {
+                    const double x = y->mu_t * y->d / mu[j], angle = k * nu[j] / y->n * cosine[j] * y->d / mu[j];
+                    const double e = x < 700 && !y->semi ? exp(-x) : 0;
+                    carry[layer][0][j] = e * cos(e > 0 ? angle : 0);
+                    carry[layer][1][j] = -e * sin(e > 0 ? angle : 0);
+                    state[0][j] = state[1][j] = 0;
+                    u_out[layer][0][j] = u_out[layer][1][j] = 0;
+                }
+                if (y->clear) continue;
+                for (node = y->node; node <= y->node + 4 * y->used; ++node) { /* the sources at this azimuth: into line */
+                    double *q = line + (size_t)node * 4 * R;
+                    int part;
+                    for (part = 0; part < 2; ++part) { /* real, imaginary */
+                        MS_MCML__D x = MS_MCML__FN(d_set)(0), u = x;
+                        for (m = part; m <= s->most; m += 2) {
+                            const MS_MCML__D c = MS_MCML__FN(d_load)(around + m * R);
+                            x = MS_MCML__FN(d_madd)(c, MS_MCML__FN(d_load)(source_down + (size_t)m * plane + (size_t)node * R), x);
+                            u = MS_MCML__FN(d_madd)(c, MS_MCML__FN(d_load)(source_up + (size_t)m * plane + (size_t)node * R), u);
+                        }
+                        MS_MCML__FN(d_store)(q + part * R, x);
+                        MS_MCML__FN(d_store)(q + (2 + part) * R, u);
+                    }
+                }
+                for (j = 0; j < 2 * R; ++j) down[(size_t)y->node * 2 * R + (size_t)j] = 0;
+                for (p = 0; p < y->used; ++p) {
+                    const double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
+                                                  (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
+                    const double *q = line + (size_t)(y->node + 4 * p) * 4 * R;
+                    for (i = 0; i < 4; ++i, t += 12 * R) {
+                        double *x = down + (size_t)(y->node + 4 * p + i) * 2 * R;
+                        MS_MCML__FN(step)(t, x, q, 4 * R, x + 2 * R);
+                    }
+                }
+                for (j = 0; j < R; ++j) {
+                    state[0][j] = down[(size_t)(y->node + 4 * y->used) * 2 * R + (size_t)j];
+                    state[1][j] = down[(size_t)(y->node + 4 * y->used) * 2 * R + R + (size_t)j];
+                }
+                for (j = 0; j < 2 * R; ++j) up[(size_t)(y->node + 4 * y->used) * 2 * R + (size_t)j] = 0;
+                for (p = y->used - 1; p >= 0; --p) { /* the same weights, mirrored */
+                    const double *table = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
+                                                      (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
+                    const double *q = line + (size_t)(y->node + 4 * p) * 4 * R + 2 * R;
+                    for (i = 3; i >= 0; --i) {
+                        const double *t = table + (3 - i) * 12 * R;
+                        double *x = up + (size_t)(y->node + 4 * p + i) * 2 * R;
+                        MS_MCML__FN(step)(t, x + 2 * R, q + 16 * R, -4 * R, x);
+                    }
+                }
+                for (j = 0; j < R; ++j) {
+                    u_out[layer][0][j] = up[(size_t)y->node * 2 * R + (size_t)j];
+                    u_out[layer][1][j] = up[(size_t)y->node * 2 * R + R + (size_t)j];
+                }
+            }
+            for (layer = s->layers - 1; layer >= 0; --layer) { /* what comes back from below, boundary by boundary */
+                const ms_mcml__stratum *y = &s->layer[layer];
+                const double below = layer + 1 < s->layers ? s->layer[layer + 1].n : s->n_below;
+                const int open = layer + 1 < s->layers && nu[0] < below && (s->layer[layer + 1].clear || s->layer[layer + 1].used);
+                const int cut = !y->clear && y->used < y->panels;
+                if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
+                for (j = 0; j < R; ++j) {
+                    const double er = carry[layer][0][j], ei = carry[layer][1][j];
+                    double r = cut || y->semi ? 0 : ms_mcml__fresnel_nu(y->n, below, nu[j]), br = r, bi = 0, wr = 0, wi = 0, tr, ti;
+                    if (open && !cut) {
+                        const double across = (1 - r) * (1 - r), factor = (1 - r) * (y->n / below) * (y->n / below);
+                        const double *pr = rho[layer + 1][0], *pi = rho[layer + 1][1];
+                        const double nr = 1 - r * pr[j], ni = -r * pi[j], size = nr * nr + ni * ni;
+                        const double qr = nr / size, qi = -ni / size; /* 1 / (1 - rho r) */
+                        br += across * (pr[j] * qr - pi[j] * qi);
+                        bi += across * (pr[j] * qi + pi[j] * qr);
+                        wr = factor * (v[layer + 1][0][j] * qr - v[layer + 1][1][j] * qi);
+                        wi = factor * (v[layer + 1][0][j] * qi + v[layer + 1][1][j] * qr);
+                    }
+                    rb[layer][0][j] = br;
+                    rb[layer][1][j] = bi;
+                    vb[layer][0][j] = wr;
+                    vb[layer][1][j] = wi;
+                    tr = br * er - bi * ei;
+                    ti = br * ei + bi * er;
+                    rho[layer][0][j] = tr * er - ti * ei;
+                    rho[layer][1][j] = tr * ei + ti * er;
+                    tr = br * d_out[layer][0][j] - bi * d_out[layer][1][j] + wr;
+                    ti = br * d_out[layer][1][j] + bi * d_out[layer][0][j] + wi;
+                    v[layer][0][j] = u_out[layer][0][j] + er * tr - ei * ti;
+                    v[layer][1][j] = u_out[layer][1][j] + er * ti + ei * tr;
+                }
+            }
+            for (layer = 0; layer < s->layers; ++layer) { /* and down again */
+                const ms_mcml__stratum *y = &s->layer[layer];
+                const double above = layer ? s->layer[layer - 1].n : s->n_above;
+                const int open = layer > 0 && nu[0] < above;
+                double in_up[2][R];
+                if (!(nu[0] < y->n)) continue;
+                if (!y->clear && y->used == 0) break;
+                for (j = 0; j < R; ++j) {
+                    const double r = ms_mcml__fresnel_nu(y->n, above, nu[j]), er = carry[layer][0][j], ei = carry[layer][1][j];
+                    const double nr = 1 - r * rho[layer][0][j], ni = -r * rho[layer][1][j], size = nr * nr + ni * ni;
+                    double sr = r * v[layer][0][j], si = r * v[layer][1][j], wr, wi, outr, outi;
+                    if (open) { /* in still holds what came out of the layer above */
+                        const double factor = (1 - r) * (y->n / above) * (y->n / above);
+                        sr += factor * in[0][j];
+                        si += factor * in[1][j];
+                    }
+                    wr = size > 0 ? (sr * nr + si * ni) / size : 0;
+                    wi = size > 0 ? (si * nr - sr * ni) / size : 0;
+                    if (layer == 0) {
+                        const double ur = v[0][0][j] + rho[0][0][j] * wr - rho[0][1][j] * wi;
+                        leave[0] += 4 * s->nu_weight[b * R + j] * turn[j] * nu[j] / (y->n * y->n) * (1 - r) * ur;
+                    }
+                    outr = d_out[layer][0][j] + er * wr - ei * wi;
+                    outi = d_out[layer][1][j] + er * wi + ei * wr;
+                    in_up[0][j] = rb[layer][0][j] * outr - rb[layer][1][j] * outi + vb[layer][0][j];
+                    in_up[1][j] = rb[layer][0][j] * outi + rb[layer][1][j] * outr + vb[layer][1][j];
+                    in[0][j] = wr;
+                    in[1][j] = wi;
+                    if (layer == s->layers - 1 && !y->semi && (y->clear || y->used == y->panels))
+                        leave[1] += 4 * s->nu_weight[b * R + j] * turn[j] * nu[j] / (y->n * y->n) *
+                                    (1 - ms_mcml__fresnel_nu(y->n, s->n_below, nu[j])) * outr;
+                    rho[layer][0][j] = outr; /* no longer needed: kept for the next layer */
+                    rho[layer][1][j] = outi;
+                }
+                if (!y->clear) {
+                    for (p = 0; p < y->used; ++p) { /* what came in from outside the layer */
+                        const double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
+                                                      (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
+                        for (i = 0; i < 4; ++i, t += 12 * R) {
+                            MS_MCML__FN(pass)(t, down + (size_t)(y->node + 4 * p + i) * 2 * R, in[0]);
+                        }
+                    }
+                    for (j = 0; j < R; ++j) {
+                        double *x = down + (size_t)(y->node + 4 * y->used) * 2 * R;
+                        x[j] += in[0][j];
+                        x[R + j] += in[1][j];
+                    }
+                    for (p = y->used - 1; p >= 0; --p) {
+                        const double *table = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
+                                                          (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
+                        for (i = 3; i >= 0; --i) {
+                            const double *t = table + (3 - i) * 12 * R;
+                            MS_MCML__FN(pass)(t, up + (size_t)(y->node + 4 * p + i + 1) * 2 * R, in_up[0]);
+                        }
+                    }
+                    for (j = 0; j < R; ++j) {
+                        double *x = up + (size_t)y->node * 2 * R;
+                        x[j] += in_up[0][j];
+                        x[R + j] += in_up[1][j];
+                    }
+                    for (node = y->node; node <= y->node + 4 * y->used; ++node) {
+                        const double *x = down + (size_t)node * 2 * R, *u = up + (size_t)node * 2 * R;
+                        const MS_MCML__D weight = MS_MCML__FN(d_load)(turn);
+                        int part;
+                        for (part = 0; part < 2; ++part) {
+                            const MS_MCML__D x1 = MS_MCML__FN(d_load)(x + part * R), x2 = MS_MCML__FN(d_load)(u + part * R);
+                            const MS_MCML__D plus = MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_add)(x1, x2));
+                            const MS_MCML__D minus = MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_sub)(x1, x2));
+                            for (m = part; m <= s->most; m += 2) {
+                                const MS_MCML__D c = MS_MCML__FN(d_load)(around + m * R);
+                                double *e = sum_even + (size_t)m * plane + (size_t)node * R, *o = sum_odd + (size_t)m * plane + (size_t)node * R;
+                                MS_MCML__FN(d_store)(e, MS_MCML__FN(d_madd)(c, plus, MS_MCML__FN(d_load)(e)));
+                                MS_MCML__FN(d_store)(o, MS_MCML__FN(d_madd)(c, minus, MS_MCML__FN(d_load)(o)));
+                            }
+                        }
+                    }
+                }
+                for (j = 0; j < R; ++j) {
+                    in[0][j] = rho[layer][0][j];
+                    in[1][j] = rho[layer][1][j];
+                }
+            }
+        }
+        for (layer = 0; layer < s->layers; ++layer) { /* from sums over the azimuth to moments */
+            const ms_mcml__stratum *y = &s->layer[layer];
+            const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
+            const double *mu = s->mu + (b * s->layers + layer) * R;
+            double weight[R];
+            if (y->clear || !(nu[0] < y->n) || y->used == 0) continue;
+            for (j = 0; j < R; ++j) weight[j] = 4 * s->nu_weight[b * R + j] * nu[j] / (y->n * y->n * mu[j]);
+            for (m = 0; m <= s->most; ++m)
+                for (node = y->node; node <= y->node + 4 * y->used; ++node) {
+                    const double *e = sum_even + (size_t)m * plane + (size_t)node * R, *o = sum_odd + (size_t)m * plane + (size_t)node * R;
+                    MS_MCML__D x[2];
+                    x[0] = MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(weight), MS_MCML__FN(d_load)(e));
+                    x[1] = MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(weight), MS_MCML__FN(d_load)(o));
+                    for (l = m; l <= s->order; ++l) {
+                        const size_t term = (size_t)(ms_mcml__first_term(s->order, m) + l - m);
+                        out[term * nz + (size_t)node] += MS_MCML__FN(d_sum)(MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(theta + term * R), x[(l - m) & 1]));
+                    }
+                }
+        }
+    }
+}
+
+#undef MS_MCML__D
 #undef MS_MCML__DRAW
 #undef MS_MCML__LEVEL
 #undef MS_MCML__ISA
