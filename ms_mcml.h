@@ -107,7 +107,7 @@
 
    Memory: 0.3 MB while the solver runs (0.3 MB a channel with options.parallel), 32 bytes a ring and channel for the
    result. Stack: less than 40 KB. Calls without a common object may
-   overlap. The same bits for any thread count; the solver is plain C at every level.
+   overlap. The same bits for any thread count; the half-space solver is plain C at every level.
    Sources: Williams, "The searchlight problem in radiative transfer with internal reflection" (2007) for the equation;
    Case & Zweifel, "Linear Transport Theory" (1967) for nu_0; Lawson & Hanson, "Solving Least Squares Problems" (1974);
    Chandrasekhar, "Radiative Transfer" (1960) for the test's reference; Jensen et al. 2001 for the materials.

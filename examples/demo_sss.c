@@ -3,6 +3,7 @@
      skin1_before.png, _after, and skin1.png with half of each; the same for marble; demo.png with both
      bust.png, knot.png                    before, after, truth (random walks, examples/data/truth_*.bin) and their difference,
                                            with the numbers in sss.txt
+     skins.png                             six heads made of melanin and blood
      model_*.png                           a dot, a disk and a step through every kernel model, and exactly
      kernels.html                          a page that shows them all
    Alone: cc -O2 -I. examples/demo_sss.c -o build/demo_sss -lm */
@@ -209,6 +210,78 @@ static void save_pair(const image *a, const image *b, const char *name)
     }
     save(&out, name);
     image_free(&out);
+}
+
+/* --- skin from what it is made of --- */
+
+/* One head, lit once, in six skins: melanin, of which red, and blood from pale to dark. */
+static void show_skins(int height)
+{
+    static const double made[6][3] = {{0.004, 0.4, 0.03}, {0.02, 0.7, 0.04}, {0.05, 0.8, 0.035}, {0.1, 0.9, 0.03}, {0.2, 1, 0.04}, {0.4, 1, 0.03}};
+    static const float grey[3] = {0.5f, 0.5f, 0.5f};
+    static ms_sss_kernel kernel;
+    ms_sss_filter_options options = ms_sss_filter_defaults();
+    ms_sss_frame frame;
+    scene s;
+    image row, filtered, face, albedo;
+    int width = height * 16 / 9, shown = height * 5 / 6, k, x, y, c;
+    need(scene_render(&s, SCENE_BUST, width, height, grey), "scene");
+    row = image_new(6 * shown, height, 3);
+    filtered = image_new(width, height, 3);
+    albedo = image_new(width, height, 3);
+    if (row.pixels == NULL || filtered.pixels == NULL || albedo.pixels == NULL) need("out of memory", "skins");
+    memcpy(albedo.pixels, s.albedo.pixels, image_count(&albedo) * sizeof(float));
+    for (k = 0; k < 6; ++k) {
+        ms_mcml_skin skin = ms_mcml_skin_defaults();
+        ms_mcml_profile_options rings;
+        ms_mcml_profile made_rings;
+        ms_sss_profile *profile;
+        const double *rd[3];
+        size_t size, i;
+        void *workspace;
+        double reflectance[3];
+        skin.melanin = made[k][0];
+        skin.eumelanin = made[k][1];
+        skin.blood = made[k][2];
+        skin.g = 0; /* the picture has no pixel as small as where g shows */
+        memset(&rings, 0, sizeof rings);
+        rings.frequency_step = 0.5;
+        need_ok(ms_mcml_skin_profile(&made_rings, &skin, &rings, NULL), "skin");
+        for (c = 0; c < 3; ++c) rd[c] = made_rings.rd_per_mm2 + c * made_rings.rings;
+        need_ok(ms_sss_profile_from_rings(&profile, made_rings.rings, made_rings.edge_mm, rd, 1, NULL, NULL), "skin");
+        for (c = 0; c < 3; ++c) reflectance[c] = made_rings.total[c];
+        ms_mcml_profile_destroy(&made_rings);
+        need_ok(ms_sss_kernel_make(&kernel, NULL, profile, radius_of(profile) * height / (2 * (double)s.camera.tan_half_fov * (double)scene_length(s.camera.eye)), NULL, NULL, NULL),
+                "kernel");
+        ms_sss_profile_destroy(profile);
+        memset(&frame, 0, sizeof frame);
+        frame.width = width;
+        frame.height = height;
+        frame.input = ms_sss_interleaved(s.irradiance.pixels, 3, 0);
+        frame.output = ms_sss_interleaved(filtered.pixels, 3, 0);
+        frame.depth = ms_sss_map(s.depth.pixels, 1, 0);
+        frame.strength = ms_sss_map(s.mask.pixels, 1, 0);
+        options.fov_degrees = 2 * atanf(s.camera.tan_half_fov) * (180 / 3.14159265f);
+        size = ms_sss_filter_workspace(width, height, &kernel, 1, &options);
+        workspace = malloc(size);
+        if (workspace == NULL) need("out of memory", "skins");
+        need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), "filter");
+        free(workspace);
+        for (i = 0; i < image_count(&albedo); ++i)
+            s.albedo.pixels[i] = albedo.pixels[i] * (s.mask.pixels[i / 3] > 0 ? (float)reflectance[i % 3] / grey[0] : 1);
+        need(scene_compose(&s, &filtered, &face), "picture");
+        for (y = 0; y < height; ++y)
+            for (x = 0; x < shown; ++x)
+                for (c = 0; c < 3; ++c)
+                    row.pixels[3 * ((size_t)y * (size_t)row.width + (size_t)(k * shown + x)) + (size_t)c] =
+                        face.pixels[3 * ((size_t)y * (size_t)width + (size_t)(x + (width - shown) / 2)) + (size_t)c];
+        image_free(&face);
+    }
+    save(&row, "skins.png");
+    image_free(&row);
+    image_free(&filtered);
+    image_free(&albedo);
+    scene_free(&s);
 }
 
 /* --- against the truth --- */
@@ -566,6 +639,7 @@ int main(int argc, char **argv)
     show_truth("knot", "marble", lines);
     need(file_finish(&truths, 1), file("sss.txt"));
     plot_profiles();
+    show_skins(width * 9 / 64);
     show_models(page);
     bust = show_object(SCENE_BUST, "skin1", width);
     knot = show_object(SCENE_KNOT, "marble", width);

@@ -108,6 +108,7 @@ else
     figure skin1.png "A lit bust of skin, before and after" 50:before 50:after
 fi
 figure marble.png "Marble" 50:before 50:after
+figure skins.png "Six skins from what skin is made of: build/profile --skin melanin=0.02,eumelanin=0.7,blood=0.04" "16.6:melanin 0.4%" 16.6:2% 16.6:5% 16.6:10% 16.6:20% 16.6:40%
 echo '<p><a href="kernels.html">Kernel models and their errors</a></p>'
 code "build/sss_filter irradiance.pfm depth.pfm out.png --material skin1 --fov 24" <<'C'
 ms_sss_kernel_make(&kernel, &errors, profile, 24, NULL, NULL, NULL);  /* once */
