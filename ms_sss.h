@@ -98,6 +98,8 @@
    MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_SSS_FILENAME  this file's name, if it is not "ms_sss.h"
    MS_NO_SIMD       scalar text only
+   MS_SSS_NO_DESIGN run time alone, for programs that carry kernels and pyramids as data: the filter, ms_sss_transmission and
+                    shaders; nothing that takes a profile
    MS_ASSERT        checks of the header's own invariants (nothing)
 
    Limits
@@ -530,6 +532,25 @@ typedef enum ms_sss_method {
 
 struct ms_sss_pyramid;
 
+/* The same pixels with rows in the other order: for pictures whose first row is the bottom one beside others that begin at the
+   top. The filter itself takes either, but all of a frame must agree, and a normal's y points to later rows. */
+MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height);
+
+/* How an engine writes depth: the numbers of its projection. D3D, Vulkan, Metal and the depth textures of OpenGL alike. */
+typedef struct ms_sss_depth_buffer {
+    float near_plane, far_plane; /* scene units, 0 < near < far; far 0 or infinite: infinitely far */
+    int reversed;                /* 0: 0 near to 1 far; 1: 1 near to 0 far */
+    int orthographic;            /* 1: depth goes linearly from near to far */
+} ms_sss_depth_buffer;
+
+/* Distances along the view axis for ms_sss_frame.depth, out[height][width], from a depth buffer; out may be its memory where that is
+   float and packed. Where nothing was drawn (the value of the far plane, or beyond), and for NaN: infinite, that is, no part.
+   MS_INVALID_ARGUMENT: a plane out of range, a stride, a NULL; out is untouched then. */
+MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how, float *out, ms_error *error);
+
+/* The angle along y, as options.fov_degrees wants it, of a camera with this angle along x; pixels are square. */
+MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height);
+
 /* What is filtered. The input is light that entered the surface, linear, before the albedo unless the albedo is baked
    in; it must not hold specular reflection, which never went below the surface. */
 typedef struct ms_sss_frame {
@@ -570,7 +591,8 @@ typedef struct ms_sss_filter_options {
     float pixels_per_mm[2];  /* texture space: pixels a millimetre along x and y; [1] 0: as [0] */
     float fov_degrees;       /* perspective: the picture's full angle along y, in (0, 180) */
     float ortho_height;      /* orthographic: scene units from the picture's top to its bottom */
-    float mm_per_unit;       /* millimetres in a scene unit; 0: 1 (the scene is in mm) */
+    float mm_per_unit;       /* millimetres in a scene unit; 0: 1 (the scene is in mm), refused where that makes kernels cover half of the
+                                picture: a scene in metres needs 1000 */
     int uv_steps;            /* 0: square pixels, kernel round; 1: older engines' steps in uv, wider by width / height along x */
     ms_sss_depth_mode depth_mode;
     float depth_sigma_mm;    /* sigma of MS_SSS_DEPTH_AWARE; 0: the profile's 99% radius times 0.25 (flat 1: 0.12, between: between) */
@@ -1218,6 +1240,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #define MS_SSS__PI 3.14159265358979323846
 
+#ifndef MS_SSS_NO_DESIGN
 /* Solves A x = b for symmetric positive definite A [n][n] (lower triangle used, overwritten); x over b. 0: not
    positive definite. */
 static int ms_sss__cholesky_solve(double *A, double *b, int n)
@@ -3424,6 +3447,8 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
     return status;
 }
 
+#endif /* MS_SSS_NO_DESIGN */
+
 /* --------------------------------------------------- TRANSLUCENCY TABLES */
 
 static double ms_sss__slab(double R, double decay, double s)
@@ -3433,6 +3458,7 @@ static double ms_sss__slab(double R, double decay, double s)
     return (1 - R * R) * x / (1 - R * R * x * x) * (1 - 0.85 * dark * dark * dark * dark * dark * (1 - pow(x, 0.8)));
 }
 
+#ifndef MS_SSS_NO_DESIGN
 MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3])
 {
     double total[3], decay[3];
@@ -3454,6 +3480,7 @@ MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, doubl
         for (c = 0; c < 3; ++c) out[i][c] = (float)ms_sss__slab(total[c], decay[c], max_thickness_mm * i / (count - 1));
     return MS_OK;
 }
+#endif
 
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
                                     const float entry_normal[3], const float to_light[3], const float light[3], float out[3])
@@ -5020,6 +5047,73 @@ MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half)
     return image;
 }
 
+MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height)
+{
+    const ptrdiff_t row = image.row_stride ? image.row_stride : (image.pixel_stride ? image.pixel_stride : 1) * width;
+    const ptrdiff_t to_last = row * (height - 1) * (ptrdiff_t)(image.half ? sizeof(uint16_t) : sizeof(float));
+    int c;
+    for (c = 0; c < 3; ++c)
+        if (image.channel[c]) image.channel[c] = (char *)image.channel[c] + to_last;
+    image.row_stride = -row;
+    return image;
+}
+
+MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how, float *out, ms_error *error)
+{
+    ms_sss_image from;
+    ms_status status;
+    double near_plane, far_plane;
+    int x, y, endless;
+    if (!buffer || !how || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "buffer, how or out is NULL");
+    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
+    from = *buffer;
+    if ((status = ms_sss__check_image(&from, "buffer", 1, 1, width, height, error)) != MS_OK) return status;
+    near_plane = (double)how->near_plane;
+    far_plane = (double)how->far_plane;
+    endless = !(far_plane > 0) || !ms__finite_f(how->far_plane);
+    if (!ms_sss__positive(how->near_plane) || (endless ? how->orthographic || far_plane < 0 || far_plane != far_plane : far_plane <= near_plane))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "near_plane %g, far_plane %g: expected 0 < near < far, or far 0 in perspective", near_plane, far_plane);
+    for (y = 0; y < height; ++y)
+        for (x = 0; x < width; ++x) {
+            const double d = (double)ms_sss__get(&from, 0, x, y), away = how->reversed ? d : 1 - d; /* 1 at the near plane, 0 at the far one */
+            double z = INFINITY;
+            if (away > 0 && away <= 1)
+                z = how->orthographic ? far_plane - away * (far_plane - near_plane)
+                    : endless         ? near_plane / away
+                                      : near_plane * far_plane / (near_plane + away * (far_plane - near_plane));
+            out[(ptrdiff_t)y * width + x] = (float)z;
+        }
+    return MS_OK;
+}
+
+MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height)
+{
+    const double degree = 3.14159265358979323846 / 180;
+    if (width < 1 || height < 1 || !(fov_degrees_along_x > 0 && fov_degrees_along_x < 180)) return 0;
+    return (float)(2 * atan(tan((double)fov_degrees_along_x * degree / 2) * height / width) / degree);
+}
+
+/* Whether a scene in other units than millimetres is the likelier reading: mm_per_unit was not given, and the smallest kernel
+   covers half of the picture, as the mean over up to 64 x 64 pixels. */
+static int ms_sss__too_close(const ms_sss_frame *f, const ms_sss_filter_options *o, double radius_mm)
+{
+    const int side = f->width > f->height ? f->width : f->height, step_x = (f->width + 63) / 64, step_y = (f->height + 63) / 64;
+    double sum = 0, size;
+    int x, y, n = 0;
+    if (o->mm_per_unit > 0 || o->pixels_per_mm[0] > 0) return 0;
+    if (!(o->fov_degrees > 0)) return radius_mm * f->height / (double)o->ortho_height > 0.5 * side;
+    size = radius_mm * f->height / (2 * tan((double)o->fov_degrees * (3.14159265358979323846 / 360)));
+    for (y = step_y / 2; y < f->height; y += step_y)
+        for (x = step_x / 2; x < f->width; x += step_x) {
+            const float z = ms_sss__get(&f->depth, 0, x, y);
+            if (!ms_sss__positive(z)) continue;
+            sum += size / (double)z < side ? size / (double)z : side;
+            ++n;
+        }
+    return n > 0 && sum > 0.5 * side * n;
+}
+
 /* The empty rows above and below the planes. */
 static void ms_sss__clear_around(ms_sss__job *job)
 {
@@ -5067,6 +5161,11 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     if (f->profile_row_stride == 0) f->profile_row_stride = f->profile_pixel_stride * w;
     if (!workspace || workspace_size < needed)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
+    for (i = 1, c = 0; i < kernel_count; ++i)
+        if (kernels[i].radius_mm < kernels[c].radius_mm) c = i;
+    if (ms_sss__too_close(f, options, (double)kernels[c].radius_mm))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernels of %g mm cover half of the picture: mm_per_unit is needed, 1000 for a scene in metres, 1 if it is in mm",
+                        (double)kernels[c].radius_mm);
 
     layout = ms_sss__plan(w, h, kernels, kernel_count, options, bare);
     job->simd = ms_sss__pick(options->simd);
@@ -5385,6 +5484,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
 
 /* ---------------------------------------------------------- PYRAMID CODE */
 
+#ifndef MS_SSS_NO_DESIGN
 /* Minimises x'A x / 2 - b'x for x >= 0, n <= 24: active sets (Lawson and Hanson 1974, Solving Least Squares Problems,
    chapter 23). */
 static void ms_sss__fit_positive(const double *A, const double *b, int n, double *x)
@@ -5515,6 +5615,7 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
     }
     return MS_OK;
 }
+#endif /* MS_SSS_NO_DESIGN */
 
 /* --- the filter --- */
 
@@ -5986,6 +6087,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
                                    ms_error *error)
 {
     ms_sss__job job; /* to check everything before anything is written, and for the sizes of kernels */
+    ms_sss_filter_options agreed; /* on millimetres */
     ms_status status;
     float *end;
     int i;
@@ -5997,12 +6099,14 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__tower_takes(options)))
         return ms__fail(error, MS_UNSUPPORTED, 0, options->pyramids ? "a pyramid is round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW"
                                                                     : "method is MS_SSS_METHOD_PYRAMID, but options.pyramids is NULL");
+    agreed = *options;
+    if (!(agreed.mm_per_unit > 0)) agreed.mm_per_unit = 1;
     for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
         const ms_sss_method method = ms_sss__choose(&job, &kernels[i], i);
         if (frame->taken) frame->taken[i] = method;
-        status = method == MS_SSS_METHOD_PYRAMID ? ms_sss__tower_filter(frame, &options->pyramids[i], i, kernel_count, options, workspace, error)
-                 : method == MS_SSS_METHOD_HALF  ? ms_sss__half_filter(frame, kernels, i, kernel_count, options, workspace, workspace_size, error)
-                                                 : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, options, workspace, workspace_size, error);
+        status = method == MS_SSS_METHOD_PYRAMID ? ms_sss__tower_filter(frame, &options->pyramids[i], i, kernel_count, &agreed, workspace, error)
+                 : method == MS_SSS_METHOD_HALF  ? ms_sss__half_filter(frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error)
+                                                 : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error);
         if (status != MS_OK) return status;
     }
     return MS_OK;
@@ -6010,6 +6114,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
 
 #undef MS_SSS__GATHER
 
+#ifndef MS_SSS_NO_DESIGN
 /* ----------------------------------------------------------- GATHER CODE */
 
 enum { MS_SSS__GATHER_NEAR = 4, MS_SSS__GATHER_LEVELS = 16, MS_SSS__GATHER_STEPS = 2048 };
@@ -6327,6 +6432,8 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
     ms_sss_profile_radius(profile, 0.99, radius);
     for (c = 0; c < 3; ++c) {
         if (radius[c] > widest) widest = radius[c];
+    if (ms_sss__too_close(&g.frame, options, widest))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a radius of %g mm covers half of the picture: mm_per_unit is needed, 1000 for a scene in metres, 1 if it is in mm", widest);
         g.reflectance[c] = (float)total[c];
         g.elevation[c] = (float)ms_sss_elevation(total[c], 1) * (1 - options->flat);
     }
@@ -6356,6 +6463,8 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
     ms_sss__share(&options->parallel, frame->height, ms_sss__gather_row, &g);
     return MS_OK;
 }
+
+#endif /* MS_SSS_NO_DESIGN */
 
 /* -------------------------------------------------------------- GPU CODE */
 

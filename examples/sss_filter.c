@@ -23,7 +23,8 @@ static const char usage[] =
     "  --budget E         how far half resolution may be from taps, of the picture's deviation, 0 to 1 (0: never taken)\n"
     "  --model M          of the taps: image, preintegrated, residual, gaussians, guided, artist, slice (image)\n"
     "  --taps N           samples of each of the two passes, odd, 3 to 257 (as many as show no bands)\n"
-    "  --mm-per-unit S    millimetres in a unit of the depth (1)\n"
+    "  --mm-per-unit S    millimetres in a unit of the depth (1; has to be said where that makes the light cover half of\n"
+    "                     the picture)\n"
     "  --fov DEG          perspective, full vertical angle (45)\n"
     "  --ortho HEIGHT     orthographic, units from top to bottom\n"
     "  --strength S       0 none to 1 full (1)\n";
@@ -108,7 +109,6 @@ static int parse(int argc, char **argv, settings *s)
     int i, paths = 0, perspective = 0;
     memset(s, 0, sizeof *s);
     s->model = -1;
-    s->mm_per_unit = 1;
     s->fov = 45;
     s->strength = 1;
     for (i = 1; i < argc; ++i) {
@@ -166,7 +166,7 @@ static double radius_px(const settings *s, const job *j)
         if (j->depth.pixels[i] > 0 && (double)j->depth.pixels[i] < nearest) nearest = (double)j->depth.pixels[i];
     ms_sss_profile_radius(j->profile, 0.99, reach);
     for (i = 0; i < 3; ++i) radius_mm = reach[i] > radius_mm ? reach[i] : radius_mm;
-    height_mm = s->mm_per_unit * (s->ortho > 0 ? s->ortho : 2 * tan(s->fov * 3.14159265358979 / 360) * nearest);
+    height_mm = (s->mm_per_unit > 0 ? s->mm_per_unit : 1) * (s->ortho > 0 ? s->ortho : 2 * tan(s->fov * 3.14159265358979 / 360) * nearest);
     return nearest < HUGE_VAL ? radius_mm / height_mm * j->depth.height : 0;
 }
 

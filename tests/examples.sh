@@ -125,7 +125,7 @@ if [ -x build/sss_filter ]; then
     pfm "$out/e.pfm" 3 "$one" "$zero"
     pfm "$out/d.pfm" 1 "$two" "$two"
     ok "filter to PFM" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/f.pfm" --material skin1 --mm-per-unit 10
-    ok "filter to PNG" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/f.png" --profile "$out/skin1.csv" --taps 9 --ortho 2 --strength 0.5
+    ok "filter to PNG" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/f.png" --profile "$out/skin1.csv" --taps 9 --ortho 2 --mm-per-unit 1 --strength 0.5
     for m in taps half pyramid gather; do
         ok "filter by $m" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/$m.pfm" --material skin1 --mm-per-unit 10 --method "$m"
     done
@@ -134,6 +134,7 @@ if [ -x build/sss_filter ]; then
     head -c 3000 "$out/e.pfm" >"$out/cut.pfm"
     rm -f "$out/never.pfm"
     refuses "a truncated picture" "cut.pfm" build/sss_filter "$out/cut.pfm" "$out/d.pfm" "$out/never.pfm" --material skin1
+    refuses "what looks like metres" "mm_per_unit" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/never.pfm" --material skin1
     refuses "an unknown material" "material" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/never.pfm" --material unobtainium
     refuses "an even number of taps or none" "taps" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/never.pfm" --material skin1 --taps 0
     is "nothing is written" "$(ls "$out/never.pfm" 2>/dev/null)" ""

@@ -554,7 +554,7 @@ static void case_radii(void)
             double e;
             if (kind == 0) o.pixels_per_mm[0] = 1;
             if (kind == 1) o.fov_degrees = 18.9f; /* one pixel is about depth / 100 */
-            if (kind == 2) o.ortho_height = 33;
+            if (kind == 2) o.ortho_height = 33, o.mm_per_unit = 1; /* said, since the largest cover the picture */
             if (kind == 1) k.radius_mm = (float)radius[i] * 10, o.mm_per_unit = 10;
             o.flat = i % 3 ? 0.0f : 1.0f;
             e = test_against_plain(&s, &k, 1, &o, WITH_DEPTH | (i % 2 ? WITH_STRENGTH : 0));

@@ -19,5 +19,6 @@ kilobytes() { # HEADER FLAGS...
         no_stdio="-D$(echo "${h%.h}" | tr a-z A-Z)_NO_STDIO"
         echo "| \`$h\` | $(wc -l <"$h" | tr -d ' ') | $(kilobytes "$h" -O2) | $(kilobytes "$h" -O2 -DMS_NO_SIMD) | $(kilobytes "$h" -Os -DMS_NO_SIMD "$no_stdio") |"
     done
+    echo "| \`ms_sss.h\`, \`MS_SSS_NO_DESIGN\` | | $(kilobytes ms_sss.h -O2 -DMS_SSS_NO_DESIGN) | $(kilobytes ms_sss.h -O2 -DMS_SSS_NO_DESIGN -DMS_NO_SIMD) | $(kilobytes ms_sss.h -Os -DMS_SSS_NO_DESIGN -DMS_NO_SIMD -DMS_SSS_NO_STDIO) |"
 } >build/bench/sizes.md
 cat build/bench/sizes.md
