@@ -6432,11 +6432,11 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
     ms_sss_profile_radius(profile, 0.99, radius);
     for (c = 0; c < 3; ++c) {
         if (radius[c] > widest) widest = radius[c];
-    if (ms_sss__too_close(&g.frame, options, widest))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a radius of %g mm covers half of the picture: mm_per_unit is needed, 1000 for a scene in metres, 1 if it is in mm", widest);
         g.reflectance[c] = (float)total[c];
         g.elevation[c] = (float)ms_sss_elevation(total[c], 1) * (1 - options->flat);
     }
+    if (ms_sss__too_close(&g.frame, options, widest))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a radius of %g mm covers half of the picture: mm_per_unit is needed, 1000 for a scene in metres, 1 if it is in mm", widest);
     if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light in any channel");
     g.reach = (float)(1.5 * widest); /* what is farther is worth less than the pixels' own shape */
     g.layers = back ? 2 : 1;
