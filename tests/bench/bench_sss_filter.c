@@ -7,7 +7,7 @@
 #include "test.h"
 #include "pool.h"
 
-enum { W = 1920, H = 1080, N = W * H, RUNS = 9 };
+enum { W = 1920, H = 1080, N = W * H, RUNS = 7 };
 static float *in[3], *out[3], *between[3], *expected[3], *depth, *mask, *packed, *packed_out, *packed_depth, *packed_between;
 static uint16_t *halves, *halves_out;
 static ms_sss_kernel kernel, whole; /* radius 24 pixels in the middle of the picture; taps at whole pixels */
@@ -312,7 +312,7 @@ int main(void)
     double worst = 0, pixels = (double)N * 1e-6;
     int r, l, c, i;
     make_inputs();
-    linear = bench_run(plain_linear, NULL, 3);
+    linear = bench_run(plain_linear, NULL, 1);
     honest = bench_run(plain_packed, NULL, 5);
     copy = bench_run(copies, NULL, RUNS);
     fprintf(csv, "setting,level,ms,spread_ms\nplain loop with linear taps,compiler,%.3f,%.3f\ncopies,memcpy,%.3f,%.3f\n", 1e3 * linear.median,
@@ -324,7 +324,7 @@ int main(void)
             if (ms__simd_pick(levels[l]) != levels[l]) continue;
             if (rows[r].kind & IN_PLACE)
                 for (c = 0; c < 3; ++c) memcpy(between[c], in[c], (size_t)N * sizeof(float)); /* put back below */
-            t[r][l] = time_of(rows[r].kind, levels[l], l == 0 ? 2 : RUNS);
+            t[r][l] = time_of(rows[r].kind, levels[l], l == 0 ? 1 : l == 1 ? 3 : RUNS);
             if (rows[r].kind & IN_PLACE)
                 for (c = 0; c < 3; ++c) memcpy(in[c], between[c], (size_t)N * sizeof(float));
             fprintf(csv, "%s,%s,%.3f,%.3f\n", rows[r].name, ms_simd_string(levels[l]), 1e3 * t[r][l].median, 1e3 * t[r][l].spread);
@@ -338,8 +338,8 @@ int main(void)
                     if (!(fabs((double)out[c][i] - (double)expected[c][i]) <= worst)) worst = fabs((double)out[c][i] - (double)expected[c][i]);
         }
     }
-    nearest = bench_run(plain_nearest, NULL, 3);
-    fprintf(md, "%s, %s -O2, 1920 x 1080, one core, medians of %d runs, `make bench FILTER=sss_filter`. 7 taps of d'Eon's skin, R = 24 pixels.\n"
+    nearest = bench_run(plain_nearest, NULL, 1);
+    fprintf(md, "%s, %s -O2, 1920 x 1080, one core, medians of %d runs (scalar 1, SSE2 3), `make bench FILTER=sss_filter`. 7 taps of d'Eon's skin, R = 24 pixels.\n"
                 "**The peer**: a loop over packed colour and depth, one expf a tap, gcc -O3 for AVX2: %.0f +- %.0f ms. The same sums as\n"
                 "here pixel by pixel in planes, -O2: %.0f ms (largest difference %.0e); reading the nearest pixel only: %.0f ms.\n"
                 "Copying what two passes read and write: %.2f ms.\n"
