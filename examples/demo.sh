@@ -19,5 +19,7 @@ if [ -f examples/data/inversion_1.safetensors ]; then
     echo "a gallery, a taste learned from it, recommendations"
     build/workflow $out >$out/workflow.txt
 fi
+cp examples/web/studio.html $out/studio.html
+cp examples/web/kernels.html $out/designer.html
 sh examples/exhibition.sh $out >$out/index.html
 echo "open $out/index.html"

@@ -76,6 +76,9 @@ a renderer or a tool, and needs libc and libm.</p>
 <nav><a href="#ms_mcml">light in layers</a><a href="#ms_sss">subsurface scattering</a><a href="#ms_gpr">a learned taste</a><a href="#ms_nn">neural previews</a><a href="#ms_pme">from a picture to its material</a></nav>
 HTML
 
+if [ -f "$out/studio.html" ] && [ -f "$out/designer.html" ]; then
+    echo '<p><b>Live, in your browser:</b> <a href="studio.html">the studio</a>, where it learns what you like while you click, and <a href="designer.html">the kernel designer</a>, a head and a knot with light under their surface.</p>'
+fi
 section ms_mcml.h "How light spreads in skin, milk and marble: a diffusion profile from optical coefficients, without noise."
 echo '<div class="plots">'
 for channel in red green blue; do figure profiles_$channel.svg "What leaves at a distance from where a thin beam enters, $channel, the 11 materials of the thesis"; done

@@ -82,6 +82,10 @@ class Browser:
             self.answers[m["id"]] = m
             return
         p = m.get("params", {})
+        if m["method"] == "Tracing.dataCollected":
+            self.events += p["value"]
+        if m["method"] == "Tracing.tracingComplete":
+            self.traced = True
         if m["method"] == "Runtime.exceptionThrown":
             d = p["exceptionDetails"]
             self.problems.append(d.get("exception", {}).get("description", d["text"]))
@@ -98,6 +102,18 @@ class Browser:
     def open(self, path, width, height, dark=False):
         self.look(width, height, dark)
         self.call("Page.navigate", url="file://" + os.path.abspath(path.split("#")[0]) + path[len(path.split("#")[0]):])
+
+    def trace(self):
+        self.events, self.traced = [], False
+        self.call("Tracing.start", traceConfig={"includedCategories": ["toplevel", "__metadata"], "recordMode": "recordUntilFull"}, transferMode="ReportEvents")
+
+    def tasks(self):
+        """Processor time of each task of the page's own thread since trace(), in ms, the longest first: what may hold a frame up."""
+        self.call("Tracing.end")
+        while not self.traced:
+            self.value("1")
+        main = {(e["pid"], e["tid"]) for e in self.events if e.get("name") == "thread_name" and e["args"]["name"] == "CrRendererMain"}
+        return sorted((e["tdur"] / 1000 for e in self.events if (e["pid"], e["tid"]) in main and "tdur" in e and e["name"].endswith("RunTask")), reverse=True)
 
     def value(self, expression):
         r = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)

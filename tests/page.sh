@@ -14,7 +14,9 @@ cp examples/data/match.png "$out/demo/match.png"
 for channel in red green blue; do cp examples/data/profile.svg "$out/demo/profiles_$channel.svg"; done
 echo 'bust.png: before 19.9% | after 10.3% | truth | difference x 4' >"$out/demo/sss.txt"
 printf '| stage | size | time, ms |\n|---|---|---:|\n| fit | 250 | 9 |\n' >"$out/demo/times.md"
+touch "$out/demo/studio.html" "$out/demo/designer.html"
 sh examples/exhibition.sh "$out/demo" >"$out/demo/index.html" || failed=$((failed + 1))
+check "the live pages" "$(grep -c 'href="studio.html".*href="designer.html"' "$out/demo/index.html")" 1
 check "sections" "$(grep -c '<section' "$out/demo/index.html")" 5
 check "closed sections" "$(grep -c '</section' "$out/demo/index.html")" 5
 check "the materials' table" "$(grep -c '<td>skin1</td>' "$out/demo/index.html")" 1

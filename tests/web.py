@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|kernels]"""
+"""The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|pairs|kernels|frames]"""
 import csv, io, json, math, re, sys, xml.etree.ElementTree as xml
 from browser import Browser
 
@@ -309,11 +309,44 @@ def kernels(b):
     check("kernels: no complaint on the console", b.problems == [], b.problems[:5])
 
 
+def frames(b):
+    """No test: what the studio's page asks of its thread while one scores, walks and paints, as a table."""
+    def row(name):
+        t = b.tasks()
+        print("| %s | %d | %.1f | %.1f | %d |" % (name, len(t), t[len(t) // 100], t[0], sum(v > 16 for v in t)))
+
+    b.open("examples/web/studio.html", 1600, 1000)
+    b.until("window.studio && studio.idle()", WAIT)
+    print("| the studio's page | tasks | longest but 1%, ms | longest, ms | over 16 ms |\n|---|---:|---:|---:|---:|")
+    b.trace()
+    for n in range(1, 31):
+        b.until("document.querySelector('#deck .card:not(.gone):not(.waiting)')", WAIT)
+        x = [float(v) for v in b.value("document.querySelector('#deck .card:not(.gone)').dataset.x").split(",")]
+        b.click_on("document.querySelector('#deck .card:not(.gone)').querySelectorAll('.scale button')[%d]" % round(taste(x)))
+        b.until("studio.scored.length === %d" % n, WAIT)
+    b.until("studio.idle()", WAIT)
+    row("30 scores, recommendations with each")
+    b.trace()
+    b.click("#shelf .pick")
+    b.until("studio.view && studio.idle()", WAIT)
+    x, y, w, h = b.place("document.querySelector('#plane')")
+    b.drag([(x - 0.3 * w + 0.01 * k * w, y + 0.1 * h) for k in range(40)])
+    b.until("studio.idle()", WAIT)
+    row("a plane, 40 steps in it")
+    b.trace()
+    for k in range(10):
+        b.slide("#hue", 0.03 * k)
+    x, y, w, h = b.place("document.querySelector('.easel')")
+    b.drag([(x - 0.2 * w + 0.01 * k * w, y) for k in range(30)])
+    b.until("studio.match && studio.idle()", WAIT)
+    row("ten hues, a stroke, matched")
+
+
 pages = {"studio": studio, "pairs": pairs, "kernels": kernels}
-for name in sys.argv[2:] or pages:
+for name in sys.argv[2:] or list(pages):
     with Browser(out) as browser:
         try:
-            pages[name](browser)
+            {**pages, "frames": frames}[name](browser)
         except (TimeoutError, RuntimeError) as e:
             check(name, False, "%s; console: %s" % (e, browser.problems[:5]))
             browser.picture("%s/%s_failed.png" % (out, name))

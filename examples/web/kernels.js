@@ -249,6 +249,7 @@ const own = () => {
 };
 const perMm = () => size / (2 * 0.2126 * (designer.object ? 265 : 660)) / state().mm;
 const design = latest(async () => {
+  if (!designer.kernel) took(await maker.ask('design', { material: designer.material, own: own(), taps: 7, model: 1, pixels: perMm(), rough: true, size, ...state() })); // one to begin with
   const k = await maker.ask('design', { material: designer.material, own: own(), taps: value('taps'), model: Number($('model').value), pixels: perMm(), size, ...state() });
   took(k);
   facts(k);
@@ -406,24 +407,22 @@ $('check').onclick = async () => {
 async function sculpt(object) { // coarse at once, then fine, band by band
   const w = sculptors[object];
   await w.ready;
-  const info = await w.ask('volume', { object }), o = { info, normals: new Float32Array(4 * size * size) };
+  const info = await w.ask('volume', { object }), o = { info };
   o.volume = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_3D, o.volume);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   gl.texImage3D(gl.TEXTURE_3D, 0, gl.R8, ...info.sides, 0, gl.RED, gl.UNSIGNED_BYTE, info.bytes);
   for (const f of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_3D, f, gl.LINEAR);
   for (const f of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R]) gl.texParameteri(gl.TEXTURE_3D, f, gl.CLAMP_TO_EDGE);
-  const part = Math.max(1, Math.round(size / 160)), rough = Math.ceil(size / part);
-  const l = await w.ask('layers', { object, size: rough, from: 0, to: rough });
-  const wide = (from, To) => { const to = new To(4 * size * size); for (let y = 0; y < size; ++y) for (let x = 0; x < size; ++x) for (let c = 0; c < 4; ++c) to[4 * (y * size + x) + c] = from[4 * (Math.floor(y * rough / size) * rough + Math.floor(x * rough / size)) + c]; return to; };
-  o.normals = wide(l.surface, Float32Array);
-  o.surface = texture(gl.RGBA32F, gl.FLOAT, gl.RGBA, o.normals);
-  o.fine = texture(gl.RGBA32F, gl.FLOAT, gl.RGBA, wide(l.fine, Float32Array));
-  o.tint = texture(gl.RGBA8, gl.UNSIGNED_BYTE, gl.RGBA, wide(l.tint, Uint8Array));
+  const l = await w.ask('coarse', { object, size });
+  o.normals = l.surface;
+  o.surface = texture(gl.RGBA32F, gl.FLOAT, gl.RGBA, l.surface);
+  o.fine = texture(gl.RGBA32F, gl.FLOAT, gl.RGBA, l.fine);
+  o.tint = texture(gl.RGBA8, gl.UNSIGNED_BYTE, gl.RGBA, l.tint);
   objects[object] = o;
   if (object === designer.object) $('says').hidden = true;
   redraw();
-  for (let y = 0, band = Math.ceil(size / 12); y < size; y += band) {
+  for (let y = 0, band = Math.ceil(size / 24); y < size; y += band) {
     const to = Math.min(size, y + band), f = await w.ask('layers', { object, size, from: y, to });
     const put = (t, type, data) => { gl.bindTexture(gl.TEXTURE_2D, t); gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, y, size, to - y, gl.RGBA, type, data); };
     gl.activeTexture(gl.TEXTURE0);
@@ -444,7 +443,7 @@ designer.idle = () => !!designer.kernel && objects.every(o => o && o.whole) && !
     shine: texture(gl.RGBA16F, gl.HALF_FLOAT, gl.RGBA), behind: texture(gl.RGBA16F, gl.HALF_FLOAT, gl.RGBA) };
   programs.compose = program(compose);
   maker = worker();
-  sculptors = [worker(), worker()];
+  sculptors = [worker()];
   const rest = sculpt(0);
   const names = await maker.ready;
   [...names, 'your own'].forEach((name, i) => {
@@ -456,5 +455,6 @@ designer.idle = () => !!designer.kernel && objects.every(o => o && o.whole) && !
   });
   design();
   await rest;
+  sculptors.push(worker());
   await sculpt(1);
 })().catch(fail);

@@ -18,10 +18,10 @@ const calls = {
     return words(wasm.text()).trim().split('\n');
   },
   // A kernel with all that is shown of it, and what draws it in WebGL 2.
-  design({ material, own, taps, model, pixels, size, mm, flat }) {
+  design({ material, own, taps, model, pixels, rough, size, mm, flat }) {
     new Float64Array(wasm.memory.buffer, wasm.numbers(), 6).set(own);
     const t = performance.now();
-    check(wasm.design(material, taps, model, pixels));
+    check(wasm.design(material, taps, model, pixels, rough ? 1 : 0));
     const spent = performance.now() - t, n = numbers(0, 16), curves = numbers(64, 8 * 96), count = wasm.taps();
     const result = { errors: { texture: n[0 + 5], vertical: n[0], diagonal: n[1], dot: n[4], bands: n[6] }, taps: count, radius: n[8], pixels: n[9], reflectance: n.slice(10, 13),
       decay: n.slice(13, 16), curves, kernel: numbers(64, 4 * count), spent };
@@ -53,6 +53,20 @@ const calls = {
     const bytes = new Uint8Array(wasm.memory.buffer, at, n[6] * n[7] * n[8]).slice();
     wasm.leave(at);
     return { bytes, low: n.slice(0, 3), high: n.slice(3, 6), sides: n.slice(6, 9), cell: n[9], step: n[10], eye: n.slice(11, 14), axes: n.slice(14, 23) };
+  },
+  // All rows at a part of the resolution, each pixel as large as it takes.
+  coarse({ object, size }) {
+    const rough = Math.ceil(size / Math.max(1, Math.round(size / 160))), l = calls.layers({ object, size: rough, from: 0, to: rough });
+    for (const name in l) {
+      const from = new Uint32Array(l[name].buffer), each = from.length / (rough * rough), to = new Uint32Array(each * size * size);
+      for (let y = 0, at = 0; y < size; ++y)
+        for (let x = 0; x < size; ++x) {
+          const pixel = each * (Math.floor(y * rough / size) * rough + Math.floor(x * rough / size));
+          for (let c = 0; c < each; ++c) to[at++] = from[pixel + c];
+        }
+      l[name] = new l[name].constructor(to.buffer);
+    }
+    return l;
   },
   layers({ object, size, from, to }) {
     const n = (to - from) * size, at = [16 * n, 16 * n, 4 * n].map(b => wasm.room(b));

@@ -110,7 +110,7 @@ const pieces = [];
 function piece(job) {
   if (pieces.push(timed(job)) > 1) return;
   const run = () => {
-    const end = performance.now() + 5;
+    const end = performance.now() + 3;
     do pieces[0](), pieces.shift(); while (pieces.length && performance.now() < end);
     if (pieces.length) requestAnimationFrame(run);
   };
