@@ -762,28 +762,28 @@ static double ms_pme__rotation(double a, double b, double *c, double *s)
     return r;
 }
 
-/* Rows [k][n + 1] (the last column is the right-hand side) are folded into the upper triangle r [n + 1][n + 1] by
-   Householder reflections of (r_jj, column j of the rows): the R of a QR factorisation, built row block by row block
-   (TSQR with a chain for a tree). The rows are destroyed; work [n + 1]. */
-static void ms_pme__qr_append(double *r, int n, double *rows, int k, double *work)
+/* k rows, kept as columns [n + 1][ROWS] (the last is the right-hand side), are folded into the upper triangle r [n + 1][n + 1] by
+   Householder reflections of (r_jj, column j): the R of a QR factorisation, built row block by row block (TSQR with a chain for a
+   tree). The columns are destroyed. */
+static void ms_pme__qr_append(double *r, int n, double *columns, int k)
 {
     int w = n + 1, i, j;
     for (j = 0; j <= n; ++j) {
-        double largest = fabs(r[j * w + j]), norm, head, beta;
-        for (i = 0; i < k; ++i) largest = ms_pme__max(largest, fabs(rows[i * w + j]));
+        double *column = columns + j * MS_PME__ROWS, *top = r + j * w, largest = fabs(top[j]), norm, head, beta;
+        for (i = 0; i < k; ++i) largest = ms_pme__max(largest, fabs(column[i]));
         if (!(largest > 0)) continue;
-        norm = (r[j * w + j] / largest) * (r[j * w + j] / largest);
-        for (i = 0; i < k; ++i) norm += (rows[i * w + j] / largest) * (rows[i * w + j] / largest);
+        norm = (top[j] / largest) * (top[j] / largest);
+        for (i = 0; i < k; ++i) norm += (column[i] / largest) * (column[i] / largest);
         norm = largest * sqrt(norm);
-        if (r[j * w + j] > 0) norm = -norm;
-        head = r[j * w + j] - norm; /* v = (head, column), |v|^2 = -2 norm head */
+        if (top[j] > 0) norm = -norm;
+        head = top[j] - norm; /* v = (head, column), |v|^2 = -2 norm head */
         beta = 1 / (norm * head);
-        for (i = j; i <= n; ++i) work[i] = head * r[j * w + i]; /* v' times the columns from j on */
-        for (i = 0; i < k; ++i) ms_pme__add(work + j, rows[i * w + j], rows + i * w + j, w - j);
-        ms_pme__add(r + j * w + j + 1, beta * head, work + j + 1, n - j);
-        for (i = 0; i < k; ++i) ms_pme__add(rows + i * w + j + 1, beta * rows[i * w + j], work + j + 1, n - j);
-        r[j * w + j] = norm;
-        for (i = 0; i < k; ++i) rows[i * w + j] = 0;
+        for (i = j + 1; i <= n; ++i) {
+            double t = beta * (head * top[i] + ms_pme__dot(column, columns + i * MS_PME__ROWS, k));
+            top[i] += t * head;
+            ms_pme__add(columns + i * MS_PME__ROWS, t, column, k);
+        }
+        top[j] = norm;
     }
 }
 
@@ -802,7 +802,7 @@ typedef struct ms_pme__run {
     double best_value, best_gradient;
     double *residual, *residual_step; /* [m] of the last evaluation; of a difference */
     double *jacobian;                 /* [m][n] of the last one with derivatives */
-    double *rows;                     /* [ROWS + 1][n + 1] */
+    double *rows;                     /* [n + 1][ROWS] some of its rows, column by column */
     double *scratch;                  /* what the methods share out among themselves */
     ms_pme_result result;
     int stopped;                      /* a budget, the target, a failure: nothing more may be evaluated */
@@ -1212,10 +1212,10 @@ static void ms_pme__factor(ms_pme__run *run, ms_pme__walk *walk)
     while (row < run->m) {
         int k = run->m - row < MS_PME__ROWS ? (int)(run->m - row) : MS_PME__ROWS;
         for (i = 0; i < k; ++i, ++row) {
-            ms_pme__copy(run->rows + i * w, run->jacobian + row * (size_t)n, n);
-            run->rows[i * w + n] = -run->residual[row];
+            for (j = 0; j < n; ++j) run->rows[j * MS_PME__ROWS + i] = run->jacobian[row * (size_t)n + (size_t)j];
+            run->rows[n * MS_PME__ROWS + i] = -run->residual[row];
         }
-        ms_pme__qr_append(triangle, n, run->rows, k, run->rows + MS_PME__ROWS * w);
+        ms_pme__qr_append(triangle, n, run->rows, k);
     }
     for (j = 0; j < n; ++j) {
         double t = 0;
@@ -1810,7 +1810,7 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
     run->rng = ms__rng_make(options->seed, 0x706d65);
     run->start_time = options->max_seconds > 0 ? ms_pme__seconds(options) : 0;
     count = ms__size_add(ms__size_mul(m, un), 2 * m);                                 /* jacobian, residual twice */
-    count = ms__size_add(count, 3 * un + (MS_PME__ROWS + 1) * (un + 1));              /* bounds, best, rows */
+    count = ms__size_add(count, 3 * un + MS_PME__ROWS * (un + 1));              /* bounds, best, rows */
     count = ms__size_add(count, (size_t)n + ms_pme__method_scratch(n));       /* scratch begins with a moved point */
     *size = ms__size_mul(count, sizeof(double));
     *block = ms__alloc(&options->allocator, *size);
@@ -1823,7 +1823,7 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
     run->lower = p; p += n;
     run->upper = p; p += n;
     run->best = p; p += n;
-    run->rows = p; p += (MS_PME__ROWS + 1) * (n + 1);
+    run->rows = p; p += MS_PME__ROWS * (n + 1);
     run->scratch = p;
     for (j = 0; j < n; ++j) {
         run->lower[j] = function->lower ? function->lower[j] : -MS_PME__INF;
@@ -2154,9 +2154,9 @@ static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, dou
         ms_pme__factor(run, &walk);
         for (j = 0; j < n; ++j) {
             double range = run->upper[j] - run->lower[j];
-            memset(run->rows, 0, (size_t)w * sizeof(double));
-            run->rows[j] = !(range > 0) ? 1 : ms__finite(range) ? sqrt(12.0) / range * sigma : 0;
-            ms_pme__qr_append(walk.triangle, n, run->rows, 1, run->rows + MS_PME__ROWS * w);
+            for (k = 0; k < w; ++k) run->rows[k * MS_PME__ROWS] = 0;
+            run->rows[j * MS_PME__ROWS] = !(range > 0) ? 1 : ms__finite(range) ? sqrt(12.0) / range * sigma : 0;
+            ms_pme__qr_append(walk.triangle, n, run->rows, 1);
         }
         for (k = 0; k < n; ++k) /* column k of the inverse */
             for (i = k; i >= 0; --i) {

@@ -1,8 +1,8 @@
 /* ms_pme.h on edited pictures, with the networks and held-out materials of examples/data: the tables of the thesis's
    chapter 4, times, and what pictures tell about parameters. About two minutes. bench_pme --full gives basin hopping a
-   minute for every target instead of 0.3 s and factors the full-size network (40 minutes); --minima makes pme_minima.md alone, --known searches the least RMSE of the 60 targets
+   minute for every target instead of 0.3 s and factors the full-size network (40 minutes); --minima and --edits make pme_minima.md and pme_edits.md alone, --known searches the least RMSE of the 60 targets
    of targets.h (15 minutes, into build/bench/pme_targets.csv). Writes pme.md, pme_minima.md, pme_targets.md,
-   pme_optimisers.md, pme_sequence.md, pme_time.md, pme_recovery.md, pme.csv and pme.svg. RMSE in levels of 255. */
+   pme_optimisers.md, pme_sequence.md, pme_time.md, pme_recovery.md, pme_edits.md, pme.csv and pme.svg. RMSE in levels of 255. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
@@ -431,9 +431,12 @@ static void table_minima(matcher *m)
 
 /* --- times --- */
 
-/* Median over the targets of the whole match at its defaults, as a user calls it. */
-static void time_matches(FILE *f, matcher *m, target *targets)
+/* Median over the targets of the whole match at its defaults, as a user calls it; masked: each target with a soft selection of its
+   own around the ball. */
+static void time_matches(FILE *f, matcher *m, target *targets, int masked)
 {
+    static float masks[3 * 128 * 128];
+    const float *weight = masked ? masks : NULL;
     double whole[TARGETS], first[TARGETS], aims[TARGETS], worst = 0, from, x[N];
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
@@ -441,23 +444,27 @@ static void time_matches(FILE *f, matcher *m, target *targets)
     int t;
     for (t = 0; t < TARGETS; ++t) {
         float *planes = targets[t].planes;
+        image selected;
+        int i, size = m->network.size;
+        selected.width = selected.height = size;
+        for (i = 0; i < 3 * size * size; ++i) masks[i] = edit_ball(&selected, i % size, i / size % size, -0.002f * (float)t, 0);
         from = bench_cpu();
-        aim(m, planes);
+        check(matcher_aim(m, planes, weight, &error), &error);
         aims[t] = bench_cpu() - from;
         options.initial_only = 1;
         from = bench_cpu();
-        check(ms_pme_match(&m->renderer, planes, NULL, &options, x, NULL, &result, &error), &error);
+        check(ms_pme_match(&m->renderer, planes, weight, &options, x, NULL, &result, &error), &error);
         first[t] = bench_cpu() - from;
         options.initial_only = 0;
         from = bench_cpu();
-        check(ms_pme_match(&m->renderer, planes, NULL, &options, x, NULL, &result, &error), &error);
+        check(ms_pme_match(&m->renderer, planes, weight, &options, x, NULL, &result, &error), &error);
         whole[t] = bench_cpu() - from + aims[t];
         worst = fmax(worst, whole[t]);
     }
-    fprintf(f, "| %d x %d, shared channels | %.1f | %.1f | **%.1f** | %.1f |\n", m->network.size, m->network.size, 1e3 * bench_median(aims, TARGETS),
+    fprintf(f, "| %d x %d, shared channels%s | %.1f | %.1f | **%.1f** | %.1f |\n", m->network.size, m->network.size, masked ? ", a mask each" : "", 1e3 * bench_median(aims, TARGETS),
             1e3 * bench_median(first, TARGETS), 1e3 * bench_median(whole, TARGETS), 1e3 * worst);
-    printf("%d x %d: %.1f ms a match (slowest %.1f), of it %.1f the first guesses\n", m->network.size, m->network.size,
-           1e3 * bench_median(whole, TARGETS), 1e3 * worst, 1e3 * bench_median(first, TARGETS));
+    printf("%d x %d%s: %.1f ms a match (slowest %.1f), of it %.1f the target, %.1f the first guesses\n", m->network.size, m->network.size, masked ? " masked" : "",
+           1e3 * bench_median(whole, TARGETS), 1e3 * worst, 1e3 * bench_median(aims, TARGETS), 1e3 * bench_median(first, TARGETS));
 }
 
 /* The thesis's renderer with random weights in int8, as a file. Factoring its 504300 rows takes a minute; without --full the
@@ -612,6 +619,82 @@ static void table_recovery(matcher *m)
     printf("recovery: median RMSE %.4f by the network, %.2f path-traced\n", bench_median(rmse[0], MATERIALS), bench_median(rmse[1], MATERIALS));
 }
 
+/* --- edits that are not of the material: what becomes of its parameters --- */
+
+static void table_edits(matcher *m)
+{
+    static const struct {
+        const char *edit, *option;
+        int flags, nuisance;
+    } row[] = {{"unedited", "", 0, 0},       {"unedited", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0},
+               {"logo", "", 0, 0},           {"logo", "`--robust`", MATCHER_ROBUST, 0},
+               {"exposure", "", 0, 0},       {"exposure", "`--exposure`", 0, MS_PME_EXPOSURE},
+               {"coloured light", "", 0, 0}, {"coloured light", "`--tint`", 0, MS_PME_TINT | MS_PME_OFFSET},
+               {"shift", "", 0, 0},          {"shift", "`--align`", MATCHER_ALIGN, 0},
+               {"logo and shift", "", 0, 0}, {"logo and shift", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0}};
+    enum { ROWS = 12, MATERIALS = 16 };
+    FILE *f = bench_open("pme_edits.md");
+    float *picture = (float *)malloc(m->renderer.image_size * sizeof(float));
+    ms_error error;
+    int k, i, j;
+    if (picture == NULL) check_picture("out of memory");
+    fprintf(f, "Edits that no material explains, %d held-out path-traced materials, 64 x 64, 300 units: what the options of build/match bring back. Medians of the\n"
+               "RMSE, in levels of 255, between the answer's picture and the unedited one; of the RMS error of the 19 parameters; and of those that the\n"
+               "picture determines (noise of one level would move them by less than 0.05). `make bench FILTER=pme`\n\n"
+               "| edit | option | picture from the unedited one | parameters | determined ones | ms |\n|---|---|---:|---:|---:|---:|\n", MATERIALS);
+    for (k = 0; k < ROWS; ++k) {
+        double apart[MATERIALS], all[MATERIALS], known[MATERIALS], ms[MATERIALS];
+        for (i = 0; i < MATERIALS; ++i) {
+            const float *truth = held_out.x + 3 * i * N;
+            const char *name = strcmp(row[k].edit, "logo and shift") == 0 ? "logo" : row[k].edit;
+            float *source = edited(m, &edits[0], 3 * i, 3 * i), *planes;
+            ms_pme_match_options options = ms_pme_match_defaults();
+            ms_pme_match_result result;
+            double x[N], singular_value[N], deviation[N], from;
+            int e, count = 0;
+            size_t p;
+            for (e = 0; e < EDIT_FURTHER_COUNT && strcmp(edits_further[e].name, name) != 0;) ++e;
+            planes = edited(m, e < EDIT_FURTHER_COUNT ? &edits_further[e] : &edits[0], 3 * i, 3 * i);
+            if (strcmp(row[k].edit, "logo and shift") == 0) {
+                image both = image_new(m->network.size, m->network.size, 3);
+                if (both.pixels == NULL) check_picture("out of memory");
+                neural_paste(planes, m->network.size, &both, 0, 0);
+                edit_shift(&both, NULL, 0.03f);
+                neural_planes(&both, planes);
+                image_free(&both);
+            }
+            for (j = 0; j < N; ++j) x[j] = (double)truth[j];
+            aim(m, source);
+            check(ms_pme_sensitivity(&m->reduced, NULL, x, singular_value, NULL, deviation, &error), &error);
+            options.refine.max_cost = 300;
+            options.refine.restarts = 1000;
+            options.channels = 3;
+            options.nuisance = row[k].nuisance;
+            from = bench_cpu();
+            check(matcher_match(m, planes, NULL, &options, row[k].flags, x, picture, &result, NULL, &error), &error);
+            ms[i] = 1e3 * (bench_cpu() - from);
+            check(m->renderer.render(m, x, picture), &error);
+            for (p = 0, apart[i] = 0; p < m->renderer.image_size; ++p)
+                apart[i] += ((double)picture[p] - (double)source[p]) * ((double)picture[p] - (double)source[p]);
+            apart[i] = 255 * sqrt(apart[i] / (double)m->renderer.image_size);
+            for (j = 0, all[i] = known[i] = 0; j < N; ++j) {
+                double d = x[j] - (double)truth[j];
+                all[i] += d * d / N;
+                if (deviation[j] / 255 < 0.05) known[i] += d * d, ++count;
+            }
+            all[i] = sqrt(all[i]);
+            known[i] = sqrt(known[i] / (count ? count : 1));
+            free(source);
+            free(planes);
+        }
+        fprintf(f, "| %s | %s | %.2f | %.3f | %.3f | %.0f |\n", row[k].edit, row[k].option, bench_median(apart, MATERIALS), bench_median(all, MATERIALS),
+                bench_median(known, MATERIALS), bench_median(ms, MATERIALS));
+        printf("%s %s: %.2f from the unedited picture, parameters %.3f\n", row[k].edit, row[k].option, apart[MATERIALS / 2], all[MATERIALS / 2]);
+    }
+    fclose(f);
+    free(picture);
+}
+
 static void open_networks(matcher *m, int size, target *targets)
 {
     char path[100];
@@ -640,8 +723,9 @@ int main(int argc, char **argv)
     if (!problem) problem = image_read("examples/data/materials.ppm", &sheet);
     check_picture(problem);
     open_networks(&small, 64, small_targets);
-    if (argc > 1 && strcmp(argv[1], "--minima") == 0) {
-        table_minima(&small);
+    if (argc > 1 && (strcmp(argv[1], "--minima") == 0 || strcmp(argv[1], "--edits") == 0)) {
+        if (strcmp(argv[1], "--minima") == 0) table_minima(&small);
+        else table_edits(&small);
         return 0;
     }
     f = bench_open("pme_time.md");
@@ -649,8 +733,10 @@ int main(int argc, char **argv)
     fprintf(f, "One match at the defaults, milliseconds of one core of %s, medians of %d edited pictures (of %d for the largest). `make bench FILTER=pme`\n\n"
                "| picture | setting the target | best of 9 networks | the whole match | slowest |\n|---|---:|---:|---:|---:|\n",
             bench_processor(), TARGETS, RUNS);
-    time_matches(f, &small, small_targets);
-    time_matches(f, &large, large_targets);
+    for (t = 0; t < 2; ++t) {
+        time_matches(f, &small, small_targets, t);
+        time_matches(f, &large, large_targets, t);
+    }
     time_full_size(f);
     time_units(f, &small, small_targets);
     time_units(f, &large, large_targets);
@@ -661,6 +747,7 @@ int main(int argc, char **argv)
     table_optimisers(&small, small_targets);
     table_sequence(&small);
     table_recovery(&small);
+    table_edits(&small);
     for (t = 0; t < TARGETS; ++t) {
         free(small_targets[t].planes);
         free(large_targets[t].planes);
