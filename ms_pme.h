@@ -747,6 +747,13 @@ static double ms_pme__shifted(double x, int e)
     return own + e > 1023 ? MS_PME__INF : own + e < -1020 ? 0 : ldexp(x, e);
 }
 
+/* The same to every element, of either sign. */
+static void ms_pme__shift_all(double *x, size_t count, int e)
+{
+    size_t i;
+    for (i = 0; i < count && e != 0; ++i) x[i] = x[i] < 0 ? -ms_pme__shifted(-x[i], e) : ms_pme__shifted(x[i], e);
+}
+
 /* The rotation that turns (a, b) into (r, 0). */
 static double ms_pme__rotation(double a, double b, double *c, double *s)
 {
@@ -819,8 +826,10 @@ static int ms_pme__stop(ms_pme__run *run, ms_pme_stop why)
     return run->stopped = 1;
 }
 
+/* Ends the run where the status is a failure; non-zero then. */
 static int ms_pme__fail(ms_pme__run *run, ms_status status)
 {
+    if (status == MS_OK) return 0;
     run->status = status;
     return run->stopped = 1;
 }
@@ -892,10 +901,8 @@ static double ms_pme__sum_of_squares(ms_pme__run *run, double *r)
         frexp(largest, &exponent);
         run->shift = exponent > 330 || exponent < -330 ? -exponent : 0;
     }
-    if (run->shift != 0) {
-        for (i = 0; i < run->m; ++i) r[i] = r[i] < 0 ? -ms_pme__shifted(-r[i], run->shift) : ms_pme__shifted(r[i], run->shift);
-        largest = ms_pme__shifted(largest, run->shift);
-    }
+    ms_pme__shift_all(r, run->m, run->shift);
+    largest = ms_pme__shifted(largest, run->shift);
     if (largest > 1e140) return MS_PME__INF;
     for (i = 0; i < run->m; ++i) sum += r[i] * r[i];
     return sum;
@@ -906,14 +913,10 @@ static double ms_pme__value_to(ms_pme__run *run, const double *x, double *r)
 {
     const ms_pme_function *function = run->function;
     double f = 0;
-    ms_status status;
     if (ms_pme__spend(run, 1)) return MS_PME__INF;
     run->result.evaluations++;
-    status = function->residuals != NULL ? function->residuals(function->user, x, r, NULL) : function->value(function->user, x, &f);
-    if (status != MS_OK) {
-        ms_pme__fail(run, status);
+    if (ms_pme__fail(run, function->residuals != NULL ? function->residuals(function->user, x, r, NULL) : function->value(function->user, x, &f)))
         return MS_PME__INF;
-    }
     return ms_pme__seen(run, x, function->residuals != NULL ? ms_pme__sum_of_squares(run, r) : f);
 }
 
@@ -956,22 +959,15 @@ static double ms_pme__linearize(ms_pme__run *run, const double *x, double known)
     int n = run->n, j, k;
     size_t i, size = run->m * (size_t)n;
     double f = known;
-    ms_status status;
     if (!function->residuals_only) {
         if (ms_pme__spend(run, run->jacobian_cost)) return MS_PME__INF;
         run->result.jacobians++;
-        status = function->residuals(function->user, x, run->residual, run->jacobian);
-        if (status != MS_OK) {
-            ms_pme__fail(run, status);
-            return MS_PME__INF;
-        }
+        if (ms_pme__fail(run, function->residuals(function->user, x, run->residual, run->jacobian))) return MS_PME__INF;
         f = ms_pme__sum_of_squares(run, run->residual);
         if (!ms__finite(f)) return MS_PME__INF;
-        for (i = 0; i < size; ++i) {
+        for (i = 0; i < size; ++i)
             if (!ms__finite(run->jacobian[i])) return ms_pme__bad_derivative(run, i / (size_t)n, (int)(i % (size_t)n));
-            if (run->shift != 0)
-                run->jacobian[i] = run->jacobian[i] < 0 ? -ms_pme__shifted(-run->jacobian[i], run->shift) : ms_pme__shifted(run->jacobian[i], run->shift);
-        }
+        ms_pme__shift_all(run->jacobian, size, run->shift);
         return ms_pme__seen(run, x, f);
     }
     if (!ms__finite(f)) f = ms_pme__value_to(run, x, run->residual);
@@ -1020,14 +1016,9 @@ static double ms_pme__gradient(ms_pme__run *run, const double *x, double *g)
     int n = run->n, j;
     double f = 0;
     if (function->gradient != NULL && !(run->options->difference_step > 0)) {
-        ms_status status;
         if (ms_pme__spend(run, run->jacobian_cost)) return MS_PME__INF;
         run->result.jacobians++;
-        status = function->gradient(function->user, x, &f, g);
-        if (status != MS_OK) {
-            ms_pme__fail(run, status);
-            return MS_PME__INF;
-        }
+        if (ms_pme__fail(run, function->gradient(function->user, x, &f, g))) return MS_PME__INF;
         f = ms_pme__seen(run, x, f);
         for (j = 0; j < n && ms__finite(f); ++j)
             if (!ms__finite(g[j])) return ms_pme__bad_derivative(run, 0, j);
@@ -1564,6 +1555,13 @@ static void ms_pme__lbfgs(ms_pme__run *run, const double *x, double *memory)
 
 /* ---- Nelder-Mead -------------------------------------------------------------------------------------------------------- */
 
+/* to = from + t (towards - from), inside the box; may be either. */
+static void ms_pme__between(const ms_pme__run *run, const double *from, const double *towards, double t, double *to)
+{
+    int j;
+    for (j = 0; j < run->n; ++j) to[j] = ms_pme__clip(from[j] + t * (towards[j] - from[j]), run->lower[j], run->upper[j]);
+}
+
 /* Nelder and Mead 1965 with the customary coefficients 1, 2, 1/2, 1/2, points clipped to the box; a simplex that collapsed is
    built anew around the best point until that gains nothing. */
 static void ms_pme__nelder_mead(ms_pme__run *run, const double *x, double *memory)
@@ -1607,12 +1605,11 @@ static void ms_pme__nelder_mead(ms_pme__run *run, const double *x, double *memor
                 for (i = 0; i <= n; ++i)
                     if (i != high) middle[j] += vertex[i * n + j];
                 middle[j] /= n;
-                trial[j] = ms_pme__clip(middle[j] + (middle[j] - vertex[high * n + j]), run->lower[j], run->upper[j]);
             }
+            ms_pme__between(run, middle, vertex + high * n, -1, trial);
             f_trial = ms_pme__value(run, trial);
             if (f_trial < value[low]) { /* expand */
-                for (j = 0; j < n; ++j)
-                    farther[j] = ms_pme__clip(middle[j] + 2 * (middle[j] - vertex[high * n + j]), run->lower[j], run->upper[j]);
+                ms_pme__between(run, middle, vertex + high * n, -2, farther);
                 f_far = ms_pme__value(run, farther);
                 c = f_far < f_trial;
                 ms_pme__copy(vertex + high * n, c ? farther : trial, n);
@@ -1625,8 +1622,7 @@ static void ms_pme__nelder_mead(ms_pme__run *run, const double *x, double *memor
                 continue;
             }
             inside = !(f_trial < value[high]); /* contract towards the better of the two */
-            for (j = 0; j < n; ++j)
-                farther[j] = middle[j] + 0.5 * ((inside ? vertex[high * n + j] : trial[j]) - middle[j]);
+            ms_pme__between(run, middle, inside ? vertex + high * n : trial, 0.5, farther);
             f_far = ms_pme__value(run, farther);
             if (f_far < (inside ? value[high] : f_trial)) {
                 ms_pme__copy(vertex + high * n, farther, n);
@@ -1635,8 +1631,7 @@ static void ms_pme__nelder_mead(ms_pme__run *run, const double *x, double *memor
             }
             for (i = 0; i <= n && !run->stopped; ++i) { /* shrink */
                 if (i == low) continue;
-                for (j = 0; j < n; ++j)
-                    vertex[i * n + j] = vertex[low * n + j] + 0.5 * (vertex[i * n + j] - vertex[low * n + j]);
+                ms_pme__between(run, vertex + low * n, vertex + i * n, 0.5, vertex + i * n);
                 value[i] = ms_pme__value(run, vertex + i * n);
             }
         }
@@ -1756,8 +1751,8 @@ MS_API const char *ms_pme_method_string(int method)
 
 static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_options *options, const double *x, ms_error *error)
 {
-    const char *name[7] = {"max_cost", "max_seconds", "tolerance", "start_step", "difference_step", "target_value", "jacobian_cost"};
-    double value[7];
+    static const char *const name[7] = {"max_cost", "max_seconds", "tolerance", "start_step", "difference_step", "target_value", "jacobian_cost"};
+    double value[7] = {options->max_cost, options->max_seconds, options->tolerance, options->start_step, options->difference_step, options->target_value, 0};
     int j;
     if (function == NULL || x == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, function ? "x is NULL" : "function is NULL");
     if (function->residuals == NULL && function->value == NULL)
@@ -1770,12 +1765,6 @@ static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_opt
     if (options->method < 0 || options->method > MS_PME_BASIN_HOPPING)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected 0 to %d (ms_pme_method)", options->method, (int)MS_PME_BASIN_HOPPING);
     if (options->restarts < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "restarts is %d, expected 0 or more", options->restarts);
-    value[0] = options->max_cost;
-    value[1] = options->max_seconds;
-    value[2] = options->tolerance;
-    value[3] = options->start_step;
-    value[4] = options->difference_step;
-    value[5] = options->target_value;
     value[6] = function->jacobian_cost;
     for (j = 0; j < 7; ++j)
         if (!ms__finite(value[j]) || value[j] < 0)
@@ -1804,6 +1793,7 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
     run->m = m;
     run->max_cost = options->max_cost > 0 ? options->max_cost : 1000;
     run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
+    run->bad_parameter = -1;
     run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * n;
     run->best_value = MS_PME__INF;
     run->best_gradient = run->result.projected_gradient = -1;
@@ -1859,7 +1849,6 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
     if (status == MS_OK) status = ms_pme__begin(&run, function, options, &block, &size, error);
     if (status != MS_OK) return status;
     n = run.n;
-    run.bad_parameter = -1;
     start = run.scratch + n;
     for (j = 0; j < n; ++j) start[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
     ms_pme__method(&run, start, 1, start + n);
@@ -2100,8 +2089,7 @@ static int ms_pme__first_guesses(ms_pme__run *run, ms_pme__objective *o, double 
                                                                                           : ms_pme__clip(0, run->lower[j], run->upper[j]);
         for (j = 0; j < n; ++j) x[j] = z[o->place[j]];
         if (i < renderer->prediction_count) {
-            ms_status status = renderer->predict(renderer->user, i, o->target, x);
-            if (status != MS_OK) ms_pme__fail(run, status);
+            ms_pme__fail(run, renderer->predict(renderer->user, i, o->target, x));
         } else if (i < renderer->prediction_count + options->candidate_count) {
             ms_pme__copy(x, options->candidates + (size_t)(i - renderer->prediction_count) * (size_t)n, n);
         } else if (i < total) {
@@ -2179,12 +2167,8 @@ static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_
     size_t i, plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
     double sum = 0, reduced = ms_pme__shifted(run->best_value, -2 * run->shift) + o->offset;
     int j;
-    ms_status status = renderer->render(renderer->user, ms_pme__material(o, run->best), o->image);
     answer->cost += 1;
-    if (status != MS_OK) {
-        ms_pme__fail(run, status);
-        return ms_pme__why(run, error);
-    }
+    if (ms_pme__fail(run, renderer->render(renderer->user, ms_pme__material(o, run->best), o->image))) return ms_pme__why(run, error);
     ms_pme__nuisance(o, run->best, answer->gain, answer->offset);
     for (i = 0; i < renderer->image_size; ++i) {
         double w = o->weight ? (double)o->weight[i] : 1, e;
@@ -2266,7 +2250,6 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     o.jacobian = o.image + p;
     memory = run.scratch + variables;
     run.reserve = 1; /* the last render */
-    run.bad_parameter = -1;
     for (j = 0, run.ranged = 1; j < variables; ++j) run.ranged &= ms__finite(run.upper[j] - run.lower[j]);
 
     /* first guesses; refinement with a budget of its own; one real render */
@@ -2378,7 +2361,6 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
     status = ms_pme__begin(&run, function, &unlimited, &block, &size, error);
     if (status != MS_OK) return status;
     n = run.n;
-    run.bad_parameter = -1;
     ms_pme__walk_place(&walk, run.scratch + n, NULL, n);
     g = walk.g;
     u = walk.scale + n; /* columns of R, stored as rows, and the accumulated rotations */
@@ -2404,31 +2386,19 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
                     t = (zeta >= 0 ? 1 : -1) / (fabs(zeta) + sqrt(1 + zeta * zeta));
                     cosine = 1 / sqrt(1 + t * t);
                     sine = cosine * t;
-                    for (k = 0; k < n; ++k) {
-                        double p = u[i * n + k], q = u[j * n + k];
-                        u[i * n + k] = cosine * p - sine * q;
-                        u[j * n + k] = sine * p + cosine * q;
-                        p = v[i * n + k];
-                        q = v[j * n + k];
-                        v[i * n + k] = cosine * p - sine * q;
-                        v[j * n + k] = sine * p + cosine * q;
-                    }
+                    ms_pme__rotate(u + i * n, u + j * n, cosine, -sine, n);
+                    ms_pme__rotate(v + i * n, v + j * n, cosine, -sine, n);
                 }
         }
-        for (i = 0; i < n; ++i) { /* largest first */
+        for (i = 0; i < n; ++i) { /* largest first; a quarter turn changes places, and a direction's sign */
             int top = i;
             for (j = i, g[i] = -1; j < n; ++j) {
                 double s = sqrt(ms_pme__dot(u + j * n, u + j * n, n));
                 if (s > g[i]) { g[i] = s; top = j; }
             }
-            for (k = 0; k < n && top != i; ++k) {
-                double t = u[i * n + k];
-                u[i * n + k] = u[top * n + k];
-                u[top * n + k] = t;
-                t = v[i * n + k];
-                v[i * n + k] = v[top * n + k];
-                v[top * n + k] = t;
-            }
+            if (top == i) continue;
+            ms_pme__rotate(u + i * n, u + top * n, 0, 1, n);
+            ms_pme__rotate(v + i * n, v + top * n, 0, 1, n);
         }
         for (j = 0; j < n; ++j) {
             double variance = 0;

@@ -255,6 +255,7 @@ static inline float matcher__sample(const float *plane, int size, double x, doub
     int column = (int)floor(x), row = (int)floor(y), i, k;
     float u = (float)(x - column), v = (float)(y - row), wide[4], high[4], sum = 0;
     if (x < 0 || y < 0 || x > size - 1 || y > size - 1) return (float)(*inside = 0);
+    if (!(u > 0) && !(v > 0)) return plane[row * size + column];
     for (k = 0; k < 2; ++k) {
         float t = k ? v : u, *w = k ? high : wide;
         w[0] = t * (-0.5f + t * (1 - 0.5f * t));
@@ -321,12 +322,13 @@ static inline double matcher__shift_error(const float *picture, const float *tar
     return total > 0 ? sum / total : 1e30;
 }
 
-/* How far the target lies right of the picture and below it: the best whole pixels, up to an eighth of the width, then fractions. */
-static inline void matcher_find_shift(const float *picture, const float *target, const float *weight, int size, double *shift)
+/* How far the target lies right of the picture and below it: the best whole pixels, up to an eighth of the width, then fractions.
+   again: from where shift stands. */
+static inline void matcher_find_shift(const float *picture, const float *target, const float *weight, int size, int again, double *shift)
 {
     double least = 1e30, trial[2], step[2], error;
     int x, y, reach = size / 8, i;
-    for (y = -reach; y <= reach; ++y)
+    for (y = -reach; y <= reach && !again; ++y)
         for (x = -reach; x <= reach; ++x) {
             trial[0] = x;
             trial[1] = y;
@@ -373,7 +375,7 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
         double *guesses = (double *)malloc((size_t)(n + 1) * count * sizeof(double));
         int slipped;
         memcpy(last, at, sizeof at);
-        if (flags & MATCHER_ALIGN) matcher_find_shift(picture, target, weight, m->network.size, at);
+        if (flags & MATCHER_ALIGN) matcher_find_shift(picture, target, weight, m->network.size, round > 0, at);
         slipped = fabs(at[0] - last[0]) + fabs(at[1] - last[1]) > 0.02;
         if (guesses == NULL || (round > 0 && !(flags & MATCHER_ROBUST) && !slipped)) {
             free(guesses);

@@ -1415,6 +1415,84 @@ static void test_wall_clock(void)
     CHECK_LE(result.evaluations, 11); /* 5 ms each, at least */
 }
 
+/* The renderer in other units: x = (y - from) / range. */
+typedef struct in_units {
+    renderer_state s;
+    double from[N], range[N];
+} in_units;
+static const double *plain_units(const in_units *u, const double *y)
+{
+    static double x[N];
+    int j;
+    for (j = 0; j < N; ++j) x[j] = (y[j] - u->from[j]) / u->range[j];
+    return x;
+}
+static ms_status units_render(void *user, const double *y, float *image)
+{
+    in_units *u = (in_units *)user;
+    return render(&u->s, plain_units(u, y), image);
+}
+static ms_status units_jacobian(void *user, const double *y, float *image, float *jacobian)
+{
+    in_units *u = (in_units *)user;
+    ms_status status = render_jacobian(&u->s, plain_units(u, y), image, jacobian);
+    int i;
+    for (i = 0; i < P * N; ++i) jacobian[i] = (float)((double)jacobian[i] / u->range[i % N]);
+    return status;
+}
+
+/* A match takes the same way whatever the units of the parameters: ranges by powers of two leave every rounding as it is but those
+   of the bounds' differences. Restarts and deviations too. */
+static void test_units(void)
+{
+    static const double from[N] = {-1, 3, 0, -8, 0.25, -64}, range[N] = {2, 0.5, 8, 16, 0.125, 128};
+    in_units u;
+    ms_pme_renderer r;
+    float target[P];
+    double x[2][N], deviation[2][N], low[N], high[N], candidate[2 * N], rmse[2], moved = 0;
+    int units, restarts, budget, i, j;
+    uint64_t state = 3;
+    renderer_make(&u.s);
+    render(&u.s, truth, target);
+    for (i = 0; i < P; ++i) target[i] += (float)(0.2 * test_normal(&state));
+    for (restarts = 0; restarts < 3; ++restarts)
+        for (budget = 8; budget <= 800; budget *= 10) {
+            for (units = 0; units < 2; ++units) {
+                ms_pme_match_options options = ms_pme_match_defaults();
+                ms_pme_match_result result;
+                r = renderer_of(&u.s);
+                r.user = &u;
+                r.render = units_render;
+                r.jacobian = units_jacobian;
+                for (j = 0; j < N; ++j) {
+                    u.from[j] = low[j] = units ? from[j] : 0;
+                    u.range[j] = units ? range[j] : 1;
+                    high[j] = low[j] + u.range[j];
+                    candidate[j] = low[j] + 0.75 * u.range[j];
+                    candidate[N + j] = low[j] + (j % 2 ? 0.25 : 0.5) * u.range[j];
+                }
+                r.lower = low;
+                r.upper = high;
+                options.candidates = candidate;
+                options.candidate_count = 2;
+                options.refine.max_cost = budget;
+                options.refine.restarts = 4 * restarts;
+                options.deviation = deviation[units];
+                CHECK_INT(ms_pme_match(&r, target, NULL, &options, x[units], NULL, &result, NULL), MS_OK);
+                CHECK_NEAR(result.cost, result.refine.cost + 3, 1e-9); /* two candidates and the last render */
+                rmse[units] = result.rmse;
+                memcpy(x[units], plain_units(&u, x[units]), sizeof x[units]);
+                for (j = 0; j < N; ++j) {
+                    deviation[units][j] /= u.range[j];
+                    moved = fmax(moved, fabs(x[units][j] - 0.75));
+                }
+            }
+            CHECK_NEAR(rmse[0], rmse[1], 1e-9 * rmse[0]);
+            for (j = 0; j < N; ++j) CHECK_NEAR(deviation[0][j], deviation[1][j], 1e-5 * deviation[0][j]);
+        }
+    CHECK(moved > 0.1);
+}
+
 /* A clock that callbacks move: 20 ms a value, 90 ms with derivatives. */
 static double paced_now;
 static double paced_clock(void *user) { (void)user; return paced_now; }
@@ -1764,7 +1842,7 @@ static const test_case cases[] = {
     {"gradient callback", test_gradient_callback}, {"sizes of residuals", test_sizes},
     {"many bounds", test_many_bounds},            {"active set", test_active_set},
                 {"wall clock", test_wall_clock},
-    {"seconds", test_seconds},
+    {"seconds", test_seconds}, {"units of parameters", test_units},
     {"traps", test_traps},                        {"sensitivity, arguments", test_sensitivity_arguments},
     {"messages of options", test_option_messages}, {"control", test_control},
     {"reweigh", test_reweigh},                    {"stack", test_stack_use}};
