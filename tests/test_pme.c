@@ -1415,6 +1415,90 @@ static void test_wall_clock(void)
     CHECK_LE(result.evaluations, 11); /* 5 ms each, at least */
 }
 
+/* A clock that callbacks move: 20 ms a value, 90 ms with derivatives. */
+static double paced_now;
+static double paced_clock(void *user) { (void)user; return paced_now; }
+static ms_status paced(void *user, const double *x, double *r, double *jacobian)
+{
+    paced_now += jacobian ? 0.09 : 0.02;
+    return evaluate(user, x, r, jacobian);
+}
+static ms_status paced_render(void *user, const double *x, float *image)
+{
+    paced_now += 0.02;
+    return render(user, x, image);
+}
+static ms_status paced_jacobian(void *user, const double *x, float *image, float *jacobian)
+{
+    paced_now += 0.09;
+    return render_jacobian(user, x, image, jacobian);
+}
+
+/* Finite at one point alone: no difference can be taken there, on either side. */
+static ms_status needle(void *user, const double *x, double *r, double *jacobian)
+{
+    (void)user;
+    (void)jacobian;
+    r[0] = x[0] >= 0.5 && x[0] <= 0.5 ? 1 : nan_value();
+    r[1] = x[1];
+    return MS_OK;
+}
+
+/* The steps of differences: those of a float32 picture are 1e-3, and where neither side is finite the derivative is bad data. */
+static double stepped[3];
+static int step_calls;
+static ms_status stepping_render(void *user, const double *x, float *image)
+{
+    if (step_calls < 3) stepped[step_calls] = x[0];
+    ++step_calls;
+    return render(user, x, image);
+}
+static void test_differences(void)
+{
+    ms_pme_function f;
+    renderer_state s;
+    ms_pme_renderer r;
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_options o = ms_pme_defaults();
+    ms_error error;
+    float target[P];
+    double x[N] = {0.5, 0.2}, sv[N], start[N] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
+    memset(&f, 0, sizeof f);
+    f.parameter_count = 2;
+    f.residual_count = 2;
+    f.residuals = needle;
+    f.residuals_only = 1;
+    CHECK_INT(ms_pme_minimize(&f, NULL, x, NULL, &error), MS_BAD_DATA);
+    CHECK_INT(error.position, 0);
+    CHECK(x[0] >= 0.5 && x[0] <= 0.5);
+    renderer_make(&s);
+    r = renderer_of(&s);
+    render(&s, truth, target);
+    r.render = stepping_render;
+    r.jacobian = NULL;
+    options.candidates = start;
+    options.candidate_count = 1;
+    options.refine.max_cost = 20;
+    step_calls = 0;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL), MS_OK);
+    CHECK(stepped[0] >= 0.5 && stepped[0] <= 0.5); /* the candidate, again with derivatives in mind, then x_0 moved */
+    CHECK_NEAR(stepped[2], 0.501, 1e-12);
+    /* a sensitivity has no budget, whatever the options' */
+    {
+        problem p;
+        double y[4] = {-3, -1, -3, -1};
+        f = function_of(&p, 4, 6, wood);
+        f.residuals = paced;
+        f.residuals_only = 1;
+        o.clock = paced_clock;
+        o.max_seconds = 1e-3;
+        o.max_cost = 1;
+        o.target_value = 1e9;
+        CHECK_INT(ms_pme_sensitivity(&f, &o, y, sv, NULL, NULL, &error), MS_OK);
+        CHECK(sv[0] > sv[3] && sv[3] > 0);
+    }
+}
+
 /* The renderer in other units: x = (y - from) / range. */
 typedef struct in_units {
     renderer_state s;
@@ -1491,25 +1575,6 @@ static void test_units(void)
             for (j = 0; j < N; ++j) CHECK_NEAR(deviation[0][j], deviation[1][j], 1e-5 * deviation[0][j]);
         }
     CHECK(moved > 0.1);
-}
-
-/* A clock that callbacks move: 20 ms a value, 90 ms with derivatives. */
-static double paced_now;
-static double paced_clock(void *user) { (void)user; return paced_now; }
-static ms_status paced(void *user, const double *x, double *r, double *jacobian)
-{
-    paced_now += jacobian ? 0.09 : 0.02;
-    return evaluate(user, x, r, jacobian);
-}
-static ms_status paced_render(void *user, const double *x, float *image)
-{
-    paced_now += 0.02;
-    return render(user, x, image);
-}
-static ms_status paced_jacobian(void *user, const double *x, float *image, float *jacobian)
-{
-    paced_now += 0.09;
-    return render_jacobian(user, x, image, jacobian);
 }
 
 /* max_seconds is not overrun by more than 5%, however the callbacks' times and costs lie to each other. */
@@ -1842,7 +1907,7 @@ static const test_case cases[] = {
     {"gradient callback", test_gradient_callback}, {"sizes of residuals", test_sizes},
     {"many bounds", test_many_bounds},            {"active set", test_active_set},
                 {"wall clock", test_wall_clock},
-    {"seconds", test_seconds}, {"units of parameters", test_units},
+    {"seconds", test_seconds}, {"units of parameters", test_units}, {"differences", test_differences},
     {"traps", test_traps},                        {"sensitivity, arguments", test_sensitivity_arguments},
     {"messages of options", test_option_messages}, {"control", test_control},
     {"reweigh", test_reweigh},                    {"stack", test_stack_use}};
