@@ -42,7 +42,8 @@
       active-set method whose QR factorisation follows each bound that is entered or left. On the 14 problems of
       tests/data/pme_problems.json (More, Garbow, Hillstrom, free and bounded) it ends within 1e-7 of a trust-region solver's
       minima on all (`tests/test_pme.c reference`; the methods of the thesis are in tests/bench/thesis_methods.h). With
-      restarts, what is left of the budget goes to the next best first guesses. Give a Jacobian when you have one: it
+      restarts as many first guesses set out as the budget has steps for, the best of them go on (successive halving), and what is
+      left goes to the others and to random points. Give a Jacobian when you have one: it
       costs a network a few evaluations, differences cost n. On float32 pictures differences of 1.5e-8, the customary
       default, are noise.
    Budget
@@ -243,8 +244,8 @@ typedef struct ms_pme_options {
                                Basin hopping: hop, 0: 0.25 */
     double difference_step; /* > 0: forward differences of this absolute step; 0: central, near the best step for f64.
                                A float32 renderer wants about 1e-3: with 1.5e-8 its differences are rounding noise */
-    int restarts;           /* Levenberg-Marquardt: further runs while cost is left, from random points; ms_pme_match
-                               takes its next best candidates first. Rough runs, finished where they lead further */
+    int restarts;           /* Levenberg-Marquardt: further runs while cost is left, from random points, rough ones that are finished where
+                               they lead further. ms_pme_match has its best candidates race for the first part of the budget */
     uint64_t seed;          /* of restarts and hops */
     double (*clock)(void *user); /* seconds, from any origin; NULL: the wall's clock */
     void *clock_user;
