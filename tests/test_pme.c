@@ -1743,6 +1743,20 @@ static void test_control(void)
     }
     CHECK(sum / N > 0.05 && sum / N < 5); /* chi-square of 6: beyond these once in some thousand seeds */
     TEST_NOTE("errors over deviations: %.2f", sqrt(sum / N));
+    { /* frozen where it is: the others are known no worse than before */
+        double y[N], known[N], at_low[N], at_high[N];
+        for (j = 0; j < N; ++j) {
+            at_low[j] = j == 2 ? x[2] : 0;
+            at_high[j] = j == 2 ? x[2] : 1;
+        }
+        r.lower = at_low;
+        r.upper = at_high;
+        options.deviation = known;
+        CHECK_INT(ms_pme_match(&r, target, NULL, &options, y, NULL, &result, NULL), MS_OK);
+        CHECK_NEAR(result.rmse, free_rmse, 1e-6 * free_rmse);
+        for (j = 0; j < N; ++j) CHECK(known[j] <= deviation[j] * (1 + 1e-4) && (j == 2) == !(known[j] > 0));
+        options.deviation = deviation;
+    }
     /* frozen: equal bounds */
     for (j = 0; j < N; ++j) {
         low[j] = j == 2 ? 0.7 : 0;

@@ -19,7 +19,7 @@ static const char *targets_make(const image *sheet, int t, float *planes)
     image a, b, c;
     int k;
     size_t i, pixels = TARGETS_SIZE * TARGETS_SIZE;
-    const char *problem = edit_tile(sheet, (t < TARGETS_COUNT ? 7 * t + 3 : 13 * t + 5) % 64, TARGETS_SIZE, &a);
+    const char *problem = edit_tile(sheet, (t < TARGETS_COUNT ? 7 * t + 3 : 9 * t + 5) % 64, TARGETS_SIZE, &a);
     if (problem == NULL) problem = edit_tile(sheet, (t < TARGETS_COUNT ? 11 * t + 30 : 5 * t + 21) % 64, TARGETS_SIZE, &b);
     if (problem == NULL && !edit_apply(targets_edit(t), &a, &b, &c)) problem = "out of memory";
     if (problem) return problem;
