@@ -1258,7 +1258,7 @@ static void ms_pme__damp(const ms_pme__walk *walk, int n, double *a, double *row
 {
     int w = n + 1, i, j;
     ms_pme__copy(a, walk->triangle, n * w);
-    for (i = n - 1; i >= 0; --i) { /* from below: a row meets only those under it */
+    for (i = n; i-- > 0;) { /* from below: a row meets only those under it */
         memset(row + i, 0, (size_t)(w - i) * sizeof *row);
         row[i] = sqrt(walk->lambda) * (walk->scale[i] > 0 ? walk->scale[i] : 1);
         for (j = i; j < n; ++j) {
