@@ -404,7 +404,7 @@ static void table_minima(matcher *m)
     for (t = 0; t < TARGETS_ALL; ++t) least[t] = fgets(line, sizeof line, known) && strchr(line, ',') ? strtod(strchr(line, ',') + 1, NULL) : 0;
     fclose(known);
     fprintf(f, "60 edited pictures, 64 x 64 (tests/bench/targets.h), with restarts, against the least RMSE of four searches of 20,000 units each;\n"
-               "thread time of target, first guesses and match, one core of %s; and 30 of other materials that nothing was chosen by.\n"
+               "thread time of target, first guesses and match, one core of %s; and 60 of other materials, for a check.\n"
                "`make bench FILTER=pme`\n\n| units | within 1%% | of the others | RMSE, times the least: mean | ms, median |\n|---:|---:|---:|---:|---:|\n", bench_processor());
     for (b = 0; b < 4; ++b) {
         int within = 0, check_within = 0;
