@@ -5046,7 +5046,7 @@ static void ms_mcml__profile_fill(void *context, int channel)
         within[0] = p->edge_mm[0] > 0 ? y->rd - ms_mcml_layered_beyond(y, 0, 0.1 * p->edge_mm[0]) : 0;
         for (i = 0; i < p->rings; ++i) {
             const double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1], next = ms_mcml_layered_line_beyond(y, 0, 0.1 * r1);
-            double error;
+            double error = 0;
             p->rd_per_mm2[row + (size_t)i] = 0.01 * ms_mcml_layered_ring(y, 0, 0.1 * r0, 0.1 * r1, &error);
             p->rd_error_per_mm2[row + (size_t)i] = 0.01 * error;
             within[i + 1] = y->rd - ms_mcml_layered_beyond(y, 0, 0.1 * r1);
