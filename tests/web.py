@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|pairs|kernels|frames]"""
 import csv, io, json, math, re, sys, xml.etree.ElementTree as xml
+sys.dont_write_bytecode = True
 from browser import Browser
 
 out = sys.argv[1]
