@@ -48,24 +48,31 @@
    field is refused. Sizes that are left out are read from the tensors. Sizes marked * are a number or a pair [height, width].
 
       dense            name, units, activation, alpha, bias        <name>.weight [units][inputs]; the input must be flat
-      conv1d           name, filters, kernel, stride, padding,     <name>.weight [filters][channels][kernel]
-                       activation, alpha, bias
-      conv2d           the same, kernel* and stride*               <name>.weight [filters][channels][height][width]
-      upsample1d       factor (2)                                  nearest
-      upsample2d       factor* (2)
+      conv1d           name, filters, kernel, stride, padding,     <name>.weight [filters][channels / groups][kernel]
+                       zeros (0: on both sides), dilation (1),
+                       groups (1), activation, alpha, bias
+      conv2d           the same, with * where there are numbers    <name>.weight [filters][channels / groups][height][width]
+      conv1d_transpose the same without padding, and extra (0)     <name>.weight [channels][filters / groups][kernel]
+      conv2d_transpose the same, with *                            <name>.weight [channels][filters / groups][height][width]
+      upsample1d       factor (2), mode (nearest or linear),       align_corners as PyTorch has it
+                       align_corners (false)
+      upsample2d       the same, factor*
       maxpool1d        size (2), stride (size)                     what does not fill a window is dropped
       maxpool2d        size* (2), stride* (size)
+      avgpool1d, avgpool2d: as maxpool1d, maxpool2d                means
+      globalpool                                                   the mean of each channel
       flatten          order: channels_first (default, PyTorch) or channels_last (Keras)
       activation       activation, alpha                           alone
       dropout          rate                                        does nothing
       add              from, activation, alpha                     adds the output of the layer with that name, or "input"
+      concat           from, order: after (default) or before      puts that output's channels behind, or before
       shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
 
    <name>.bias [outputs] belongs to every dense and convolution layer unless "bias":false stands in the list. Weights are F64, F32,
    F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]): weight = scale of its output x integer. Convolutions are
    correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2 zeros in front, rounded down, and as many behind as make
-   ceil(size / stride) outputs. "activation": linear (default), relu, leaky_relu (slope alpha, 0.01), elu (alpha, 1), tanh,
-   sigmoid, softplus. shared_channels evaluates the rest of the list once for each of its lists of input indices and puts the
+   ceil(size / stride) outputs. "extra" is PyTorch's output_padding. "activation": linear (default), relu, leaky_relu (slope alpha,
+   0.01), elu (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels evaluates the rest of the list once for each of its lists of input indices and puts the
    outputs one after the other: one small network for the red, green and blue of a scene without colours of its own.
    examples/export_torch.py saves PyTorch and Keras networks in this form.
 
@@ -101,8 +108,8 @@
    LIMITS. Refused with MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes unless
    options.allow_trailing, NUL in names, null metadata, header over 100,000,000 bytes, rank over 32) and layers that do not fit
    their tensors; 4096 layers at most. MS_UNSUPPORTED: other element types than the five as weights. Files of 2^31 bytes and
-   more need a 64-bit machine. A mapped file must not shrink while it is used: options.copy reads it instead. Networks are chains with additive skips:
-   no concatenation, recurrence, grouped or dilated convolution.
+   more need a 64-bit machine. A mapped file must not shrink while it is used: options.copy reads it instead. Networks are chains with skips
+   that are added or concatenated: no recurrence, attention, or normalisation at run time (BatchNorm goes into the weights).
 
    SOURCES. safetensors: its format description and reference implementation. Networks: Zsolnai-Feher, PhD thesis, sections 3.4.2
    and 4.3.1. Convolutions: Winograd's F(2, 3), Lavin & Gray 2016. Collapse: Golub & Van Loan, Matrix Computations, chapter 5; Schreiber & Van Loan 1989; Bjoerck 1987; Chambers 1971.
@@ -1512,7 +1519,7 @@ static MS_NN__COLD ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start,
     return MS_OK;
 }
 
-MS_NN_API ms_nn_options ms_nn_defaults(void)
+MS_NN_API MS_NN__COLD ms_nn_options ms_nn_defaults(void)
 {
     ms_nn_options options;
     memset(&options, 0, sizeof options);
@@ -1603,7 +1610,7 @@ static MS_NN__COLD void ms_nn__release_content(const ms_allocator *allocator, co
     ms__release(allocator, at, bytes);
 }
 
-MS_NN_API void ms_nn_file_close(ms_nn_file *file)
+MS_NN_API MS_NN__COLD void ms_nn_file_close(ms_nn_file *file)
 {
     ms_allocator allocator;
     if (file == NULL) return;
@@ -1864,7 +1871,8 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, si
 /* What a layer does, after reading. */
 typedef enum ms_nn__kind {
     MS_NN__DENSE, MS_NN__CONV1D, MS_NN__CONV2D, MS_NN__UPSAMPLE1D, MS_NN__UPSAMPLE2D, MS_NN__POOL1D, MS_NN__POOL2D,
-    MS_NN__FLATTEN, MS_NN__ACTIVATE, MS_NN__DROPOUT, MS_NN__ADD, MS_NN__SHARED, MS_NN__KINDS
+    MS_NN__FLATTEN, MS_NN__ACTIVATE, MS_NN__DROPOUT, MS_NN__ADD, MS_NN__SHARED, MS_NN__TRANSPOSED1D, MS_NN__TRANSPOSED2D, MS_NN__AVERAGE1D,
+    MS_NN__AVERAGE2D, MS_NN__GLOBAL, MS_NN__CONCAT, MS_NN__KINDS
 } ms_nn__kind;
 
 typedef enum ms_nn__activation {
@@ -1874,14 +1882,14 @@ typedef enum ms_nn__activation {
 
 /* The fields of a layer in the file; 0 or NULL where the file is silent. */
 typedef struct ms_nn__spec {
-    const char *type, *name, *activation, *padding, *order, *from;
-    size_t units[2], filters[2], kernel[2], stride[2], size[2], factor[2];
+    const char *type, *name, *activation, *padding, *order, *from, *mode;
+    size_t units[2], filters[2], kernel[2], stride[2], size[2], factor[2], dilation[2], groups[2], zeros[2], extra[2];
     double alpha, rate;
-    int bias;  /* 0: not said, 1: true, 2: false */
+    int bias, corners; /* 0: not said, 1: true, 2: false */
     size_t at; /* where it begins in the list's text */
 } ms_nn__spec;
 
-typedef enum ms_nn__field_kind { MS_NN__TEXT, MS_NN__COUNTS, MS_NN__REAL, MS_NN__FLAG } ms_nn__field_kind;
+typedef enum ms_nn__field_kind { MS_NN__TEXT, MS_NN__COUNTS, MS_NN__SIZES, MS_NN__REAL, MS_NN__FLAG } ms_nn__field_kind; /* SIZES may be 0 */
 
 typedef struct ms_nn__field {
     const char *key;
@@ -1891,15 +1899,17 @@ typedef struct ms_nn__field {
 } ms_nn__field;
 
 #define MS_NN__BIT(kind) (1u << (int)(kind))
-#define MS_NN__WEIGHTED (MS_NN__BIT(MS_NN__DENSE) | MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D))
-#define MS_NN__CONVS (MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D))
-#define MS_NN__POOLS (MS_NN__BIT(MS_NN__POOL1D) | MS_NN__BIT(MS_NN__POOL2D))
+#define MS_NN__TRANSPOSED (MS_NN__BIT(MS_NN__TRANSPOSED1D) | MS_NN__BIT(MS_NN__TRANSPOSED2D))
+#define MS_NN__CONVS (MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D) | MS_NN__TRANSPOSED)
+#define MS_NN__WEIGHTED (MS_NN__BIT(MS_NN__DENSE) | MS_NN__CONVS)
+#define MS_NN__POOLS (MS_NN__BIT(MS_NN__POOL1D) | MS_NN__BIT(MS_NN__POOL2D) | MS_NN__BIT(MS_NN__AVERAGE1D) | MS_NN__BIT(MS_NN__AVERAGE2D))
 #define MS_NN__UPSAMPLES (MS_NN__BIT(MS_NN__UPSAMPLE1D) | MS_NN__BIT(MS_NN__UPSAMPLE2D))
 #define MS_NN__ACTIVATED (MS_NN__WEIGHTED | MS_NN__BIT(MS_NN__ACTIVATE) | MS_NN__BIT(MS_NN__ADD))
 
 static const char *const ms_nn__kind_name[] = {"dense", "conv1d", "conv2d", "upsample1d", "upsample2d", "maxpool1d",
                                                "maxpool2d", "flatten", "activation", "dropout", "add",
-                                               "shared_channels"};
+                                               "shared_channels", "conv1d_transpose", "conv2d_transpose", "avgpool1d",
+                                               "avgpool2d", "globalpool", "concat"};
 static const char *const ms_nn__activation_name[] = {"linear", "relu", "leaky_relu", "elu", "tanh", "sigmoid",
                                                      "softplus", "silu", "gelu"};
 
@@ -1912,13 +1922,19 @@ static const ms_nn__field ms_nn__field_list[] = {
     {"units", MS_NN__COUNTS, offsetof(ms_nn__spec, units), MS_NN__BIT(MS_NN__DENSE)},
     {"filters", MS_NN__COUNTS, offsetof(ms_nn__spec, filters), MS_NN__CONVS},
     {"kernel", MS_NN__COUNTS, offsetof(ms_nn__spec, kernel), MS_NN__CONVS},
-    {"padding", MS_NN__TEXT, offsetof(ms_nn__spec, padding), MS_NN__CONVS},
+    {"padding", MS_NN__TEXT, offsetof(ms_nn__spec, padding), MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D)},
+    {"zeros", MS_NN__SIZES, offsetof(ms_nn__spec, zeros), MS_NN__CONVS},
+    {"extra", MS_NN__SIZES, offsetof(ms_nn__spec, extra), MS_NN__TRANSPOSED},
+    {"dilation", MS_NN__COUNTS, offsetof(ms_nn__spec, dilation), MS_NN__CONVS},
+    {"groups", MS_NN__COUNTS, offsetof(ms_nn__spec, groups), MS_NN__CONVS},
+    {"mode", MS_NN__TEXT, offsetof(ms_nn__spec, mode), MS_NN__UPSAMPLES},
+    {"align_corners", MS_NN__FLAG, offsetof(ms_nn__spec, corners), MS_NN__UPSAMPLES},
     {"stride", MS_NN__COUNTS, offsetof(ms_nn__spec, stride), MS_NN__CONVS | MS_NN__POOLS},
     {"size", MS_NN__COUNTS, offsetof(ms_nn__spec, size), MS_NN__POOLS},
     {"factor", MS_NN__COUNTS, offsetof(ms_nn__spec, factor), MS_NN__UPSAMPLES},
-    {"order", MS_NN__TEXT, offsetof(ms_nn__spec, order), MS_NN__BIT(MS_NN__FLATTEN)},
+    {"order", MS_NN__TEXT, offsetof(ms_nn__spec, order), MS_NN__BIT(MS_NN__FLATTEN) | MS_NN__BIT(MS_NN__CONCAT)},
     {"rate", MS_NN__REAL, offsetof(ms_nn__spec, rate), MS_NN__BIT(MS_NN__DROPOUT)},
-    {"from", MS_NN__TEXT, offsetof(ms_nn__spec, from), MS_NN__BIT(MS_NN__ADD)}};
+    {"from", MS_NN__TEXT, offsetof(ms_nn__spec, from), MS_NN__BIT(MS_NN__ADD) | MS_NN__BIT(MS_NN__CONCAT)}};
 
 static MS_NN__COLD int ms_nn__index_of(const char *const *names, int count, const char *name)
 {
@@ -2055,10 +2071,12 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
                         if (ms_nn__is(&text, ms_nn__kind_name[kind])) break;
                 if (status == MS_OK && kind == (int)MS_NN__KINDS) return ms_nn__bad_word(j, key_at, "unknown type '%s'", text.head);
                 break;
-            case MS_NN__COUNTS: {
+            case MS_NN__COUNTS:
+            case MS_NN__SIZES: {
                 size_t counts[2] = {0, 0};
                 status = ms_nn__json_counts(j, counts);
-                if (status == MS_OK && (counts[0] == 0 || counts[1] == 0)) return ms_nn__bad_word(j, key_at, "the size '%s' must not be 0", key.head);
+                if (status == MS_OK && (counts[0] > INT_MAX || counts[1] > INT_MAX)) return ms_nn__bad_word(j, key_at, "the size '%s' is too large", key.head);
+                if (status == MS_OK && ms_nn__field_list[f].kind == MS_NN__COUNTS && (counts[0] == 0 || counts[1] == 0)) return ms_nn__bad_word(j, key_at, "the size '%s' must not be 0", key.head);
                 memcpy(at, counts, sizeof counts);
                 break;
             }
@@ -2167,6 +2185,7 @@ typedef struct ms_nn__matrix {
 typedef struct ms_nn__conv {
     ms_nn__dims in, out;
     size_t kernel[2], stride[2], dilate[2]; /* dilate: the input's elements stand so far apart, zeros between */
+    size_t spread[2];                       /* the taps stand so far apart */
     ptrdiff_t pad[2]; /* zeros above and left of the input; negative: rows and columns that are skipped */
     const float *packed;
     const float *bias;       /* [out.c rounded up to blocks], zeros where there is none */
@@ -2179,8 +2198,8 @@ typedef struct ms_nn__conv {
 } ms_nn__conv;
 
 typedef enum ms_nn__step {
-    MS_NN__DO_DENSE, MS_NN__DO_CONV, MS_NN__DO_UPSAMPLE, MS_NN__DO_POOL, MS_NN__DO_TRANSPOSE, MS_NN__DO_ACTIVATE,
-    MS_NN__DO_ADD
+    MS_NN__DO_DENSE, MS_NN__DO_CONV, MS_NN__DO_UPSAMPLE, MS_NN__DO_LINEAR, MS_NN__DO_POOL, MS_NN__DO_AVERAGE, MS_NN__DO_TRANSPOSE,
+    MS_NN__DO_ACTIVATE, MS_NN__DO_ADD, MS_NN__DO_CONCAT
 } ms_nn__step;
 
 /* One operation. Operation k reads value k and makes value k + 1; value 0 is the input. */
@@ -2190,12 +2209,14 @@ typedef struct ms_nn__op {
     float alpha;
     ms_nn__dims in, out;
     int layer;             /* in the file's list */
-    int skip;              /* ADD: the other value */
+    int skip;              /* ADD, CONCAT: the other value */
+    int flag;              /* CONCAT: the other one's channels come first; LINEAR: corners are aligned */
     size_t size[2], stride[2]; /* POOL; UPSAMPLE: size is the factor */
     ms_nn__matrix matrix;
     int phases;            /* CONV: 1, or the factor of an upsampling in front of it */
-    ms_nn__conv *forward;  /* [phases]: phase p makes the outputs p, p + phases, ... of each row */
-    ms_nn__conv *backward; /* [phases]: from output gradients to input gradients */
+    size_t groups;         /* CONV: each from its own channels to its own */
+    ms_nn__conv *forward;  /* [groups][phases]: phase p makes the outputs p, p + phases, ... of each row */
+    ms_nn__conv *backward; /* [groups][phases]: from output gradients to input gradients */
 } ms_nn__op;
 
 /* Memory that belongs to a network: a list, released with it. */
@@ -2282,22 +2303,24 @@ static const unsigned char *ms_nn__floats(ms_nn *nn, const ms_nn_tensor *t)
     return (const unsigned char *)copy;
 }
 
-/* The weights of a layer; sizes that the layer list leaves open (0 in shape) are read from the tensor. */
+/* The weights of a layer; sizes that the layer list leaves open (0 in shape) are read from the tensor. turned: groups of a transposed
+   convolution, whose outputs are the second dimension; 0: the first. */
 typedef struct ms_nn__weights {
     const ms_nn_tensor *weight, *bias, *scale;
 } ms_nn__weights;
 
-static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape, ms_nn_layer *info,
-                                     ms_nn__weights *w, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape, size_t turned, ms_nn_layer *info,
+                                                 ms_nn__weights *w, ms_error *error)
 {
     const ms_nn_tensor *part[3];
     ms_status status;
     int i;
-    size_t macs = 1;
+    size_t macs = 1, outs;
     if (spec->name == NULL) return ms__fail(error, MS_BAD_DATA, 0, "it has no name");
     if ((status = ms_nn__tensor(nn, spec->name, "weight", rank, shape, 1, &w->weight, error)) != MS_OK) return status;
     for (i = 0; i < rank; ++i) shape[i] = w->weight->shape[i];
-    if ((status = ms_nn__tensor(nn, spec->name, "bias", 1, shape, spec->bias != 2, &w->bias, error)) != MS_OK) return status;
+    outs = turned ? ms__size_mul(shape[1], turned) : shape[0];
+    if ((status = ms_nn__tensor(nn, spec->name, "bias", 1, &outs, spec->bias != 2, &w->bias, error)) != MS_OK) return status;
     if ((status = ms_nn__tensor(nn, spec->name, "weight_scale", 1, shape, w->weight->dtype == MS_NN_I8, &w->scale, error)) != MS_OK)
         return status;
     if (spec->bias == 2 && w->bias) return ms__fail(error, MS_BAD_DATA, 0, "layer '%s' says bias false but has one", spec->name);
@@ -2331,7 +2354,7 @@ static double ms_nn__weight_at(const ms_nn__weights *w, size_t row, size_t i)
    kernels, which are all that those have, read the other types byte by byte). With fold > 1 the columns of the
    fold_h x fold_w positions that one low-resolution element was copied to are added up (in double, rounded once):
    W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
-static ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t fold[2], ms_nn__dims low,
+static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t fold[2], ms_nn__dims low,
                                    int last, ms_error *error)
 {
     ms_nn__matrix *m = &op->matrix;
@@ -2384,6 +2407,7 @@ typedef struct ms_nn__taps {
     ptrdiff_t first;                 /* first input column, relative to the output column, that this phase sees */
     int backward;                    /* outputs and inputs exchanged, taps reversed */
     size_t taps_w;                   /* width of the folded kernel */
+    size_t group;                    /* outs and ins are those of a group */
 } ms_nn__taps;
 
 /* Folded weight: output column f i + p of a correlation with kernel w over an f-fold upsampled row sees the input
@@ -2393,6 +2417,7 @@ static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, siz
     size_t oo = t->backward ? c : o, cc = t->backward ? o : c, yy = t->backward ? t->height - 1 - y : y;
     size_t xx = t->backward ? t->taps_w - 1 - x : x, k;
     double sum = 0;
+    oo += t->group * t->outs;
     if (t->factor == 1) return ms_nn__weight_at(t->w, oo, ((oo * t->ins + cc) * t->height + yy) * t->width + xx);
     for (k = 0; k < t->width; ++k)
         if (ms_nn__floor_div((ptrdiff_t)t->phase + (ptrdiff_t)k - t->pad, (ptrdiff_t)t->factor) - t->first == (ptrdiff_t)xx)
@@ -2405,19 +2430,20 @@ static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, siz
 /* Geometry of the padded input of a strip: as many rows and columns as its outputs see. */
 static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 {
-    size_t s = v->stride[1], w = (v->out.w - 1) * s + v->kernel[1], rows = v->pairs ? 1 : v->kernel[0], fit, y, x;
+    size_t s = v->stride[1], w = (v->out.w - 1) * s + (v->kernel[1] - 1) * v->spread[1] + 1, rows = v->pairs ? 1 : v->kernel[0], fit, y, x;
+    size_t high = (v->kernel[0] - 1) * v->spread[0] + 1;
     size_t *offset = (size_t *)ms_nn__hold(nn, ms__size_mul(rows, v->kernel[1]), sizeof(size_t));
     v->pitch = v->out.w == 0 ? 0 : (w + s - 1) / s * s; /* 0: a phase without outputs */
     fit = MS_NN__STRIP_FLOATS / (v->in.c * v->pitch + 1);
-    v->strip = v->pairs ? fit / 4 * 2 : fit > v->kernel[0] ? (fit - v->kernel[0]) / v->stride[0] + 1 : 1;
+    v->strip = v->pairs ? fit / 4 * 2 : fit > high ? (fit - high) / v->stride[0] + 1 : 1;
     if (v->pairs && v->strip < 2) v->strip = 2;
     if (v->strip > v->out.h) v->strip = v->pairs ? (v->out.h + 1) / 2 * 2 : v->out.h;
-    v->rows = v->pairs ? 2 * v->strip : (v->strip - 1) * v->stride[0] + v->kernel[0];
+    v->rows = v->pairs ? 2 * v->strip : (v->strip - 1) * v->stride[0] + high;
     v->plane = v->rows * v->pitch;
     v->taps = rows * v->kernel[1];
     v->offset = offset;
     for (y = 0; offset && y < rows; ++y)
-        for (x = 0; x < v->kernel[1]; ++x) *offset++ = y * v->pitch + x % s * (v->pitch / s) + x / s;
+        for (x = 0; x < v->kernel[1]; ++x) *offset++ = y * v->spread[0] * v->pitch + x * v->spread[1] % s * (v->pitch / s) + x * v->spread[1] / s;
     return offset != NULL;
 }
 
@@ -2460,30 +2486,33 @@ static const float *ms_nn__pack_pairs(ms_nn *nn, const ms_nn__taps *t, size_t ou
 /* Is Winograd's form worth it? */
 static MS_NN__COLD int ms_nn__in_pairs(const ms_nn__conv *v)
 {
-    return v->kernel[0] == 3 && v->stride[0] == 1 && v->dilate[0] == 1 && v->in.c >= 8 && v->out.h >= 2;
+    return v->kernel[0] == 3 && v->stride[0] == 1 && v->dilate[0] == 1 && v->spread[0] == 1 && v->in.c >= 8 && v->out.h >= 2;
 }
 
 /* The convolutions of an operation, forward and backward, one pair a phase. op->in is the shape before the
    upsampling by factor that is folded in (1: none). */
-static ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t kernel[2],
-                                  const size_t stride[2], const size_t pad[2], size_t factor, size_t block, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t kernel[2], const size_t stride[2],
+                                  const size_t pad[2], const size_t spread[2], size_t factor, size_t block, ms_error *error)
 {
-    size_t p, blocks = (op->out.c + block - 1) / block, o;
-    float *bias = (float *)ms_nn__hold(nn, ms__size_mul(blocks, block), sizeof(float));
+    size_t p, g, outs = op->out.c / op->groups, ins = op->in.c / op->groups, blocks = (outs + block - 1) / block * block, o, n;
+    float *bias = (float *)ms_nn__hold(nn, ms__size_mul(op->groups, blocks), sizeof(float));
     float *zeros = (float *)ms_nn__hold(nn, ms__size_add(op->in.c, block), sizeof(float));
     op->phases = (int)factor;
-    op->forward = (ms_nn__conv *)ms_nn__hold(nn, factor, sizeof(ms_nn__conv));
-    op->backward = (ms_nn__conv *)ms_nn__hold(nn, factor, sizeof(ms_nn__conv));
+    op->forward = (ms_nn__conv *)ms_nn__hold(nn, ms__size_mul(op->groups, factor), sizeof(ms_nn__conv));
+    op->backward = (ms_nn__conv *)ms_nn__hold(nn, ms__size_mul(op->groups, factor), sizeof(ms_nn__conv));
     if (!bias || !zeros || !op->forward || !op->backward) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
-    for (o = 0; o < blocks * block; ++o)
-        bias[o] = w->bias && o < op->out.c ? ms_nn__narrow(ms_nn__element(w->bias->data, w->bias->dtype, o)) : 0.0f;
+    for (g = 0; g < op->groups; ++g)
+        for (o = 0; o < blocks; ++o)
+            bias[g * blocks + o] = w->bias && o < outs ? ms_nn__narrow(ms_nn__element(w->bias->data, w->bias->dtype, g * outs + o)) : 0.0f;
     for (o = 0; o < op->in.c + block; ++o) zeros[o] = 0;
-    for (p = 0; p < factor; ++p) {
-        ms_nn__conv *f = &op->forward[p], *b = &op->backward[p];
+    for (n = 0; n < op->groups * factor; ++n) {
+        ms_nn__conv *f = &op->forward[n], *b = &op->backward[n];
         ms_nn__taps t;
+        p = n % factor;
         t.w = w;
-        t.outs = op->out.c;
-        t.ins = op->in.c;
+        t.outs = outs;
+        t.ins = ins;
+        t.group = n / factor;
         t.height = kernel[0];
         t.width = kernel[1];
         t.factor = factor;
@@ -2494,7 +2523,11 @@ static ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights
         t.backward = 0;
         memset(f, 0, sizeof *f);
         f->in = op->in;
+        f->in.c = ins;
         f->out = op->out;
+        f->out.c = outs;
+        f->spread[0] = spread[0];
+        f->spread[1] = spread[1];
         f->out.w = (op->out.w + factor - 1 - p) / factor;
         f->kernel[0] = kernel[0];
         f->kernel[1] = t.taps_w;
@@ -2503,9 +2536,9 @@ static ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights
         f->dilate[0] = f->dilate[1] = 1;
         f->pad[0] = (ptrdiff_t)pad[0];
         f->pad[1] = -t.first;
-        f->bias = bias;
+        f->bias = bias + n / factor * blocks;
         f->pairs = ms_nn__in_pairs(f);
-        f->packed = (f->pairs ? ms_nn__pack_pairs : ms_nn__pack)(nn, &t, op->out.c, op->in.c, block);
+        f->packed = (f->pairs ? ms_nn__pack_pairs : ms_nn__pack)(nn, &t, outs, ins, block);
         /* d/dx of a correlation: the full correlation of the gradient, zeros between its elements where the stride
            is over 1, with the mirrored kernel */
         memset(b, 0, sizeof *b);
@@ -2513,14 +2546,17 @@ static ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights
         b->dilate[0] = stride[0];
         b->dilate[1] = stride[1];
         b->out = op->in;
+        b->out.c = ins;
+        b->spread[0] = spread[0];
+        b->spread[1] = spread[1];
         b->kernel[0] = f->kernel[0];
         b->kernel[1] = f->kernel[1];
         b->stride[0] = b->stride[1] = 1;
-        b->pad[0] = (ptrdiff_t)f->kernel[0] - 1 - f->pad[0];
-        b->pad[1] = (ptrdiff_t)f->kernel[1] - 1 - f->pad[1];
+        b->pad[0] = (ptrdiff_t)((f->kernel[0] - 1) * spread[0]) - f->pad[0];
+        b->pad[1] = (ptrdiff_t)((f->kernel[1] - 1) * spread[1]) - f->pad[1];
         t.backward = 1;
         b->pairs = ms_nn__in_pairs(b);
-        b->packed = (b->pairs ? ms_nn__pack_pairs : ms_nn__pack)(nn, &t, op->in.c, op->out.c, block);
+        b->packed = (b->pairs ? ms_nn__pack_pairs : ms_nn__pack)(nn, &t, ins, outs, block);
         b->bias = zeros;
         if (!f->packed || !b->packed || !ms_nn__conv_geometry(nn, f) || !ms_nn__conv_geometry(nn, b)) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
     }
@@ -2575,10 +2611,11 @@ static MS_NN__COLD int ms_nn__foldable(const ms_nn__build *b, int i)
     const ms_nn__list *l = b->list;
     const ms_nn__spec *s = l->spec;
     int next = ms_nn__next(l, i), k;
+    if (s[i].mode && strcmp(s[i].mode, "nearest")) return 0;
     if (b->nn->options.no_folds || s[i].factor[0] * s[i].factor[1] > 16 || next == l->layers) return 0;
     for (k = i; k < l->layers; ++k)
-        if (l->kind[k] == MS_NN__ADD && s[k].from && s[i].name && strcmp(s[k].from, s[i].name) == 0) return 0;
-    if (l->kind[next] == MS_NN__CONV1D) return s[next].stride[0] <= 1 && l->kind[i] == MS_NN__UPSAMPLE1D;
+        if ((l->kind[k] == MS_NN__ADD || l->kind[k] == MS_NN__CONCAT) && s[k].from && s[i].name && strcmp(s[k].from, s[i].name) == 0) return 0;
+    if (l->kind[next] == MS_NN__CONV1D) return s[next].stride[0] <= 1 && s[next].dilation[0] <= 1 && s[next].groups[0] <= 1 && l->kind[i] == MS_NN__UPSAMPLE1D;
     if (l->kind[next] != MS_NN__FLATTEN) return 0;
     for (k = i + 1; k < next; ++k)
         if (s[k].name) return 0;
@@ -2602,7 +2639,7 @@ static MS_NN__COLD ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_la
     if (b->rank != 1) return ms__fail(error, MS_BAD_DATA, 0, "it needs a vector: put a flatten before it");
     shape[0] = s->units[0];
     shape[1] = b->now.c;
-    if ((status = ms_nn__weights_find(b->nn, s, 2, shape, info, &w, error)) != MS_OK) return status;
+    if ((status = ms_nn__weights_find(b->nn, s, 2, shape, 0, info, &w, error)) != MS_OK) return status;
     out.c = shape[0];
     out.h = out.w = 1;
     op = ms_nn__op_add(b, MS_NN__DO_DENSE, i, out);
@@ -2614,45 +2651,88 @@ static MS_NN__COLD ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_la
     return status;
 }
 
+/* Convolutions, and their transposes: a transpose runs as the gradient of the convolution from its outputs to its inputs, to which its
+   weights [inputs][outputs / groups][height][width] belong. */
 static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
 {
     const ms_nn__spec *s = &b->list->spec[i];
-    int two = b->list->kind[i] == MS_NN__CONV2D, same;
-    size_t shape[4], kernel[2], stride[2], pad[2] = {0, 0}, extent[2];
+    ms_nn__kind kind = b->list->kind[i];
+    int two = kind == MS_NN__CONV2D || kind == MS_NN__TRANSPOSED2D, turned = kind == MS_NN__TRANSPOSED1D || kind == MS_NN__TRANSPOSED2D, same, d;
+    size_t shape[4], kernel[2], stride[2], pad[2], spread[2], extent[2], reach, groups = s->groups[0] ? s->groups[0] : 1, n;
     ms_nn__weights w;
-    ms_nn__dims out;
+    ms_nn__dims out, in;
     ms_nn__op *op;
     ms_status status;
-    int d;
     if (b->rank != (two ? 3 : 2))
         return ms__fail(error, MS_BAD_DATA, 0, two ? "it needs channels, height, width" : "it needs channels, length");
     if (s->padding && strcmp(s->padding, "same") && strcmp(s->padding, "valid"))
         return ms__fail(error, MS_BAD_DATA, 0, "padding must be same or valid, not '%s'", s->padding);
     same = s->padding && s->padding[0] == 's';
-    shape[0] = s->filters[0];
-    shape[1] = b->now.c;
+    if (same && (s->zeros[0] || s->zeros[1])) return ms__fail(error, MS_BAD_DATA, 0, "padding same and zeros exclude each other");
+    if (b->now.c % groups || s->filters[0] % groups) return ms__fail(error, MS_BAD_DATA, 0, "its channels do not divide into %z groups", groups);
+    shape[0] = turned ? b->now.c : s->filters[0];
+    shape[1] = turned ? s->filters[0] / groups : b->now.c / groups;
     shape[2] = s->kernel[0];
     shape[3] = s->kernel[1];
-    if ((status = ms_nn__weights_find(b->nn, s, two ? 4 : 3, shape, info, &w, error)) != MS_OK) return status;
-    kernel[0] = two ? shape[2] : 1;
-    kernel[1] = two ? shape[3] : shape[2];
-    stride[0] = two && s->stride[0] ? s->stride[0] : 1;
-    stride[1] = two ? (s->stride[1] ? s->stride[1] : 1) : s->stride[0] ? s->stride[0] : 1;
+    if ((status = ms_nn__weights_find(b->nn, s, two ? 4 : 3, shape, turned ? groups : 0, info, &w, error)) != MS_OK) return status;
+    out.c = turned ? ms__size_mul(shape[1], groups) : shape[0];
+    if (out.c % groups) return ms__fail(error, MS_BAD_DATA, 0, "its channels do not divide into %z groups", groups);
     extent[0] = b->now.h;
     extent[1] = b->now.w;
     for (d = 0; d < 2; ++d) {
-        if (same) pad[d] = (kernel[d] - 1) / 2;
-        else if (extent[d] < kernel[d])
-            return ms__fail(error, MS_BAD_DATA, 0, "its kernel has %z, its input only %z", kernel[d], extent[d]);
-        extent[d] = ((same ? extent[d] - 1 : extent[d] - kernel[d]) / stride[d]) + 1;
+        int on = two || d == 1, at = two ? d : 0;
+        kernel[d] = on ? shape[two ? 2 + d : 2] : 1;
+        stride[d] = on && s->stride[at] ? s->stride[at] : 1;
+        spread[d] = on && s->dilation[at] ? s->dilation[at] : 1;
+        reach = ms__size_add(ms__size_mul(kernel[d] - 1, spread[d]), 1);
+        pad[d] = !on ? 0 : same ? (reach - 1) / 2 : s->zeros[at];
+        if (reach > INT_MAX || extent[d] > INT_MAX) return ms__fail(error, MS_BAD_DATA, 0, "its kernel or input is too large");
+        if (turned) {
+            n = ms__size_add(ms__size_mul(extent[d] - 1, stride[d]), reach);
+            if (on && s->extra[at] >= stride[d] && s->extra[at] >= spread[d]) return ms__fail(error, MS_BAD_DATA, 0, "extra must be smaller than the stride or the dilation");
+            if (on) n = ms__size_add(n, s->extra[at]);
+            if (n <= 2 * pad[d] || n > INT_MAX) return ms__fail(error, MS_BAD_DATA, 0, "its output is empty or too large");
+            extent[d] = n - 2 * pad[d];
+        } else {
+            n = same ? extent[d] - 1 : extent[d] + 2 * pad[d];
+            if (!same && n < reach) return ms__fail(error, MS_BAD_DATA, 0, "its kernel has %z, its input only %z", reach, n);
+            extent[d] = (same ? n : n - reach) / stride[d] + 1;
+        }
     }
-    out.c = shape[0];
     out.h = extent[0];
     out.w = extent[1];
+    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64) return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
+    in = b->low;
     op = ms_nn__op_add(b, MS_NN__DO_CONV, i, out);
+    op->groups = groups;
     if ((status = ms_nn__activation_read(s, op, info, error)) != MS_OK) return status;
-    status = ms_nn__conv_make(b->nn, op, &w, kernel, stride, pad, b->fold[1], b->block, error);
-    info->multiply_adds = ms__size_mul(info->multiply_adds, out.h * out.w);
+    if (turned) {
+        ms_nn__weights plain = w;
+        float *bias;
+        size_t block = b->block, own = out.c / groups, g, o;
+        ms_nn__conv *forward;
+        op->in = out;
+        op->out = in;
+        plain.bias = NULL;
+        status = ms_nn__conv_make(b->nn, op, &plain, kernel, stride, pad, spread, 1, block, error);
+        op->in = in;
+        op->out = out;
+        forward = op->backward;
+        op->backward = op->forward;
+        op->forward = forward;
+        block = (own + block - 1) / block * block;
+        bias = (float *)ms_nn__hold(b->nn, ms__size_mul(groups, block), sizeof(float));
+        if (status == MS_OK && bias == NULL) status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
+        for (g = 0; status == MS_OK && g < groups; ++g) {
+            for (o = 0; o < block; ++o) bias[g * block + o] = w.bias && o < own ? ms_nn__narrow(ms_nn__element(w.bias->data, w.bias->dtype, g * own + o)) : 0.0f;
+            forward[g].bias = bias + g * block;
+        }
+        n = in.h * in.w;
+    } else {
+        status = ms_nn__conv_make(b->nn, op, &w, kernel, stride, pad, spread, b->fold[1], b->block, error);
+        n = out.h * out.w;
+    }
+    info->multiply_adds = ms__size_mul(info->multiply_adds, n);
     info->folded = b->fold[1] > 1;
     b->fold[0] = b->fold[1] = 1;
     b->now = out;
@@ -2663,7 +2743,7 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
 {
     const ms_nn__spec *s = &b->list->spec[i];
     ms_nn__kind kind = b->list->kind[i];
-    int two = kind == MS_NN__UPSAMPLE2D || kind == MS_NN__POOL2D, up = kind == MS_NN__UPSAMPLE1D || kind == MS_NN__UPSAMPLE2D, d;
+    int two = kind == MS_NN__UPSAMPLE2D || kind == MS_NN__POOL2D || kind == MS_NN__AVERAGE2D, smooth = 0, up = kind == MS_NN__UPSAMPLE1D || kind == MS_NN__UPSAMPLE2D, d;
     const size_t *given = up ? s->factor : s->size;
     size_t size[2], stride[2], extent[2];
     ms_nn__dims out = b->now;
@@ -2685,12 +2765,19 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
     if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
         return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     b->now = out;
+    if (up && s->mode && strcmp(s->mode, "nearest")) {
+        if (strcmp(s->mode, "linear")) return ms__fail(error, MS_BAD_DATA, 0, "mode must be nearest or linear, not '%s'", s->mode);
+        smooth = 1;
+    } else if (up && s->corners == 1) {
+        return ms__fail(error, MS_BAD_DATA, 0, "align_corners belongs to mode linear");
+    }
     if (up && ms_nn__foldable(b, i)) {
         b->fold[0] = size[0];
         b->fold[1] = size[1];
         return MS_OK;
     }
-    op = ms_nn__op_add(b, up ? MS_NN__DO_UPSAMPLE : MS_NN__DO_POOL, i, out);
+    op = ms_nn__op_add(b, smooth ? MS_NN__DO_LINEAR : up ? MS_NN__DO_UPSAMPLE : kind == MS_NN__AVERAGE1D || kind == MS_NN__AVERAGE2D ? MS_NN__DO_AVERAGE : MS_NN__DO_POOL, i, out);
+    op->flag = s->corners == 1;
     op->size[0] = size[0];
     op->size[1] = size[1];
     op->stride[0] = stride[0];
@@ -2712,22 +2799,44 @@ static MS_NN__COLD ms_status ms_nn__build_flatten(ms_nn__build *b, int i, ms_err
     return MS_OK;
 }
 
-static MS_NN__COLD ms_status ms_nn__build_add(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
+/* The mean of every channel. */
+static MS_NN__COLD ms_status ms_nn__build_global(ms_nn__build *b, int i, ms_error *error)
+{
+    ms_nn__op *op;
+    ms_nn__dims out = b->now;
+    if (b->rank < 2) return ms__fail(error, MS_BAD_DATA, 0, "it needs channels");
+    out.h = out.w = 1;
+    op = ms_nn__op_add(b, MS_NN__DO_AVERAGE, i, out);
+    op->size[0] = op->stride[0] = op->in.h;
+    op->size[1] = op->stride[1] = op->in.w;
+    b->now = out;
+    return MS_OK;
+}
+
+static MS_NN__COLD ms_status ms_nn__build_join(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
 {
     const ms_nn__spec *s = &b->list->spec[i];
+    const char *verb = b->list->kind[i] == MS_NN__ADD ? "adds" : "takes";
+    int add = b->list->kind[i] == MS_NN__ADD, k, from = -1, before = s->order && strcmp(s->order, "before") == 0;
     ms_nn__op *op;
-    ms_nn__dims out;
-    int k, from = -1;
+    ms_nn__dims out, other;
     if (s->from && strcmp(s->from, "input") == 0) from = 0;
     for (k = 0; k < i; ++k)
         if (s->from && b->list->spec[k].name && strcmp(s->from, b->list->spec[k].name) == 0) from = b->value[k];
-    if (from < 0) return ms__fail(error, MS_BAD_DATA, 0, "it adds '%s', which no layer before it is named", s->from ? s->from : "");
-    out = from == 0 ? b->nn->inner : b->nn->op[from - 1].out;
-    if (ms_nn__count(out) != ms_nn__count(b->now) || (b->rank > 1 && (out.c != b->now.c || out.h != b->now.h)))
-        return ms__fail(error, MS_BAD_DATA, 0, "it adds '%s', which has another shape", s->from);
-    op = ms_nn__op_add(b, MS_NN__DO_ADD, i, b->now);
+    if (from < 0) return ms__fail(error, MS_BAD_DATA, 0, "it %s '%s', which no layer before it is named", verb, s->from ? s->from : "");
+    other = from == 0 ? b->nn->inner : b->nn->op[from - 1].out;
+    out = b->now;
+    if (add ? ms_nn__count(other) != ms_nn__count(out) || (b->rank > 1 && (other.c != out.c || other.h != out.h))
+            : other.h * other.w != out.h * out.w || (b->rank > 1 && other.h != out.h))
+        return ms__fail(error, MS_BAD_DATA, 0, "it %s '%s', which has another shape", verb, s->from);
+    if (!add && s->order && !before && strcmp(s->order, "after")) return ms__fail(error, MS_BAD_DATA, 0, "order must be after or before, not '%s'", s->order);
+    if (!add) out.c = ms__size_add(out.c, other.c);
+    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64) return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
+    op = ms_nn__op_add(b, add ? MS_NN__DO_ADD : MS_NN__DO_CONCAT, i, out);
     op->skip = from;
-    return ms_nn__activation_read(s, op, info, error);
+    op->flag = before;
+    b->now = out;
+    return add ? ms_nn__activation_read(s, op, info, error) : MS_OK;
 }
 
 static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error *error)
@@ -2743,16 +2852,22 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     switch (b->list->kind[i]) {
     case MS_NN__DENSE: status = ms_nn__build_dense(b, i, info, error); break;
     case MS_NN__CONV1D:
-    case MS_NN__CONV2D: status = ms_nn__build_conv(b, i, info, error); break;
+    case MS_NN__CONV2D:
+    case MS_NN__TRANSPOSED1D:
+    case MS_NN__TRANSPOSED2D: status = ms_nn__build_conv(b, i, info, error); break;
     case MS_NN__UPSAMPLE1D:
     case MS_NN__UPSAMPLE2D:
         status = ms_nn__build_resize(b, i, error);
         info->folded = b->fold[0] * b->fold[1] > 1;
         break;
     case MS_NN__POOL1D:
-    case MS_NN__POOL2D: status = ms_nn__build_resize(b, i, error); break;
+    case MS_NN__POOL2D:
+    case MS_NN__AVERAGE1D:
+    case MS_NN__AVERAGE2D: status = ms_nn__build_resize(b, i, error); break;
     case MS_NN__FLATTEN: status = ms_nn__build_flatten(b, i, error); break;
-    case MS_NN__ADD: status = ms_nn__build_add(b, i, info, error); break;
+    case MS_NN__ADD:
+    case MS_NN__CONCAT: status = ms_nn__build_join(b, i, info, error); break;
+    case MS_NN__GLOBAL: status = ms_nn__build_global(b, i, error); break;
     case MS_NN__ACTIVATE: status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__DO_ACTIVATE, i, b->low), info, error); break;
     case MS_NN__DROPOUT:
         if (s->rate >= 1) status = ms__fail(error, MS_BAD_DATA, 0, "its rate must be below 1");
@@ -2763,6 +2878,8 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     b->value[i] = b->nn->ops;
     return status;
 }
+
+static int ms_nn__joins(const ms_nn__op *op) { return op->step == MS_NN__DO_ADD || op->step == MS_NN__DO_CONCAT; }
 
 /* Where values live. Shared memory: a value may take a slot whose last reader has run. The gradient of a value lives
    as long as the value, seen backwards, so that the same slots serve both. */
@@ -2782,7 +2899,10 @@ static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
         nn->skip[v] = SIZE_MAX;
     }
     for (v = 0; v + 1 < n; ++v)
-        if (nn->op[v].step == MS_NN__DO_ADD) last[nn->op[v].skip] = v;
+        if (ms_nn__joins(&nn->op[v])) {
+            last[nn->op[v].skip] = v;
+            nn->skip[nn->op[v].skip] = 0; /* it needs a place, also where it joins itself */
+        }
     for (v = 0; v < n; ++v) {
         size_t floats = ms_nn__count(v ? nn->op[v - 1].out : nn->inner);
         nn->tape[v] = nn->tapes;
@@ -2792,7 +2912,7 @@ static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
             nn->before[v] = nn->tapes;
             nn->tapes = ms__size_add(nn->tapes, floats);
         }
-        if (last[v] > v) {
+        if (nn->skip[v] != SIZE_MAX) {
             nn->skip[v] = nn->skips;
             nn->skips = ms__size_add(nn->skips, floats);
         }
@@ -3004,7 +3124,7 @@ typedef struct ms_nn__kernels {
 /* Does a matrix come from memory rather than from a cache? */
 static int ms_nn__large(const ms_nn__dense *job) { return job->m->rows * job->m->cols > 2000000; }
 
-#define MS_NN__WIDE 512
+#define MS_NN__WIDE 64
 static const float ms_nn__zeros[MS_NN__WIDE] = {0}; /* stands for rows behind the last, where rows are taken by fours */
 
 static size_t ms_nn__bytes_of(ms_nn_dtype dtype) { return dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2; }
@@ -3226,17 +3346,19 @@ static void ms_nn__run_conv(const ms_nn *nn, ms_nn__conv_job *job)
 
 static void ms_nn__conv_forward(const ms_nn *nn, const ms_nn__op *op, const float *x, float *y, int linear, void *scratch)
 {
-    int p;
-    for (p = 0; p < op->phases; ++p) {
+    int n, p;
+    for (n = 0; n < op->phases * (int)op->groups; ++n) {
         ms_nn__conv_job job;
+        size_t g = (size_t)(n / op->phases);
+        p = n % op->phases;
         memset(&job, 0, sizeof job);
-        job.conv = &op->forward[p];
-        job.x = x;
+        job.conv = &op->forward[n];
+        job.x = x + g * (op->in.c / op->groups) * op->in.h * op->in.w;
         job.x_plane = op->in.h * op->in.w;
         job.x_row = op->in.w;
         job.x_step = 1;
         job.padded = (float *)scratch;
-        job.y = y + p;
+        job.y = y + p + g * (op->out.c / op->groups) * op->out.h * op->out.w;
         job.y_plane = op->out.h * op->out.w;
         job.y_row = op->out.w;
         job.y_step = (size_t)op->phases;
@@ -3250,18 +3372,20 @@ static void ms_nn__conv_forward(const ms_nn *nn, const ms_nn__op *op, const floa
 
 static void ms_nn__conv_backward(const ms_nn *nn, const ms_nn__op *op, const float *g_y, float *g_x, void *scratch)
 {
-    int p;
-    for (p = 0; p < op->phases; ++p) {
+    int n, p;
+    for (n = 0; n < op->phases * (int)op->groups; ++n) {
         ms_nn__conv_job job;
-        if (op->forward[p].out.w == 0) continue;
+        size_t g = (size_t)(n / op->phases);
+        p = n % op->phases;
+        if (op->forward[n].out.w == 0) continue;
         memset(&job, 0, sizeof job);
-        job.conv = &op->backward[p];
-        job.x = g_y + p;
+        job.conv = &op->backward[n];
+        job.x = g_y + p + g * (op->out.c / op->groups) * op->out.h * op->out.w;
         job.x_plane = op->out.h * op->out.w;
         job.x_row = op->out.w;
         job.x_step = (size_t)op->phases;
         job.padded = (float *)scratch;
-        job.y = g_x;
+        job.y = g_x + g * (op->in.c / op->groups) * op->in.h * op->in.w;
         job.y_plane = op->in.h * op->in.w;
         job.y_row = op->in.w;
         job.y_step = 1;
@@ -3345,6 +3469,64 @@ static void ms_nn__run_upsample_back(const ms_nn__op *op, const float *g_y, floa
             for (j = 0; j < op->out.w; ++j) g_x[(c * op->in.h + i / op->size[0]) * op->in.w + j / op->size[1]] += *g_y++;
 }
 
+/* Linear interpolation along one axis: output i stands between inputs at and at + 1 (the last repeats), at the share of the second.
+   PyTorch's two rules: centers of elements, or corners, in line. */
+static MS_NN__COLD float ms_nn__between(size_t i, size_t in, size_t out, int corners, size_t *at)
+{
+    double x = corners ? (out > 1 ? (double)i * (double)(in - 1) / (double)(out - 1) : 0.0) : ((double)i + 0.5) * (double)in / (double)out - 0.5;
+    if (x < 0) x = 0;
+    *at = (size_t)x;
+    if (*at + 1 >= in) {
+        *at = in - 1;
+        return 0;
+    }
+    return (float)(x - (double)*at);
+}
+
+/* Linear upsampling of x to y, or with back the gradient of y to that of x, which is cleared first. */
+static MS_NN__COLD void ms_nn__run_linear(const ms_nn__op *op, float *x, float *y, int back)
+{
+    size_t c, i, j, top, left;
+    for (i = 0; i < op->out.h; ++i) {
+        float down = ms_nn__between(i, op->in.h, op->out.h, op->flag, &top);
+        for (j = 0; j < op->out.w; ++j) {
+            float right = ms_nn__between(j, op->in.w, op->out.w, op->flag, &left);
+            size_t below = top + 1 < op->in.h ? op->in.w : 0, next = left + 1 < op->in.w ? 1 : 0;
+            float a = (1 - down) * (1 - right), b = (1 - down) * right, d = down * (1 - right), e = down * right;
+            for (c = 0; c < op->out.c; ++c) {
+                float *from = x + (c * op->in.h + top) * op->in.w + left, *to = y + (c * op->out.h + i) * op->out.w + j;
+                if (!back) {
+                    *to = a * from[0] + b * from[next] + (d * from[below] + e * from[below + next]);
+                    continue;
+                }
+                from[0] += a * *to;
+                from[next] += b * *to;
+                from[below] += d * *to;
+                from[below + next] += e * *to;
+            }
+        }
+    }
+}
+
+/* Means of windows, or with back their gradient to that of x, which is cleared first. */
+static MS_NN__COLD void ms_nn__run_average(const ms_nn__op *op, float *x, float *y, int back)
+{
+    size_t c, i, j, p, q;
+    double share = 1.0 / ((double)op->size[0] * (double)op->size[1]);
+    for (c = 0; c < op->out.c; ++c)
+        for (i = 0; i < op->out.h; ++i)
+            for (j = 0; j < op->out.w; ++j, ++y) {
+                float *from = x + (c * op->in.h + i * op->stride[0]) * op->in.w + j * op->stride[1], part = (float)(share * (double)*y);
+                double sum = 0;
+                for (p = 0; p < op->size[0]; ++p)
+                    for (q = 0; q < op->size[1]; ++q) {
+                        if (back) from[p * op->in.w + q] += part;
+                        else sum += (double)from[p * op->in.w + q];
+                    }
+                if (!back) *y = (float)(share * sum);
+            }
+}
+
 /* [rows][cols] to [cols][rows]. */
 static void ms_nn__transpose(const float *x, size_t rows, size_t cols, float *y)
 {
@@ -3407,6 +3589,12 @@ static void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, c
         switch (op->step) {
         case MS_NN__DO_CONV: ms_nn__conv_forward(nn, op, xb, yb, linear, scratch); break;
         case MS_NN__DO_UPSAMPLE: ms_nn__run_upsample(op, xb, yb); break;
+        case MS_NN__DO_LINEAR: ms_nn__run_linear(op, (float *)(uintptr_t)xb, yb, 0); break; /* reads xb alone */
+        case MS_NN__DO_AVERAGE: memset(yb, 0, out * sizeof(float)); ms_nn__run_average(op, (float *)(uintptr_t)xb, yb, 0); break;
+        case MS_NN__DO_CONCAT:
+            memcpy(yb + (op->flag ? out - in : 0), xb, in * sizeof(float));
+            memcpy(yb + (op->flag ? 0 : in), skip + b * (out - in), (out - in) * sizeof(float));
+            break;
         case MS_NN__DO_POOL: ms_nn__run_pool(nn, op, linear ? point + b / each * in : xb, xb, yb); break;
         case MS_NN__DO_TRANSPOSE: ms_nn__transpose(xb, op->in.c, op->in.h * op->in.w, yb); break;
         case MS_NN__DO_ADD:
@@ -3437,6 +3625,15 @@ static void ms_nn__apply_back(const ms_nn *nn, int k, size_t count, float *g_y, 
         switch (op->step) {
         case MS_NN__DO_CONV: ms_nn__conv_backward(nn, op, gy, gx, scratch); break;
         case MS_NN__DO_UPSAMPLE: ms_nn__run_upsample_back(op, gy, gx); break;
+        case MS_NN__DO_LINEAR:
+        case MS_NN__DO_AVERAGE:
+            memset(gx, 0, in * sizeof(float));
+            (op->step == MS_NN__DO_LINEAR ? ms_nn__run_linear : ms_nn__run_average)(op, gx, g_y + b * out, 1);
+            break;
+        case MS_NN__DO_CONCAT:
+            memcpy(gx, gy + (op->flag ? out - in : 0), in * sizeof(float));
+            for (i = 0; i < out - in; ++i) g_skip[b * (out - in) + i] += gy[(op->flag ? 0 : in) + i];
+            break;
         case MS_NN__DO_POOL: ms_nn__run_pool_back(op, point + b / each * in, gy, gx); break;
         case MS_NN__DO_TRANSPOSE: ms_nn__transpose(gy, op->in.h * op->in.w, op->in.c, gx); break;
         case MS_NN__DO_ADD:
@@ -3449,7 +3646,7 @@ static void ms_nn__apply_back(const ms_nn *nn, int k, size_t count, float *g_y, 
     }
 }
 
-static void ms_nn__run_forward(const ms_nn__run *r)
+static MS_NN__COLD void ms_nn__run_forward(const ms_nn__run *r)
 {
     int k;
     for (k = 0; k < r->nn->ops; ++k) {
@@ -3465,7 +3662,7 @@ static void ms_nn__run_forward(const ms_nn__run *r)
 }
 
 /* Directions dx [points][each][inner] through the tape of r into dy [points][each][output]; slots is memory. */
-static void ms_nn__run_directions(const ms_nn__run *r, size_t each, const float *dx, float *dy, float *slots)
+static MS_NN__COLD void ms_nn__run_directions(const ms_nn__run *r, size_t each, const float *dx, float *dy, float *slots)
 {
     const ms_nn *nn = r->nn;
     ms_nn__run d = *r;
@@ -3494,7 +3691,7 @@ static void ms_nn__run_gradients(const ms_nn__run *r, size_t each, float *g_x, f
     memset(skips, 0, nn->skips * d.points * sizeof(float));
     for (k = nn->ops - 1; k >= 0; --k) {
         float *to = k ? ms_nn__value(&d, k) : g_x;
-        size_t other = nn->op[k].step == MS_NN__DO_ADD ? nn->skip[nn->op[k].skip] : 0;
+        size_t other = ms_nn__joins(&nn->op[k]) ? nn->skip[nn->op[k].skip] : 0;
         ms_nn__apply_back(nn, k, d.points, ms_nn__value(&d, k + 1), to, skips + other * d.points, ms_nn__input_value(r, k),
                           ms_nn__argument(r, k + 1), each, r->scratch);
         if (nn->skip[k] != SIZE_MAX)
@@ -3518,7 +3715,7 @@ static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn, size_t count, int
                        ? ms__size_mul(ms__size_mul(ms_nn__back_parts(&op->matrix), count), ms__size_mul(op->matrix.cols, sizeof(float))) : 0;
             if (need > most) most = need;
         }
-        for (p = 0; op->step == MS_NN__DO_CONV && p < op->phases; ++p) {
+        for (p = 0; op->step == MS_NN__DO_CONV && p < op->phases * (int)op->groups; ++p) {
             need = ms__size_mul(ms_nn__conv_scratch(nn, &op->forward[p]), sizeof(float));
             if (need > most) most = need;
             need = backward ? ms__size_mul(ms_nn__conv_scratch(nn, &op->backward[p]), sizeof(float)) : 0;
@@ -3584,7 +3781,7 @@ static MS_NN__COLD ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product
     return l;
 }
 
-MS_NN_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int count)
+MS_NN_API MS_NN__COLD size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int count)
 {
     if (nn == NULL) return 0;
     if (count < 1) return SIZE_MAX;
@@ -3609,7 +3806,7 @@ typedef struct ms_nn__call {
 
 static float *ms_nn__at(const ms_nn__call *call, size_t offset) { return (float *)(void *)(call->base + offset); }
 
-static ms_status ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_product product, int count, const float *x, float *y,
+static MS_NN__COLD ms_status ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_product product, int count, const float *x, float *y,
                               void *workspace)
 {
     size_t points;
@@ -3643,7 +3840,7 @@ static ms_status ms_nn__end(ms_nn__call *call)
 }
 
 /* A workspace for a call that was given none, so that nothing fails once outputs are written. */
-static ms_status ms_nn__lend(const ms_nn *nn, ms_nn_product product, int count, void **workspace, void **allocated)
+static MS_NN__COLD ms_status ms_nn__lend(const ms_nn *nn, ms_nn_product product, int count, void **workspace, void **allocated)
 {
     *allocated = NULL;
     if (nn == NULL || count < 1) return MS_INVALID_ARGUMENT;
@@ -3651,12 +3848,12 @@ static ms_status ms_nn__lend(const ms_nn *nn, ms_nn_product product, int count, 
     return *workspace == NULL ? MS_OUT_OF_MEMORY : MS_OK;
 }
 
-static void ms_nn__give_back(const ms_nn *nn, ms_nn_product product, int count, void *allocated)
+static MS_NN__COLD void ms_nn__give_back(const ms_nn *nn, ms_nn_product product, int count, void *allocated)
 {
     if (allocated != NULL) ms__release(&nn->options.allocator, allocated, ms_nn_workspace_size(nn, product, count));
 }
 
-MS_NN_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace)
+MS_NN_API MS_NN__COLD ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace)
 {
     ms_nn__call call;
     void *allocated;
@@ -3671,7 +3868,7 @@ MS_NN_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, fl
     return status;
 }
 
-static ms_status ms_nn__vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
+static MS_NN__COLD ms_status ms_nn__vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
 {
     ms_nn__call call;
     ms_status status = ms_nn__begin(&call, nn, MS_NN_VJP, count, x, y, workspace);
@@ -3692,7 +3889,7 @@ static ms_status ms_nn__vjp(const ms_nn *nn, int count, const float *x, const fl
     return ms_nn__end(&call);
 }
 
-MS_NN_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
+MS_NN_API MS_NN__COLD ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
 {
     void *allocated;
     int at, n;
@@ -3707,7 +3904,7 @@ MS_NN_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const 
     return status;
 }
 
-MS_NN_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy, void *workspace)
+MS_NN_API MS_NN__COLD ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy, void *workspace)
 {
     ms_nn__call call;
     ms_status status = dx == NULL || dy == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JVP, count, x, y, workspace);
@@ -3740,7 +3937,7 @@ MS_NN_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const 
 
 /* The Jacobians of the points: element (o, i) of point c at c out in + o *row + i *column. Unit vectors in; columns of the
    Jacobians (forwards) or rows (backwards) out. */
-static const float *ms_nn__slopes(const ms_nn__call *call, size_t *row, size_t *column)
+static MS_NN__COLD const float *ms_nn__slopes(const ms_nn__call *call, size_t *row, size_t *column)
 {
     const ms_nn *nn = call->run.nn;
     size_t out = ms_nn__value_size(nn, nn->ops), each = call->layout.each, c, i;
@@ -3756,7 +3953,7 @@ static const float *ms_nn__slopes(const ms_nn__call *call, size_t *row, size_t *
     return call->layout.backward ? dx : dy;
 }
 
-MS_NN_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace)
+MS_NN_API MS_NN__COLD ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace)
 {
     ms_nn__call call;
     ms_status status = jacobian == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JACOBIAN, 1, x, y, workspace);
@@ -3801,7 +3998,7 @@ MS_NN_API size_t ms_nn_input_size(const ms_nn *nn)
 
 MS_NN_API size_t ms_nn_output_size(const ms_nn *nn) { return nn ? nn->channels * ms_nn__value_size(nn, nn->ops) : 0; }
 MS_NN_API int ms_nn_layer_count(const ms_nn *nn) { return nn ? nn->layers : 0; }
-MS_NN_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
+MS_NN_API MS_NN__COLD ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
 {
     ms_nn_layer none;
     if (nn != NULL && i >= 0 && i < nn->layers) return nn->layer[i];
@@ -3829,7 +4026,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *e
     return MS_OK;
 }
 
-MS_NN_API void ms_nn_destroy(ms_nn *nn)
+MS_NN_API MS_NN__COLD void ms_nn_destroy(ms_nn *nn)
 {
     ms_nn__block *b, *next;
     ms_allocator allocator;
@@ -3972,7 +4169,7 @@ struct ms_nn_collapse {
 /* Folds the rows of B into R: Householder QR of [R; B] in panels, I - V T V' with V = [I; B] (compact WY: Schreiber and
    Van Loan 1989).
    r  [h][h], b  [h][rows], column by column, destroyed */
-static void ms_nn__qr_fold(const ms_nn__kernels *kernels, double *r, size_t h, double *b, size_t rows)
+static MS_NN__COLD void ms_nn__qr_fold(const ms_nn__kernels *kernels, double *r, size_t h, double *b, size_t rows)
 {
     double t[MS_NN__QR_PANEL][MS_NN__QR_PANEL], z[MS_NN__QR_PANEL * 2], y[MS_NN__QR_PANEL], tau, dot;
     size_t j0, j, i, k, n, q;
@@ -4056,7 +4253,7 @@ static void ms_nn__qr_task(void *context, int index)
 #define MS_NN__GRAM_STRIDE 264 /* doubles from column to column: no power of two, which one set of the cache would hold */
 
 /* A part's W' M W: upper triangle, rows i of columns k >= i. */
-static void ms_nn__gram_task(void *context, int index)
+static MS_NN__COLD void ms_nn__gram_task(void *context, int index)
 {
     const ms_nn__qr_job *job = (const ms_nn__qr_job *)context;
     size_t part = (size_t)index, h = job->m->cols, i = job->m->rows * part / job->parts, end = job->m->rows * (part + 1) / job->parts, n = 0, j, k, l, q;
@@ -4078,7 +4275,7 @@ static void ms_nn__gram_task(void *context, int index)
 
 /* R of sqrt(M) W by the Cholesky factor of W' M W: some times as fast as a QR, but good to 1e-16 over the square of how much of a
    column the others leave. 0 where that is under 1e-8: the columns then want a QR. */
-static int ms_nn__collapse_gram(const ms_nn_collapse *c, const float *weight, double *r)
+static MS_NN__COLD int ms_nn__collapse_gram(const ms_nn_collapse *c, const float *weight, double *r)
 {
     const ms_nn_options *o = &c->nn->options;
     size_t h = c->h, parts = ms_nn__min(MS_NN__QR_PARTS, c->m->rows / 1024 + 1), bytes, p, i, k;
@@ -4357,7 +4554,7 @@ static void ms_nn__pass_block(const ms_nn__pass_job *job, const size_t *row, siz
     kernels->add(sum, channels, wide, n, h, h, residual);
 }
 
-static void ms_nn__pass_task(void *context, int index)
+static MS_NN__COLD void ms_nn__pass_task(void *context, int index)
 {
     const ms_nn__pass_job *job = (const ms_nn__pass_job *)context;
     const ms_nn_collapse *c = job->c;
@@ -4379,7 +4576,7 @@ static void ms_nn__pass_task(void *context, int index)
     if (n > 0) ms_nn__pass_block(job, row, n, wide, residual, sum);
 }
 
-static void ms_nn__pass(const ms_nn__pass_job *job)
+static MS_NN__COLD void ms_nn__pass(const ms_nn__pass_job *job)
 {
     size_t n = job->c->channels * job->c->h + 1, p, i;
     ms__run(&job->c->nn->options.parallel, (int)job->parts, ms_nn__pass_task, (void *)(uintptr_t)job);
@@ -4424,7 +4621,7 @@ static void ms_nn__solve(const ms_nn__kernels *kernels, const double *r, size_t 
 
 /* h0 = (R'R)^-1 W'M (t - b), the sum in floats: anywhere near the best h will do, as what it misses comes in again with e.
    g  [channels][rows], g_x  [channels][h], scratch as ms_nn__run_dense_back needs it */
-static void ms_nn__collapse_start(ms_nn_collapse *c, const float *target, float *g, float *g_x, void *scratch)
+static MS_NN__COLD void ms_nn__collapse_start(ms_nn_collapse *c, const float *target, float *g, float *g_x, void *scratch)
 {
     const ms_nn__kernels *kernels = c->nn->kernels;
     size_t h = c->h, rows = c->m->rows, i, ch;
@@ -4447,7 +4644,7 @@ static void ms_nn__collapse_start(ms_nn_collapse *c, const float *target, float 
     }
 }
 
-MS_NN_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
+MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
 {
     ms_nn__pass_job job;
     float *g;
@@ -4519,7 +4716,7 @@ static void ms_nn__collapse_product(const ms_nn_collapse *c, const double *r, co
 
 /* The residual [channels h + 1] and, unless NULL, its Jacobian [channels h + 1][inputs]. doubles: ms_nn__collapse_doubles, then the
    features and the trunk's workspace. */
-static ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, double *doubles)
+static MS_NN__COLD ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, double *doubles)
 {
     const ms_nn *nn = c->nn;
     size_t h = c->h, total = c->channels * h, inputs = ms_nn_input_size(nn), in = ms_nn__count(nn->inner), ch, i, k, k0, n;
@@ -4558,7 +4755,7 @@ static ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, const float *
     return MS_OK;
 }
 
-MS_NN_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace)
+MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace)
 {
     size_t bytes;
     void *allocated = NULL;
@@ -4572,7 +4769,7 @@ MS_NN_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float
     return status;
 }
 
-MS_NN_API ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace)
+MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace)
 {
     size_t bytes, i;
     void *allocated = NULL;
@@ -5025,6 +5222,7 @@ static int ms_nn__row_tiles(void)
 #undef MS_NN__BIT
 #undef MS_NN__WEIGHTED
 #undef MS_NN__CONVS
+#undef MS_NN__TRANSPOSED
 #undef MS_NN__POOLS
 #undef MS_NN__UPSAMPLES
 #undef MS_NN__ACTIVATED
@@ -5579,8 +5777,8 @@ MS_NN__INLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t
         }
         MS_NN__FN(sum4)(four, out);
         MS_NN__UNROLL
-        for (b = 0; b < 4 / rows; ++b)
-            if (i + b * rows < rows * batch) memcpy(job->y + (sample + (size_t)(i / rows + b)) * m->rows + row, out + b * rows, (size_t)rows * sizeof(float));
+        for (b = 0; b < 4; ++b)
+            if (b < 4 / rows && i + b * rows < rows * batch) memcpy(job->y + (sample + (size_t)(i / rows + b)) * m->rows + row, out + b * rows, (size_t)rows * sizeof(float));
     }
 }
 

@@ -5,12 +5,15 @@
     ms.save_torch("net.safetensors", net, (3, 410, 410))  # the shape of an input; PyTorch flattens channels first
     ms.save_keras("net.safetensors", net)  # channels last: inputs and kernels are turned, the flatten order is recorded
 
-Sequentials within one another are joined; a BatchNorm behind a linear or convolution layer goes into its weights (as in eval()). What
-ms_nn.h cannot run raises Unsupported with the module's name and type, before anything is written."""
+Sequentials within one another are joined; a BatchNorm behind a linear or convolution layer goes into its weights (as in eval()), one that
+stands alone becomes a convolution of each channel with one tap. A module with an attribute ms_nn, a layer in the words of the head of ms_nn.h,
+is saved as that: {"type": "concat", "from": "l3"} is torch.cat([x, output of module 3], 1). What ms_nn.h cannot run raises Unsupported
+with the module's name and type, before anything is written."""
 import json, os, struct
 import numpy as np
 
-ACTIVATIONS = {"ReLU": "relu", "LeakyReLU": "leaky_relu", "ELU": "elu", "Tanh": "tanh", "Sigmoid": "sigmoid", "Softplus": "softplus"}
+ACTIVATIONS = {"ReLU": "relu", "LeakyReLU": "leaky_relu", "ELU": "elu", "Tanh": "tanh", "Sigmoid": "sigmoid", "Softplus": "softplus",
+               "SiLU": "silu", "GELU": "gelu"}
 
 
 class Unsupported(ValueError):
@@ -63,29 +66,51 @@ def save_torch(path, net, input_shape, dtype="float32"):
     for name, m in modules(net):
         kind, layer, numbers = type(m).__name__, {"name": "l" + name}, lambda x: [int(v) for v in x] if np.ndim(x) else int(x)
         me = name, kind
-        if kind in ("Conv1d", "Conv2d"):
-            same = m.padding == "same" or all(2 * p == k - 1 for p, k in zip(m.padding, m.kernel_size))
-            unless(me, m.groups == 1, "groups is %s" % m.groups)
-            unless(me, set(m.dilation) == {1}, "dilation is %s" % (m.dilation,))
+        if hasattr(m, "ms_nn"):
+            layer.update(m.ms_nn)
+            unless(me, layer.get("from", "input") in ["input"] + [l["name"] for l in layers], "no module before it is named %s" % layer.get("from"))
+        elif kind in ("Conv1d", "Conv2d", "ConvTranspose1d", "ConvTranspose2d"):
+            turned = "Transpose" in kind
             unless(me, m.padding_mode == "zeros", "padding_mode is %s" % m.padding_mode)
-            unless(me, same or set(m.padding) <= {0, *"valid"}, "padding is %s, which is neither none nor half the kernel" % (m.padding,))
-            layer.update(type=kind.lower(), kernel=numbers(m.kernel_size), stride=numbers(m.stride), padding="same" if same else "valid")
+            layer.update(type="conv" + kind[-2:] + "_transpose" * turned, kernel=numbers(m.kernel_size), stride=numbers(m.stride), dilation=numbers(m.dilation), groups=int(m.groups))
+            if turned: layer.update(filters=int(m.out_channels), extra=numbers(m.output_padding))
+            if isinstance(m.padding, str): layer["padding"] = m.padding
+            else: layer["zeros"] = numbers(m.padding)
         elif kind in ("MaxPool1d", "MaxPool2d"):
             unless(me, not np.any(m.padding) and np.all(np.equal(m.dilation, 1)) and not m.ceil_mode, "it pads, dilates or rounds up")
             layer.update(type=kind.lower(), size=numbers(m.kernel_size), stride=numbers(m.stride))
+        elif kind in ("AvgPool1d", "AvgPool2d"):
+            unless(me, not np.any(m.padding) and not m.ceil_mode and not getattr(m, "divisor_override", None), "it pads, rounds up or divides by another number")
+            layer.update(type=kind.lower(), size=numbers(m.kernel_size), stride=numbers(m.stride))
+        elif kind in ("AdaptiveAvgPool1d", "AdaptiveAvgPool2d"):
+            unless(me, set(np.atleast_1d(m.output_size)) == {1}, "output_size is %s; only 1 is known" % (m.output_size,))
+            layer["type"] = "globalpool"
         elif kind == "Upsample":
-            unless(me, m.mode == "nearest" and m.scale_factor, "mode is %s; only nearest with a scale_factor is known" % m.mode)
+            unless(me, m.mode in ("nearest", "linear", "bilinear") and m.scale_factor and np.all(np.mod(m.scale_factor, 1) == 0),
+                   "mode is %s; nearest, linear and bilinear with a whole scale_factor are known" % m.mode)
             layer.update(type="upsample%dd" % (len(input_shape) - 1), factor=numbers(m.scale_factor))
+            if m.mode != "nearest": layer.update(mode="linear", align_corners=bool(m.align_corners))
         elif kind in ACTIVATIONS:
             unless(me, getattr(m, "beta", 1) == 1, "beta is not 1")
+            unless(me, getattr(m, "approximate", "none") == "none", "approximate is %s" % getattr(m, "approximate", ""))
             layer.update(type="activation", activation=ACTIVATIONS[kind], alpha=getattr(m, "negative_slope", getattr(m, "alpha", 1.0)))
         elif kind in ("BatchNorm1d", "BatchNorm2d"):
-            unless(me, layers and layers[-1]["name"] in weights, "it does not follow a linear or convolution layer")
             unless(me, m.running_var is not None, "it has no running statistics")
-            weight, bias = weights[layers[-1]["name"]]
             gain = 1 / np.sqrt(array(m.running_var) + m.eps) * (1 if m.weight is None else array(m.weight))
-            weights[layers[-1]["name"]] = (weight * gain.reshape((-1,) + (1,) * (weight.ndim - 1)),
-                                           gain * ((0 if bias is None else bias) - array(m.running_mean)) + (0 if m.bias is None else array(m.bias)))
+            shift = (0 if m.bias is None else array(m.bias)) - gain * array(m.running_mean)
+            last = layers[-1] if layers else {}
+            if last.get("name") in weights:
+                weight, bias = weights[last["name"]]
+                if "transpose" in last["type"]: # [inputs][outputs of a group]...
+                    turn = np.repeat(gain.reshape(last["groups"], -1), len(weight) // last["groups"], 0).reshape(weight.shape[:2] + (1,) * (weight.ndim - 2))
+                else: turn = gain.reshape((-1,) + (1,) * (weight.ndim - 1))
+                weights[last["name"]] = weight * turn, shift + (0 if bias is None else gain * bias)
+                continue
+            rank = kind[-2:] if len(input_shape) > 1 else ""
+            unless(me, rank, "it does not follow a linear or convolution layer")
+            layer.update(type="conv" + rank, groups=len(gain))
+            weights[layer["name"]] = gain.reshape((-1, 1) + (1,) * int(rank[0])), shift + 0 * gain
+            layers.append(layer)
             continue
         else:
             plain = {"Linear": "dense", "Flatten": "flatten", "Dropout": "dropout"}
