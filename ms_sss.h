@@ -7963,10 +7963,10 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float
         const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
         const MS_SSS__V is_a = MS_SSS__SELECT(on_b, MS_SSS__SELECT(first_a, one, zero), one), less = MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, s));
         const MS_SSS__MASK before = MS_SSS__LESS(half, is_a);
-        const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), far = MS_SSS__SELECT(before, at[0], at[4]);
-        MS_SSS__V step = MS_SSS__SUB(z, next), inner = MS_SSS__SUB(next, far), least = MS_SSS__MUL(z, MS_SSS__SET(2 * p->grain)), more, excess;
+        const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), after_next = MS_SSS__SELECT(before, at[0], at[4]);
+        MS_SSS__V step = MS_SSS__SUB(z, next), inner = MS_SSS__SUB(next, after_next), least = MS_SSS__MUL(z, MS_SSS__SET(2 * p->grain)), more, excess;
         if (p->perspective) { /* of 1 / depth, which is linear on planes */
-            step = MS_SSS__MUL(step, far);
+            step = MS_SSS__MUL(step, after_next);
             inner = MS_SSS__MUL(inner, z);
             least = MS_SSS__MUL(least, z);
         }
@@ -8576,8 +8576,8 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(incline)(const ms_sss__growth *s, c
         const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
         const MS_SSS__V less = MS_SSS__SELECT(both, MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, slope)), sum);
         const MS_SSS__MASK before = MS_SSS__LESS(half, MS_SSS__SELECT(is_b, MS_SSS__SELECT(is_a, MS_SSS__SELECT(first_a, one, zero), zero), one));
-        const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), far = MS_SSS__SELECT(before, at[0], at[4]);
-        const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, far);
+        const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), after_next = MS_SSS__SELECT(before, at[0], at[4]);
+        const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, after_next);
         const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain), MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner)));
         MS_SSS__V more = MS_SSS__MIN(MS_SSS__DIV(excess, MS_SSS__ABS(inner)), MS_SSS__SET(0.85f));
         more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(MS_SSS__MUL(step, deep), MS_SSS__MUL(inner, deep)))), more, zero);
