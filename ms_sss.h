@@ -3628,7 +3628,7 @@ typedef struct ms_sss__halving {
     float scale;    /* of depths of the scene */
 } ms_sss__halving;
 
-#define MS_SSS__GATHER 3.0625f /* square of the radius of a gather, in pixels of the level that it reads: 1.75^2 */
+#define MS_SSS__GATHER(level) ((level) > 0 ? 7.5625f : 3.0625f) /* square of the radius of a level's gather, in pixels of the next: 2.75^2, 1.75^2 */
 
 /* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective, else
    depth; 0 where nothing takes part. Rows of a level: colour, d, share (surface there, in pixels of the level), the change
@@ -3677,7 +3677,7 @@ typedef struct ms_sss__kernels {
                  int count, float *blur);
     void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first, int count, float *const out[3]);
     void (*shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int first, int count, float *const out[7]);
-    int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *const *const coarse[4], int first, int count, int y,
+    int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *const *const coarse[6], int first, int count, int y,
                   float *const out[6]);
     int (*settle)(const ms_sss__growth *s, const ms_sss__split row[3], const float *const slope[3], const float *const sum[6], int first, int count,
                   float *const out[3]);
@@ -5532,13 +5532,13 @@ static void ms_sss__fit_positive(const double *A, const double *b, int n, double
 /* Transfer of (1, 3, 3, 1) / 8 down or up by one level, along one axis. */
 static double ms_sss__step_wave(double k) { const double c = cos(k / 2); return c * c * c; }
 
-/* Of the gather from a level: taps (1 - r^2 / MS_SSS__GATHER)^2 at distances r of its pixels, a quarter pixel off their middle. */
-static double ms_sss__gather_wave(double kx, double ky)
+/* Of a level's gather from the next: taps (1 - r^2 / MS_SSS__GATHER)^2 at distances r of its pixels, a quarter pixel off their middle. */
+static double ms_sss__gather_wave(double kx, double ky, int level)
 {
     double sum = 0, n = 0;
     int i;
-    for (i = 0; i < 16; ++i) {
-        const double x = i % 4 - 1.75, y = i / 4 - 1.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER;
+    for (i = 0; i < 36; ++i) {
+        const double x = i % 6 - 2.75, y = i / 6 - 2.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(level);
         if (!(t > 0)) continue;
         sum += t * t * cos(kx * x) * cos(ky * y); /* the odd parts cancel between neighbours */
         n += t * t;
@@ -5598,7 +5598,7 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
                     for (l = 0; l < levels; ++l) {
                         const double u = kx * (1 << l), v = ky * (1 << l), one = ms_sss__step_wave(u) * ms_sss__step_wave(v);
                         wave[2 * l] = l == 0;
-                        wave[2 * l + 1] = l ? both * ms_sss__gather_wave(u, v) : (0.5 + 0.5 * cos(u)) * (0.5 + 0.5 * cos(v));
+                        wave[2 * l + 1] = l ? both * ms_sss__gather_wave(u, v, l - 1) : (0.5 + 0.5 * cos(u)) * (0.5 + 0.5 * cos(v));
                         both *= l ? one * ms_sss__step_wave(u / 2) * ms_sss__step_wave(v / 2) : one;
                     }
                     for (l = 0; l < terms; ++l) {
@@ -5833,8 +5833,8 @@ static void ms_sss__tower_grow(void *context, int task)
     int y, i, c;
     for (y = begin; y < end; ++y) {
         const int first = v->first[y] / 32 * 32, last = ms_sss__round_up(v->last[y], 32);
-        const float *from[4][11], *own[3];
-        const float *const *near_by[4];
+        const float *from[6][11], *own[3];
+        const float *const *near_by[6];
         float *sum[6], *lie[3], *blur[3];
         if (v->first[y] >= v->last[y]) continue;
         for (i = 0; i < 6; ++i)
@@ -5842,8 +5842,8 @@ static void ms_sss__tower_grow(void *context, int task)
         if (tower->at + 1 == tower->levels) {
             for (i = 0; i < 6; ++i) memset(sum[i], 0, (size_t)last * sizeof(float));
         } else {
-            for (i = 0; i < 4; ++i) {
-                const int j = y / 2 - 2 + y % 2 + i;
+            for (i = 0; i < 6; ++i) {
+                const int j = y / 2 - 3 + y % 2 + i;
                 near_by[i] = NULL;
                 if (j < 0 || j >= coarse->height || coarse->first[j] >= coarse->last[j]) continue;
                 for (c = 0; c < 11; ++c) from[i][c] = coarse->plane[c] + j * coarse->stride;
@@ -5885,8 +5885,8 @@ static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
     const double coarse = 0.5 * (1 - pow(4, -level - 1)), fine = 0.125 * (1 - pow(4, -level));
     double n = 0, r1 = 0, r2 = 0, r4 = 0;
     int i;
-    for (i = 0; i < 16; ++i) {
-        const double x = i % 4 - 1.75, y = i / 4 - 1.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER, w = t > 0 ? t * t : 0;
+    for (i = 0; i < 36; ++i) {
+        const double x = i % 6 - 2.75, y = i / 6 - 2.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(level), w = t > 0 ? t * t : 0;
         const double r = x * x + y * y + coarse - fine;
         n += w;
         r1 += w * sqrt(x * x + y * y + coarse);
@@ -8752,7 +8752,7 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(raise)(const ms_sss__growth *s, int
 }
 
 /* gather for the even (odd 0) or odd columns of columns 2 i on. */
-static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const MS_SSS__V own[3], const float *const *const coarse[4],
+static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const MS_SSS__V own[3], const float *const *const coarse[6],
                                                     const int odd, int i, int y, MS_SSS__V ry, MS_SSS__V result[6])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
@@ -8763,8 +8763,8 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
     const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f));
     MS_SSS__V radius, deep, sx, sy, rx, area, cap, inverse, fall, limit, near_plane, weight[3], n = zero, v = zero, norm;
     MS_SSS__V r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero, s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
-    unsigned bits;
-    float widest;
+    const float square = MS_SSS__GATHER(s->level);
+    float widest, caps[MS_SSS__LANES];
     if (!MS_SSS__BITS(part)) {
         for (c = 0; c < 6; ++c) result[c] = zero;
         return 0;
@@ -8775,29 +8775,26 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
     sy = MS_SSS__MUL(MS_SSS__MUL(own[2], deep), MS_SSS__SET(2.0f));
     rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__ramp), MS_SSS__SET(cells * s->tangent), MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
     area = MS_SSS__NAME(area)(sx, sy, rx, ry);
-    cap = MS_SSS__MIN(area, MS_SSS__SET(1.5f));
-    bits = MS_SSS__BITS(part); /* squares of the distances of taps within reach of some lane: 4 x 4 have 8 such */
-    widest = 3.1f;
-    if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.0f), cap)) & bits) widest = 3.5f;
-    if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.08f), cap)) & bits) widest = 4.0f;
-    if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.22f), cap)) & bits) widest = 5.0f;
-    if (MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1.41f), cap)) & bits) widest = 7.0f;
+    cap = MS_SSS__MIN(MS_SSS__SELECT(part, area, one), MS_SSS__SET(1.5f));
+    MS_SSS__STORE(caps, cap);
+    widest = caps[0];
+    for (k = 1; k < MS_SSS__LANES; ++k) widest = caps[k] > widest ? caps[k] : widest;
+    widest *= widest * square; /* square of the distance of taps within reach of some lane */
     tiny = (MS_SSS__BITS(MS_SSS__LESS(radius, MS_SSS__SET(0.5f))) & MS_SSS__BITS(part)) != 0;
     MS_SSS__NAME(weigh)(s, s->level + 1, 1, MS_SSS__DIV(radius, cap), MS_SSS__BITS(part), weight);
     inverse = MS_SSS__DIV(one, cap);
-    fall = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), MS_SSS__SET(-1 / MS_SSS__GATHER)); /* r^2 */
+    fall = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), MS_SSS__SET(-1 / square)); /* r^2 */
     limit = MS_SSS__MUL(radius, MS_SSS__SET(1 / cells));
     near_plane = MS_SSS__DIV(one, MS_SSS__MUL(limit, MS_SSS__SET(s->reach)));
     limit = MS_SSS__MUL(limit, limit);
-    for (j = 0; j < 4; ++j) {
+    for (j = 0; j < 6; ++j) {
         const float *const *p = coarse[j];
-        const float oy = (y & 1 ? -1.25f : -1.75f) + (float)j;
+        const float oy = (y & 1 ? -2.25f : -2.75f) + (float)j;
         const MS_SSS__V by = MS_SSS__MUL(sy, MS_SSS__SET(oy));
-        if (!p) continue;
-        MS_SSS__UNROLL
-        for (k = 0; k < 4; ++k) {
-            const float ox = (odd ? -1.25f : -1.75f) + (float)k;
-            const ptrdiff_t at = i + k - 2 + odd;
+        if (!p || oy * oy > widest) continue;
+        for (k = 0; k < 6; ++k) {
+            const float ox = (odd ? -2.25f : -2.75f) + (float)k;
+            const ptrdiff_t at = i + k - 3 + odd;
             MS_SSS__V dz, off, q, t, w;
             if (ox * ox + oy * oy > widest) continue;
             dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), d), deep);
@@ -8856,12 +8853,12 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
     return tiny;
 }
 
-/* Weighted sums of row y of a level: the light of the next coarser level from up to 4 x 4 pixels around, counted by its
+/* Weighted sums of row y of a level: the light of the next coarser level from up to 6 x 6 pixels around, counted by its
    distance in space and lifted by how far it lies below the tangent plane, and the sums of that level, bilinear.
-   row: d and its changes; coarse: rows y/2 - 2 to y/2 + 1 (y odd: - 1 to + 2; NULL: outside), each colour, d, share, three
+   row: d and its changes; coarse: rows y/2 - 3 to y/2 + 2 (y odd: - 2 to + 3; NULL: outside), each colour, d, share, three
    sums of light, three of weights; first, count: columns / 2; out: the two times three sums. Returns whether any kernel is under
    half a pixel. */
-static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const row[3], const float *const *const coarse[4],
+static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const row[3], const float *const *const coarse[6],
                                 int first, int count, int y, float *const out[6])
 {
     const float cells = (float)(1 << (s->level + 1)); /* pixels of the picture in one of the coarse level */
