@@ -679,14 +679,14 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
 /* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE light counts by its
    distance in space and by the area of surface that a pixel shows, and is lifted by (1 + K sin(theta) / 4)^4, see ELEVATION:
-   every pixel gathers from 8 to 16 pixels of the next coarser level at exact distances, K sin(theta) entering by its mean
+   every pixel gathers from 8 to 16 pixels of the next coarser level, in levels from 1 on up to 36, at exact distances, K sin(theta) entering by its mean
    and variance, and passes its sums on to the finer level. A level's mean factor is at most 1 / reflectance, so that an even
    light never comes out stronger than it went in. options.flat 1: as if all pixels faced the camera.
    A pixel of a coarser level belongs to one surface, the nearest that covers it; only light from within reach of its
    tangent plane gets in, and from there only to pixels of the same surface: nothing crosses a depth edge wider than the
-   radius, masks and NaN are as in ms_sss_filter. A constant stays constant where the surface is plane, to the rounding of
-   the depths. Gathers widen with slopes up to 48 degrees; steeper planes are blurred too little along the level line and
-   too much down the slope (by 0.05 of a wave's height at 60 degrees, 0.2 at 75).
+   radius, masks and NaN are as in ms_sss_filter. A constant stays constant where the surface is plane: what rounding of
+   depths may be is not taken for shape. Gathers widen with slopes up to 48 degrees; steeper planes are blurred too little along the level line and
+   too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15 at 75).
    options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW, pixels_per_mm that differ,
              frame->profile
    Six calls of options.parallel. Bit-equal for any thread count at one level of instructions. No allocation. */

@@ -312,6 +312,42 @@ static void case_depth_and_mask(void)
     }
 }
 
+/* A net of wires one pixel wide, 20 mm in front of a wall of another light: neither takes any from the other, at any level;
+   evenly lit, the wall stays as it is, and no wire becomes brighter than 1 / reflectance. */
+static void case_thin(void)
+{
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    int kind, i, c, crossed, uneven, bright;
+    for (kind = 0; kind < 4; ++kind) {
+        ms_sss_filter_options o = ms_sss_filter_defaults();
+        ms_sss_frame f = scene_frame(out, 1, 0);
+        const int space = kind < 2 ? 7 : 40; /* 1 to 20 pixels of the wall between wires are a few pixels of the levels, or none */
+        if (kind % 2) o.fov_degrees = 12;
+        else o.ortho_height = 30;
+        for (i = 0; i < N; ++i) {
+            depth[i] = i % W % space == 3 || i / W % space == 5 ? 100.0f : 120.0f;
+            for (c = 0; c < 3; ++c) rgb[c][i] = depth[i] < 110 ? 0.25f : 1e4f;
+        }
+        run(&f, &pyramid, &o);
+        for (crossed = uneven = i = 0; i < N; ++i)
+            for (c = 0; c < 3; ++c) {
+                /* a wire's depth is level along it: no slope, so even light stays to the rounding of a dozen sums */
+                const double change = fabs((double)(out[c][i] / rgb[c][i]) - 1);
+                crossed += change > 0.01;
+                uneven += change > 2e-6;
+            }
+        if (crossed || uneven) TEST_FAIL("kind %d: %d values with light of another depth, %d not even", kind, crossed, uneven);
+        for (i = 0; i < N; ++i) /* wires that wind in depth: no slope of theirs is beyond the filter's bounds */
+            if (depth[i] < 110) depth[i] = (float)(100 + 2 * sin(i % W * 0.5) + 2 * cos(i / W * 0.4));
+        for (c = 0; c < 3; ++c)
+            for (i = 0; i < N; ++i) rgb[c][i] = 1;
+        run(&f, &pyramid, &o);
+        for (bright = i = 0; i < N; ++i)
+            for (c = 0; c < 3; ++c) bright += !(out[c][i] >= 0 && out[c][i] * pyramid.reflectance[c] <= 1 + 1e-6f);
+        CHECK_INT(bright, 0);
+    }
+}
+
 static void case_promises(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
@@ -627,6 +663,7 @@ static const test_case cases[] = {
     {"tilted planes", case_planes},
     {"directions", case_directions},
     {"corners, mirrors", case_corners},
+    {"parts one pixel wide", case_thin},
     {"promises", case_promises},
     {"levels", case_levels},
     {"sizes", case_sizes},
