@@ -326,7 +326,8 @@ typedef struct ms_gpr_fit_options {
     double length_min;      /* bounds of l_k in widths; 0: 0.01 */
     double length_max;      /* 0: 1000 */
     double noise_min;       /* least sn in standard deviations of the scores; 0: 0.001 */
-    double noise;           /* MAP expects about this sn, in units of the scores; 0: 0.2 standard deviations of them */
+    double noise;           /* MAP expects about this sn, in units of the scores; 0: 0.2 standard deviations of them, 1.5 where they come in
+                               steps */
     double noise_spread;    /* and is a factor of e^noise_spread in doubt (a standard deviation of log sn); 0: 0.25 */
     double length;          /* MAP expects about this l_k, in widths; 0: 2.1 sqrt(m) */
     double length_spread;   /* doubt about it, as noise_spread; 0: 1.5 */
@@ -339,8 +340,9 @@ typedef struct ms_gpr_fit_options {
     ms_progress progress;   /* asked before every evaluation */
     const int *pairs;       /* [pair_count][2] comparisons, as in ms_gpr_compare */
     int pair_count;
-    double step;            /* MAP: scores come in steps of this, such as 1 for stars: each means an opinion within half a step of it, and at
-                               the floor any below. Worth it where steps are coarse, at 3 times the cost. 0: scores are exact */
+    double step;            /* scores come in steps of this, such as 1 for stars: those above the floor mean an opinion within half a step
+                               of them, at 3 times the cost. 0: MAP takes 20 scores or more of 2 to 6 evenly spaced values, those above the
+                               least given 3 times or more on average, as such; others are exact. Negative: exact */
 } ms_gpr_fit_options;
 
 typedef struct ms_gpr_fit_report {
@@ -2103,9 +2105,9 @@ static void ms_gpr__link_score(ms_gpr__link *l, int row, double y, double floor,
 {
     l->row = row;
     l->than = -1;
-    l->low = l->high = ((y > floor ? y : step > 0 ? floor : taken) - mean) / unit;
-    if (!(step > 0)) return;
-    l->low = y > floor ? l->low - 0.5 * step / unit : -MS_GPR__OPEN;
+    l->low = l->high = ((y > floor ? y : taken) - mean) / unit;
+    if (!(step > 0 && y > floor)) return;
+    l->low -= 0.5 * step / unit;
     l->high += 0.5 * step / unit;
 }
 
@@ -3028,6 +3030,7 @@ static void ms_gpr__ranked_select(ms_gpr__ranked *list, int count, int first)
 #define MS_GPR__PRIOR_LENGTH_SPREAD 1.5
 #define MS_GPR__PRIOR_SF_SPREAD 1.0
 #define MS_GPR__PRIOR_SN 0.2
+#define MS_GPR__PRIOR_SN_STEP 1.5 /* of scores that come in steps */
 #define MS_GPR__PRIOR_SN_SPREAD 0.25
 #define MS_GPR__PRIOR_TAIL 1.0
 #define MS_GPR__PART 100 /* scores at least that the starts of a fit are tried on, and 4 m; a third of all, but at most 400 */
@@ -3124,6 +3127,31 @@ static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
     return 1;
 }
 
+/* The step of coarse scores: the difference of 2 to 6 values, evenly spaced, of which those above the least were given 3 times or more
+   on average; else 0. */
+static double ms_gpr__fit_step(const double *y, int n)
+{
+    double value[6], least = MS_GPR__OPEN, most = -MS_GPR__OPEN, step;
+    int count = 0, scored = 0, above = 0, i, k;
+    for (i = 0; i < n; ++i) {
+        if (!ms_gpr__scored(y[i])) continue;
+        for (k = 0; k < count && (y[i] < value[k] || y[i] > value[k]); ++k) {}
+        if (k == 6) return 0;
+        if (k == count) value[count++] = y[i];
+        if (y[i] < least) least = y[i];
+        if (y[i] > most) most = y[i];
+        ++scored;
+    }
+    for (i = 0; i < n; ++i) above += y[i] > least;
+    if (count < 2 || scored < 20 || above < 3 * (count - 1)) return 0;
+    step = (most - least) / (count - 1);
+    for (i = 0; i < count; ++i) {
+        double steps = (value[i] - least) / step;
+        if (!(fabs(steps - floor(steps + 0.5)) < 1e-6)) return 0;
+    }
+    return step;
+}
+
 /* Centers and widths of the columns that are not constant, but for rounding. */
 static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, const double *x, int n, int m, ms_error *error)
 {
@@ -3172,7 +3200,7 @@ static void ms_gpr__fit_starts(ms_gpr__fit *fit)
         fit->low[k] = log(k < m ? o->length_min : k == m ? 1e-3 : o->noise_min);
         fit->high[k] = log(k < m ? o->length_max : k == m ? 1e3 : 10.0);
         fit->prior[k] = k < m ? log(o->length > 0 ? o->length : MS_GPR__PRIOR_LENGTH * root) : k == m ? 0
-                        : log(o->noise > 0 ? o->noise / fit->unit : MS_GPR__PRIOR_SN);
+                        : log(o->noise > 0 ? o->noise / fit->unit : o->step > 0 ? MS_GPR__PRIOR_SN_STEP : MS_GPR__PRIOR_SN);
         fit->spread[k] = k < m ? o->length_spread : k == m ? MS_GPR__PRIOR_SF_SPREAD : o->noise_spread;
     }
     for (i = 0; i < fit->starts; ++i) {
@@ -3287,7 +3315,7 @@ static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, m
     value[4] = o->noise, value[5] = o->noise_spread, value[6] = o->length, value[7] = o->length_spread;
     value[8] = o->step;
     for (i = 0; i < 9; ++i)
-        if (!ms__finite(value[i]) || !(value[i] >= 0 && value[i] <= MS_GPR__LARGEST))
+        if (!ms__finite(value[i]) || !(value[i] >= (i == 8 ? -MS_GPR__LARGEST : 0) && value[i] <= MS_GPR__LARGEST))
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i], value[i], MS_GPR__LARGEST);
     if ((int)o->method < 0 || (int)o->method > (int)MS_GPR_METHOD_ML)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d: expected 0 or 1", (int)o->method);
@@ -3392,6 +3420,8 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     if (status == MS_OK) status = ms_gpr__fit_options(options, m, &fit.o, error);
     if (status == MS_OK) status = ms_gpr__check_pairs(fit.o.pairs, fit.o.pair_count, n, error);
     if (status != MS_OK) return status;
+    if (fit.o.step < 0) fit.o.step = 0;
+    else if (!(fit.o.step > 0) && fit.o.method == MS_GPR_METHOD_MAP) fit.o.step = ms_gpr__fit_step(y, n);
     fit.links = ms_gpr__link_all(NULL, y, n, 0, 0, fit.o.step, 0, 1, NULL, fit.o.pair_count);
     fit.starts = fit.o.start || fit.o.length_start > 0 ? 1 : 3 + fit.o.random_starts;
     fit.expected = 30 * fit.starts + fit.o.evaluations / 2;

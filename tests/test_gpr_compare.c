@@ -51,7 +51,7 @@ static ms_gpr *talk_model(const talk *t)
     memset(&o, 0, sizeof o);
     o.pairs = t->pairs;
     o.pair_count = t->pair_count;
-    o.step = t->step;
+    o.step = t->step > 0 ? t->step : -1;
     o.evaluations = 1;
     if (ms_gpr_fit(t->x, t->y, t->n, t->m, &o, &gp, NULL, &error) != MS_OK || ms_gpr_set_theta(gp, t->theta, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
@@ -121,8 +121,8 @@ static double brute_opinions(const talk *t, const ms_gpr *gp, const double *f, d
     for (i = 0; i < n; ++i) {
         double g = f[i] + ms_gpr_mean(gp), floor_score = ms_gpr_floor(gp), low, high, p, z, w;
         if (t->y[i] < -1e37) continue;
-        if (t->step > 0) {
-            low = floors && t->y[i] <= floor_score ? -60 : t->y[i] - 0.5 * t->step;
+        if (t->step > 0 && !(floors && t->y[i] <= floor_score)) {
+            low = t->y[i] - 0.5 * t->step;
             high = t->y[i] + 0.5 * t->step;
             p = normal_cdf((high - g) / sn) - normal_cdf((low - g) / sn);
             z = (normal_pdf((low - g) / sn) - normal_pdf((high - g) / sn)) / p;
@@ -527,7 +527,7 @@ static void test_refusals(void)
     CHECK_INT(ms_gpr_fit(t.x, t.y, 10, 2, &o, &none, NULL, &error), MS_INVALID_ARGUMENT);
     CHECK(none == NULL);
     o.pair_count = 0;
-    o.step = -1;
+    o.step = -1e31;
     CHECK_INT(ms_gpr_fit(t.x, t.y, 10, 2, &o, &none, NULL, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_gpr_predict(gp, at, 20, after, NULL, NULL), MS_OK);
     for (i = 0; i < 20; ++i) CHECK_NEAR(after[i], before[i], 1e-6); /* nothing of that changed the model, but for where Newton's method ended */
