@@ -77,6 +77,7 @@
    MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_GPR_FILENAME  this file's name, if it is not "ms_gpr.h"
    MS_GPR_NO_STDIO  no files, no <stdio.h>
+   MS_GPR_NO_PLANE  no latent space, maps and variants
    MS_NO_SIMD       scalar text only
    MS_ASSERT        checks of the header's own invariants (nothing)
 
@@ -502,6 +503,7 @@ typedef struct ms_gpr_gallery_options {
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
                                     ms_error *error);
 
+#ifndef MS_GPR_NO_PLANE
 /* ------------------------------------------------------------------------------------------ LATENT SPACE */
 
 /* A plane (or a line, or a space) of variants: the Gaussian-process latent variable model of thesis 3.4.3. */
@@ -633,6 +635,7 @@ typedef struct ms_gpr_variant {
 MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
                                      const ms_gpr_grid *grid, const double *lambda, int count, double best, ms_gpr_variant *variant,
                                      double *x, ms_error *error);
+#endif /* MS_GPR_NO_PLANE */
 
 #ifdef __cplusplus
 }
@@ -4734,6 +4737,7 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     return status;
 }
 
+#ifndef MS_GPR_NO_PLANE
 /* ------------------------------------------------------------------------------------------ LATENT SPACE */
 
 #define MS_GPR__LATENT_TRIAL 100 /* evaluations of every start of a fit */
@@ -5718,6 +5722,7 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
     ms__release(&plane->allocator, looks.x, x_size);
     return status;
 }
+#endif /* MS_GPR_NO_PLANE */
 
 #undef MS_GPR__BLOCK
 #undef MS_GPR__CHUNK
@@ -5727,6 +5732,9 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 #undef MS_GPR__MEMORY
 #undef MS_GPR__DROPPED
 #undef MS_GPR__N_MAX
+#undef MS_GPR__OPEN
+#undef MS_GPR__WEAK
+#undef MS_GPR__PRIOR_SN_STEP
 #undef MS_GPR__LARGEST
 #undef MS_GPR__NO_FLOOR
 #undef MS_GPR__PRIOR_LENGTH

@@ -1,16 +1,19 @@
 /* Learns a taste from scored materials and recommends new ones.
 
      cc -O2 -I. examples/recommend.c -o build/recommend -lm
-     build/recommend SCORES.csv [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--out FILE]
+     build/recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--out FILE]
 
-   SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. The recommendations go to FILE, or to standard output,
+   SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. PAIRS.csv: comparisons, the number of the preferred material and
+   that of the other one in a line, counted from 1 in the order of SCORES.csv; materials that were only compared have nothing behind their
+   last comma. The recommendations go to FILE, or to standard output,
    as x0 .. x{m-1}, mean, sigma: predicted score and standard deviation. Parameters stay in [0, 1], or in the range of the
    scored materials, rounded outwards, where those leave it; columns of one value keep it. Scores may be on any scale. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "scores.h"
 
-static const char usage[] = "usage: recommend SCORES.csv [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--out FILE]\n"
+static const char usage[] = "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--out FILE]\n"
+                            "  PAIRS.csv: lines of two numbers of materials in SCORES.csv, from 1, the preferred one first;\n"
                             "  count: 1 to 1000000; skip: so many of the same seed are left out; tau: above 0, at most 1; diversity: 0 to 1\n";
 
 /* The value behind an option; ends the program where it is no number from low to high. */
@@ -33,11 +36,33 @@ static void write_csv(FILE *f, const double *x, const double *mean, const double
     }
 }
 
+/* The comparisons in a file, as pairs of rows below n; how many, or -1: *problem says why. */
+static int read_pairs(const char *path, int n, int **pairs, const char **problem, int *line)
+{
+    scores s;
+    int count = -1, i;
+    *problem = scores_read(path, &s);
+    *line = s.line;
+    if (*problem == NULL && s.m != 1) *problem = "a line is not two numbers of materials";
+    for (i = 0; i < s.n && *problem == NULL; ++i)
+        if (!(s.x[i] >= 1 && s.x[i] <= n && s.y[i] >= 1 && s.y[i] <= n && floor(s.x[i]) >= s.x[i] && floor(s.y[i]) >= s.y[i]) ||
+            (s.x[i] >= s.y[i] && s.x[i] <= s.y[i])) {
+            *problem = "a comparison is not of two materials of the scores, counted from 1";
+            *line = i + 1;
+        }
+    if (*problem == NULL && (*pairs = (int *)malloc(2 * (size_t)s.n * sizeof **pairs)) == NULL) *problem = "too large for memory";
+    if (*problem == NULL)
+        for (i = 0, count = s.n; i < count; ++i) (*pairs)[2 * i] = (int)s.x[i] - 1, (*pairs)[2 * i + 1] = (int)s.y[i] - 1;
+    scores_free(&s);
+    return count;
+}
+
 int main(int argc, char **argv)
 {
     static const char *const search[] = {"", "rejection", "subset simulation"};
-    const char *in = NULL, *out = NULL, *problem;
+    const char *in = NULL, *out = NULL, *compared = NULL, *problem;
     double count = 300, *x, *mean, *sigma;
+    ms_gpr_fit_options learn;
     ms_gpr_recommend_options options;
     ms_gpr_recommend_report report;
     ms_gpr_fit_report fitted;
@@ -46,13 +71,15 @@ int main(int argc, char **argv)
     ms_gpr *gp;
     scores s;
     FILE *f = stdout;
-    int i, n;
+    int i, n, line, scored = 0, *pairs = NULL;
     file_out saved;
     memset(&options, 0, sizeof options);
+    memset(&learn, 0, sizeof learn);
     if (file_help(argc, argv, usage)) return file_end_stdout("recommend");
     for (i = 1; i < argc; ++i) {
         if (argv[i][0] != '-' && in == NULL) in = argv[i];
         else if (argv[i][0] != '-' || i + 1 == argc) return file_usage(usage);
+        else if (strcmp(argv[i], "--pairs") == 0) compared = argv[++i];
         else if (strcmp(argv[i], "--count") == 0) count = number(argv[++i], 1, 1e6);
         else if (strcmp(argv[i], "--skip") == 0) options.skip = (int)number(argv[++i], 0, 1e6);
         else if (strcmp(argv[i], "--diversity") == 0) options.diversity = number(argv[++i], 0, 1);
@@ -62,17 +89,23 @@ int main(int argc, char **argv)
         else return file_usage(usage);
     }
     if (in == NULL || count > floor(count)) return file_usage(usage);
-    problem = scores_read(in, &s);
+    problem = compared ? scores_read_some(in, &s) : scores_read(in, &s);
     if (problem) {
         fprintf(stderr, "recommend: %s: %s (line %d)\n", in, problem, s.line);
         return 1;
     }
+    if (compared && (learn.pair_count = read_pairs(compared, s.n, &pairs, &problem, &line)) < 0) {
+        fprintf(stderr, "recommend: %s: %s (line %d)\n", compared, problem, line);
+        return 1;
+    }
+    learn.pairs = pairs;
+    for (i = 0; i < s.n; ++i) scored += s.y[i] > SCORES_NONE;
     n = (int)count;
     x = (double *)malloc((size_t)n * (size_t)s.m * sizeof *x);
     mean = (double *)malloc((size_t)n * sizeof *mean);
     sigma = (double *)malloc((size_t)n * sizeof *sigma);
     if (!x || !mean || !sigma) return 1;
-    status = ms_gpr_fit(s.x, s.y, s.n, s.m, NULL, &gp, &fitted, &error);
+    status = ms_gpr_fit(s.x, s.y, s.n, s.m, &learn, &gp, &fitted, &error);
     if (status == MS_OK) status = ms_gpr_recommend(gp, &options, n, x, mean, sigma, &report, &error);
     if (status != MS_OK) {
         fprintf(stderr, "recommend: %s\n", error.message);
@@ -88,12 +121,13 @@ int main(int argc, char **argv)
         return 1;
     }
     if (!out && file_end_stdout("recommend")) return 1;
+    if (compared) fprintf(stderr, "%d comparisons; ", learn.pair_count);
     fprintf(stderr, "%d scores of %d parameters; best predicted score %.3g; %d recommendations of at least %.3g by %s;\n"
                     "one uniform material in %.0f would do; mean distance to the nearest other %.3f\n",
-            s.n, s.m, report.best, report.found, report.threshold, search[report.search],
+            scored, s.m, report.best, report.found, report.threshold, search[report.search],
             report.acceptance > 0 ? 1 / report.acceptance : (double)INFINITY, report.spread);
     ms_gpr_destroy(gp);
     scores_free(&s);
-    free(x), free(mean), free(sigma);
+    free(x), free(mean), free(sigma), free(pairs);
     return 0;
 }

@@ -5,7 +5,9 @@
      ... s.x[i * s.m + k], s.y[i] ...
      scores_free(&s);
 
-   Commas, or semicolons or tabs and then decimal commas as well; lines that begin with # are skipped. */
+   Commas, or semicolons or tabs and then decimal commas as well; lines that begin with # are skipped.
+   scores_read_some("gallery.csv", &s) also takes lines with nothing behind the last separator: materials without a score, y = SCORES_NONE,
+   which is MS_GPR_UNSCORED. */
 #ifndef EXAMPLES_SCORES_H
 #define EXAMPLES_SCORES_H
 #include <math.h>
@@ -13,6 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "files.h"
+
+#define SCORES_NONE (-1e38)
 
 typedef struct scores {
     int n, m, line; /* line: where reading stopped */
@@ -27,13 +31,17 @@ static inline void scores_free(scores *s)
     memset(s, 0, sizeof *s);
 }
 
-/* Numbers of a line into value[limit]; how many, or -1 where something else stands there. */
-static int scores__line(const char *text, csv_dialect d, double *value, int limit)
+/* Numbers of a line into value[limit]; how many, or -1 where something else stands there. A last one may be missing where `some`. */
+static int scores__line(const char *text, csv_dialect d, double *value, int limit, int some)
 {
     int count = 0;
     for (;;) {
         char *end;
         double v = number_read(text, d.decimal, &end);
+        if (some && count > 0 && count < limit && text[strspn(text, " \t\r\n")] == 0) {
+            value[count++] = SCORES_NONE;
+            return count;
+        }
         if (end == text || !(v - v == 0) || count == limit) return -1;
         value[count++] = v;
         end += strspn(end, d.between == '\t' ? " \r\n" : " \t\r\n");
@@ -43,7 +51,7 @@ static int scores__line(const char *text, csv_dialect d, double *value, int limi
     }
 }
 
-static inline const char *scores_read(const char *path, scores *s)
+static inline const char *scores__read(const char *path, scores *s, int some)
 {
     enum { LIMIT = 1001, TEXT = 32768 };
     static char text[TEXT];
@@ -64,7 +72,7 @@ static inline const char *scores_read(const char *path, scores *s)
         ++seen;
         dialect = csv_dialect_of(text);
         if (strlen(text) == TEXT - 1) problem = "a line is too long";
-        else if ((count = scores__line(text, dialect, value, LIMIT)) < 2) {
+        else if ((count = scores__line(text, dialect, value, LIMIT, some)) < 2) {
             char *end;
             (void)number_read(text, dialect.decimal, &end);
             if (seen > 1 || end != text) problem = "a line is not a list of at least two finite numbers";
@@ -90,4 +98,7 @@ static inline const char *scores_read(const char *path, scores *s)
     fclose(f);
     return problem;
 }
+
+static inline const char *scores_read(const char *path, scores *s) { return scores__read(path, s, 0); }
+static inline const char *scores_read_some(const char *path, scores *s) { return scores__read(path, s, 1); }
 #endif

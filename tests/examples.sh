@@ -155,6 +155,15 @@ if [ -x build/recommend ]; then
     printf '0.1,0.2,5\n0.1,nan,5\n' >"$out/bad.csv"
     refuses "NaN in the scores" "2" build/recommend "$out/bad.csv"
     refuses "no file" "missing.csv" build/recommend "$out/missing.csv"
+    # "the best 1 of 4", ten times over, by somebody who likes the first parameter large: nobody scored anything
+    awk 'BEGIN {srand(3); for (i = 0; i < 40; ++i) printf "%f,%f,%f,\n", rand(), rand(), rand()}' >"$out/shown.csv"
+    awk -F, '{x[NR] = $1} END {for (g = 0; g < 40; g += 4) {b = g + 1; for (i = g + 1; i <= g + 4; ++i) if (x[i] > x[b]) b = i
+        for (i = g + 1; i <= g + 4; ++i) if (i != b) print b "," i}}' "$out/shown.csv" >"$out/pairs.csv"
+    ok "comparisons alone" build/recommend "$out/shown.csv" --pairs "$out/pairs.csv" --count 20 --tau 0.8 --out "$out/r4.csv"
+    is "they are like what was preferred" "$(awk -F, 'NR > 1 {s += $1} END {print (s / (NR - 1) > 0.7)}' "$out/r4.csv")" 1
+    refuses "materials without a score and without comparisons" "line 1" build/recommend "$out/shown.csv"
+    echo 3,41 >"$out/beyond.csv"
+    refuses "a comparison of what is not there" "line 1" build/recommend "$out/shown.csv" --pairs "$out/beyond.csv"
 fi
 
 if [ -x build/nn_info ]; then

@@ -183,7 +183,7 @@ $cxx -x c++ -std=c++11 $posix $paths -Werror $warn$(linked "$f") -O1 -c $f -o $o
             upper=$(echo "$n" | tr a-z A-Z)
             c="$out/${compiler}_$n.c"
             printf '#define %s_IMPLEMENTATION\n#include "%s"\n' "$upper" "$h" >"$c"
-            for flags in "" "-DMS_NO_SIMD" "-D${upper}_NO_STDIO" "-DMS_DEF=static"; do
+            for flags in "" "-DMS_NO_SIMD" "-D${upper}_NO_STDIO" "-DMS_DEF=static" $(test $n != ms_gpr || echo -DMS_GPR_NO_PLANE); do
                 job "${compiler}_${n}$(echo "$flags" | tr -d ' ')" "for o in -O0 -O2 -O3; do $compiler -std=c99 -I. -Werror $warn_c $flags \$o -c $c -o $c.o || exit 1; done
 for s in c++11 c++17 c++20; do $cxx -x c++ -std=\$s -I. -Werror $warn $flags -O2 -c $c -o $c.o || exit 1; done"
             done

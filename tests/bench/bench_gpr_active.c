@@ -1,83 +1,238 @@
-/* ms_gpr.h: how many scores an active gallery is worth, on users of twelve kinds (tests/users.h). Writes build/bench/gpr_active.md:
-   mean true score of 300 recommendations (tau 0.6), Jensen-Shannon divergence, share of the liked classes that are recommended. */
+/* ms_gpr.h: what answers are worth: uniform galleries, active galleries of scores, and those after five galleries of "the best 2 of 9", on
+   users of twelve kinds (tests/users.h). Writes build/bench/gpr_active.md: mean true score of 300 recommendations (tau 0.6), Jensen-Shannon
+   divergence, share of the liked classes that are recommended. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "users.h"
 #include "bench.h"
 
-enum { M = 19, USERS = 3, HELD = 1200, COUNT = 300, MOST = 250, ROUND = 10, STEPS = 5 };
+enum { USERS = 3, MANY = 38, HELD = 1200, COUNT = 300, ROUND = 10, SHOWN = 9, GALLERIES = 5, STEPS = 8 };
 
 typedef struct worth {
     double score, jsd, lobes;
 } worth;
 
-static double x[MOST * M], y[MOST], held[HELD * M], truth[HELD];
+static double x[500 * MANY], y[500], held[HELD * MANY], truth[HELD];
+static int pairs[2 * GALLERIES * 2 * SHOWN], pair_count;
 
-/* Adds what n scores are worth. */
-static void judge(const user *u, int n, worth *w)
+static ms_gpr *fit(int n, int m)
 {
-    static double mean[HELD], r[COUNT * M];
-    double found[USER_CLASSES] = {0, 0, 0};
+    ms_gpr_fit_options o;
     ms_gpr *gp;
+    memset(&o, 0, sizeof o);
+    o.pairs = pairs;
+    o.pair_count = pair_count;
+    if (ms_gpr_fit(x, y, n, m, &o, &gp, NULL, NULL) != MS_OK) exit(1);
+    return gp;
+}
+
+/* What was answered for the first n rows is worth. */
+static worth judge(const user *u, int n)
+{
+    static double mean[HELD], r[COUNT * MANY];
+    double found[USER_CLASSES] = {0, 0, 0};
+    ms_gpr *gp = fit(n, u->m);
+    worth w = {0, 0, 0};
     int i, c;
-    if (ms_gpr_fit(x, y, n, M, NULL, &gp, NULL, NULL) != MS_OK) exit(1);
     ms_gpr_predict(gp, held, HELD, mean, NULL, NULL);
-    w->jsd += user_jsd(mean, truth, HELD) / (int)USERS;
+    w.jsd = user_jsd(mean, truth, HELD);
     if (ms_gpr_recommend(gp, NULL, COUNT, r, NULL, NULL, NULL, NULL) == MS_OK)
         for (i = 0; i < COUNT; ++i) {
-            double u_true = user_true(u, r + i * M);
-            w->score += u_true / ((int)COUNT * (int)USERS);
-            if (u_true > 3) found[user_class_of(u, r + i * M)] += 1;
+            double u_true = user_true(u, r + i * u->m);
+            w.score += u_true / (int)COUNT;
+            if (u_true > 3) found[user_class_of(u, r + i * u->m)] += 1;
         }
-    for (c = 0; c < u->classes; ++c) w->lobes += (found[c] >= 5) / ((double)u->classes * (int)USERS);
+    for (c = 0; c < u->classes; ++c) w.lobes += (found[c] >= 5) / (double)u->classes;
     ms_gpr_destroy(gp);
+    return w;
+}
+
+/* The next `count` materials of an active gallery as rows n and on. */
+static void show(const user *u, int n, int count, int seed)
+{
+    ms_gpr_gallery_options g;
+    ms_gpr *gp = fit(n, u->m);
+    memset(&g, 0, sizeof g);
+    g.seed = (uint64_t)seed;
+    if (ms_gpr_gallery(gp, &g, count, x + n * u->m, NULL) != MS_OK) exit(1);
+    ms_gpr_destroy(gp);
+}
+
+/* A click each on at most the best two of those shown that are liked at all, or one on "none of these", which scores them 0; a user who
+   answers at random does so here. Returns the clicks. */
+static int click(const user *u, int n, uint64_t *state)
+{
+    double s[SHOWN];
+    int best[2] = {-1, -1}, random = test_uniform(state) < u->wrong, i, k;
+    for (i = 0; i < SHOWN; ++i) {
+        s[i] = user_true(u, x + (n + i) * u->m);
+        if (s[i] > 0) s[i] += u->human * test_normal(state);
+        if (random) s[i] = test_uniform(state);
+        y[n + i] = MS_GPR_UNSCORED;
+    }
+    for (k = 0; k < 2; ++k)
+        for (i = 0; i < SHOWN; ++i)
+            if (s[i] > 0 && i != best[0] && (best[k] < 0 || s[i] > s[best[k]])) best[k] = i;
+    for (i = 0; i < SHOWN && best[0] < 0; ++i) y[n + i] = 0;
+    for (k = 0; k < 2; ++k)
+        for (i = 0; i < SHOWN && best[k] >= 0; ++i) {
+            if (i == best[0] || i == best[1]) continue;
+            pairs[2 * pair_count] = n + best[k];
+            pairs[2 * pair_count++ + 1] = n + i;
+        }
+    return best[1] < 0 ? 1 : 2;
+}
+
+/* One user by all ways: uniform 100 and 250; active 60, 80, 100; clicks first, 60, 80, 100 answers. */
+static void try_user(const user *u, int seed, uint64_t state, worth *w)
+{
+    int way, g, n, answers, k;
+    for (k = 0; k < HELD * u->m; ++k) held[k] = test_uniform(&state);
+    for (k = 0; k < HELD; ++k) truth[k] = user_true(u, held + k * u->m);
+    pair_count = 0;
+    user_gallery(u, 250, x, y, &state);
+    w[0] = judge(u, 100);
+    w[1] = judge(u, 250);
+    for (way = 0; way < 2; ++way) {
+        int next = 60;
+        n = answers = pair_count = 0;
+        for (g = 0; g < GALLERIES && way == 1; ++g) {
+            show(u, n, SHOWN, seed);
+            answers += click(u, n, &state);
+            n += SHOWN;
+        }
+        for (;;) {
+            int count = next - answers < ROUND ? next - answers : ROUND;
+            if (count == 0) {
+                w[2 + 3 * way + (next - 60) / 20] = judge(u, n);
+                if (next == 100) break;
+                next += 20;
+                continue;
+            }
+            show(u, n, count, seed);
+            for (k = n; k < n + count; ++k) y[k] = user_score(u, x + k * u->m, &state);
+            n += count;
+            answers += count;
+        }
+    }
+}
+
+/* What a click and a score cost in a session: thread time, medians of five sessions. */
+static void time_clicks(FILE *md)
+{
+    enum { M = 19, RUNS = 5, SIZES = 3 };
+    static const int galleries[SIZES] = {5, 15, 30}, scores[SIZES] = {100, 250, 500};
+    static double points[500 * M], t[SIZES][3][RUNS], r[20 * M];
+    int pair[2 * 30 * 2 * (SHOWN - 2)], run, i, k, g;
+    for (run = 0; run < RUNS; ++run) {
+        uint64_t state = (uint64_t)run + 5;
+        user u = user_make(state, M, 0.2);
+        double theta[M + 2], given[500], clock;
+        ms_gpr *gp;
+        for (k = 0; k < M + 2; ++k) theta[k] = k < M ? log(2.5) : k == M ? 0 : log(0.2);
+        if (ms_gpr_create(NULL, NULL, 0, M, theta, NULL, &gp, NULL) != MS_OK) exit(1);
+        for (k = 0; k < 500 * M; ++k) points[k] = test_uniform(&state);
+        for (g = 0, pair_count = 0; g < 30; ++g) {
+            int n = SHOWN * g, count = 0;
+            memcpy(x + n * M, points + n * M, SHOWN * M * sizeof *x);
+            click(&u, n, &state);
+            for (i = 0; i < pair_count && i < 2 * (SHOWN - 2); ++i, ++count) {
+                pair[2 * (2 * (SHOWN - 2) * g + i)] = pairs[2 * i];
+                pair[2 * (2 * (SHOWN - 2) * g + i) + 1] = pairs[2 * i + 1];
+            }
+            for (; count < 2 * (SHOWN - 2); ++count) { /* nothing was liked: the first two will do for its time */
+                pair[2 * (2 * (SHOWN - 2) * g + count)] = n + count % 2;
+                pair[2 * (2 * (SHOWN - 2) * g + count) + 1] = n + 2 + count / 2;
+            }
+            pair_count = 0;
+            clock = bench_cpu();
+            if (ms_gpr_compare(gp, points + n * M, SHOWN, pair, 2 * (SHOWN - 2) * (g + 1), NULL) != MS_OK) exit(1);
+            for (k = 0; k < SIZES; ++k)
+                if (g + 1 == galleries[k]) t[k][0][run] = bench_cpu() - clock;
+        }
+        ms_gpr_destroy(gp);
+        for (i = 0; i < 500; ++i) given[i] = user_score(&u, points + i * M, &state);
+        for (k = 0; k < SIZES; ++k) {
+            ms_gpr_recommend_options o;
+            memset(&o, 0, sizeof o);
+            if (ms_gpr_fit(points, given, scores[k] - 1, M, NULL, &gp, NULL, NULL) != MS_OK) exit(1);
+            clock = bench_cpu();
+            ms_gpr_append(gp, points + (scores[k] - 1) * M, given[scores[k] - 1], NULL);
+            t[k][1][run] = bench_cpu() - clock;
+            clock = bench_cpu();
+            ms_gpr_recommend(gp, &o, 20, r, NULL, NULL, NULL, NULL);
+            t[k][2][run] = bench_cpu() - clock;
+            ms_gpr_destroy(gp);
+        }
+    }
+    fprintf(md, "\nOne more gallery of the best 2 of 9 in the model (`ms_gpr_compare`); one more score and 20 recommendations at once.\n\n"
+                "| galleries (clicks), materials | a gallery more | scores | a score more | 20 recommendations |\n|---|---:|---:|---:|---:|\n");
+    for (k = 0; k < SIZES; ++k)
+        fprintf(md, "| %d (%d), %d | %.1f ms | %d | %.2f ms | %.1f ms |\n", galleries[k], 2 * galleries[k], (int)SHOWN * galleries[k],
+                1e3 * bench_median(t[k][0], RUNS), scores[k], 1e3 * bench_median(t[k][1], RUNS), 1e3 * bench_median(t[k][2], RUNS));
+}
+
+static int ascending(const void *a, const void *b)
+{
+    double x0 = *(const double *)a, x1 = *(const double *)b;
+    return (x0 > x1) - (x0 < x1);
 }
 
 int main(void)
 {
-    static const char *const column[STEPS] = {"100 uniform", "250 uniform", "60 active", "80 active", "100 active"};
+    static const char *const column[STEPS] = {"100 uniform", "250 uniform", "60 active", "80 active", "100 active", "60, clicks first",
+                                              "80, clicks first", "100, clicks first"};
+    static double score[STEPS][USER_KINDS * USERS], jsd[STEPS][USER_KINDS * USERS];
     FILE *md = bench_open("gpr_active.md");
     worth all[STEPS];
-    int kind, i, k, n;
-    memset(all, 0, sizeof all);
-    fprintf(md, "Users of twelve kinds, %d each, m = %d: mean true score of %d recommendations / divergence / share of the liked classes that are\n"
-                "recommended, after so many scores; active galleries in batches of %d.\n\n| user |", (int)USERS, (int)M, (int)COUNT, (int)ROUND);
+    int kind, i, k, m;
+    fprintf(md, "Users of twelve kinds, %d each: mean true score of %d recommendations / divergence / share of the liked classes that are\n"
+                "recommended, after so many answers; active galleries in batches of %d. Clicks first: of five active galleries of %d the user\n"
+                "clicks on the best two or as many as are liked, or on \"none of these\"; every click is an answer, then come scores.\n\n| user |",
+            (int)USERS, (int)COUNT, (int)ROUND, (int)SHOWN);
     for (k = 0; k < STEPS; ++k) fprintf(md, " %s |", column[k]);
-    fprintf(md, "\n|---|---:|---:|---:|---:|---:|\n");
-    for (kind = 0; kind < USER_KINDS; ++kind) {
-        worth w[STEPS];
-        memset(w, 0, sizeof w);
-        for (i = 0; i < USERS; ++i) {
-            uint64_t state = (uint64_t)(77 + i + 100 * kind);
-            user u = user_of_kind(kind, (uint64_t)i + 1, M);
-            for (k = 0; k < HELD * M; ++k) held[k] = test_uniform(&state);
-            for (k = 0; k < HELD; ++k) truth[k] = user_true(&u, held + k * M);
-            user_gallery(&u, 250, x, y, &state);
-            judge(&u, 100, &w[0]);
-            judge(&u, 250, &w[1]);
-            for (n = 0; n <= 100; n += ROUND) {
-                ms_gpr_gallery_options g;
-                ms_gpr *gp;
-                if (n >= 60 && n % 20 == 0) judge(&u, n, &w[n / 20 - 1]);
-                memset(&g, 0, sizeof g);
-                g.seed = (uint64_t)i;
-                if (ms_gpr_fit(x, y, n, M, NULL, &gp, NULL, NULL) != MS_OK || ms_gpr_gallery(gp, &g, ROUND, x + n * M, NULL) != MS_OK) exit(1);
-                for (k = n; k < n + ROUND; ++k) y[k] = user_score(&u, x + k * M, &state);
-                ms_gpr_destroy(gp);
+    fprintf(md, "\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    for (m = 19; m <= MANY; m += 19) {
+        int users = m == 19 ? USERS : 1, count = 0;
+        memset(all, 0, sizeof all);
+        for (kind = 0; kind < USER_KINDS; ++kind) {
+            worth sum[STEPS];
+            memset(sum, 0, sizeof sum);
+            for (i = 0; i < users; ++i) {
+                user u = user_of_kind(kind, (uint64_t)i + 1, m);
+                worth w[STEPS];
+                try_user(&u, i, (uint64_t)(77 + i + 100 * kind), w);
+                for (k = 0; k < STEPS; ++k) {
+                    sum[k].score += w[k].score / users;
+                    sum[k].jsd += w[k].jsd / users;
+                    sum[k].lobes += w[k].lobes / users;
+                    score[k][count] = w[k].score;
+                    jsd[k][count] = w[k].jsd;
+                }
+                ++count;
             }
+            if (m == 19) fprintf(md, "| %s |", user_kinds[kind]);
+            for (k = 0; k < STEPS; ++k) {
+                if (m == 19) fprintf(md, " %.1f / %.3f / %.2f |", sum[k].score, sum[k].jsd, sum[k].lobes);
+                all[k].score += sum[k].score / USER_KINDS;
+                all[k].jsd += sum[k].jsd / USER_KINDS;
+                all[k].lobes += sum[k].lobes / USER_KINDS;
+            }
+            if (m == 19) fprintf(md, "\n");
+            fflush(md);
         }
-        fprintf(md, "| %s |", user_kinds[kind]);
+        if (m == 19) fprintf(md, "| **all** |");
+        else fprintf(md, "| all, m = %d, %d each |", m, users);
+        for (k = 0; k < STEPS; ++k) fprintf(md, " %.2f / %.3f / %.2f |", all[k].score, all[k].jsd, all[k].lobes);
+        fprintf(md, "\n| 80%% of them have |");
         for (k = 0; k < STEPS; ++k) {
-            fprintf(md, " %.1f / %.3f / %.2f |", w[k].score, w[k].jsd, w[k].lobes);
-            all[k].score += w[k].score / USER_KINDS;
-            all[k].jsd += w[k].jsd / USER_KINDS;
-            all[k].lobes += w[k].lobes / USER_KINDS;
+            qsort(score[k], (size_t)count, sizeof score[k][0], ascending);
+            qsort(jsd[k], (size_t)count, sizeof jsd[k][0], ascending);
+            fprintf(md, " %.1f or more / %.3f or less |", score[k][count / 5], jsd[k][count - 1 - count / 5]);
         }
         fprintf(md, "\n");
         fflush(md);
     }
-    fprintf(md, "| **all** |");
-    for (k = 0; k < STEPS; ++k) fprintf(md, " %.2f / %.3f / %.2f |", all[k].score, all[k].jsd, all[k].lobes);
-    fprintf(md, "\n");
+    time_clicks(md);
     return fclose(md) != 0;
 }
