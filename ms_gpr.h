@@ -57,8 +57,9 @@
    -------------
    A likelihood with gradient takes n^3 / 2 + n^2 m multiply-adds, and a fit some 20 of them on all scores and 150 on a third; a mean n m,
    with its variance n^2 / 2 more. 300 recommendations take 30 to 150 thousand means, more the rarer they are. Figures and what fits are
-   worth: tests/bench/RESULTS.md, made by `make bench`. What is shown is worth the most: 60 answers, of which the first are the best 2 of
-   9 in five active galleries, are worth more than 250 scores of uniform materials.
+   worth: tests/bench/RESULTS.md, made by `make bench`. What is shown and asked is worth the most: after 60 answers recommendations are
+   better than after 250 scores of uniform materials where the first answers are clicks on the best 2 of 9 of five active galleries, or on
+   none of them; after 80 to 100 of scores of active galleries alone as good. One of several separate classes in ten is missed, as there.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
