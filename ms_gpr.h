@@ -213,7 +213,7 @@ static inline const char *ms_simd_string(ms_simd level)
 #endif
 /* ms-common end */
 
-/* ---------------------------------------------------------------------------------------------------- MODEL */
+/* ---- model ----------------------------------------------------------------------------------------------------- */
 
 /* A Gaussian process that has seen n inputs of m dimensions and their scores. With d^2(a, b) = sum over k of
    ((a_k - b_k) / l_k)^2, scores are mean + N(0, K'), K'_ij = sf^2 exp(-d^2(x_i, x_j) / 2) + sn^2 delta_ij. */
@@ -309,7 +309,7 @@ MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double 
    Rasmussen & Williams 2006, (5.10) to (5.12). */
 MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, double *density, ms_error *error);
 
-/* ------------------------------------------------------------------------------------------------------ FIT */
+/* ---- fit ------------------------------------------------------------------------------------------------------- */
 
 typedef enum ms_gpr_method {
     MS_GPR_METHOD_MAP = 0, /* L-BFGS to the largest posterior: log-normal priors, three starts, probing of every dimension */
@@ -366,7 +366,7 @@ typedef struct ms_gpr_fit_report {
 MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr **out,
                                 ms_gpr_fit_report *report, ms_error *error);
 
-/* ----------------------------------------------------------------------------------------------- PREDICTION */
+/* ---- prediction ------------------------------------------------------------------------------------------------ */
 
 /* Posterior mean and variance at `count` points.
    x         [count][m] row-major, units as in the training set
@@ -386,7 +386,7 @@ MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, f
 MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient, double *variance,
                                      double *variance_gradient, ms_error *error);
 
-/* ---------------------------------------------------------------------------------------------------- FILES */
+/* ---- files ----------------------------------------------------------------------------------------------------- */
 
 /* A model as bytes: the same on every machine, whatever its byte order and locale. Layout, little-endian: "ms_gpr\r\n", u32
    version 2, u32 n, u32 m, u32 0, then as f64 mean, floor (-1e300: none), floor value, theta [m + 2], x [n][m], y [n]; u64 FNV-1a
@@ -408,7 +408,7 @@ MS_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_error *
 MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 #endif
 
-/* ---------------------------------------------------------------------------------------- RECOMMENDATION */
+/* ---- recommendation -------------------------------------------------------------------------------------------- */
 
 /* How recommendations are found. */
 typedef enum ms_gpr_search {
@@ -469,7 +469,7 @@ typedef struct ms_gpr_recommend_report {
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                       double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
 
-/* --------------------------------------------------------------------------------------- ACTIVE LEARNING */
+/* ---- active learning ------------------------------------------------------------------------------------------- */
 
 /* What a gallery to be scored next is drawn for. The pool of candidates is half uniform, half variants of what was liked: a
    material drawn in proportion to its score, half of them crossed with a second one, some of the parameters drawn anew. */
@@ -505,7 +505,7 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
                                     ms_error *error);
 
 #ifndef MS_GPR_NO_PLANE
-/* ------------------------------------------------------------------------------------------ LATENT SPACE */
+/* ---- latent space ---------------------------------------------------------------------------------------------- */
 
 /* A plane (or a line, or a space) of variants: the Gaussian-process latent variable model of thesis 3.4.3. */
 typedef struct ms_gpr_latent ms_gpr_latent;
@@ -573,7 +573,7 @@ MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *lat
 MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance,
                                         double *variance, ms_error *error);
 
-/* -------------------------------------------------------------------------------------------------- MAPS */
+/* ---- maps ------------------------------------------------------------------------------------------------------ */
 
 /* A grid of columns x rows points over a rectangle of a two-dimensional latent space, its corners included. Maps are
    [rows][columns], from low to high latent coordinates. What makes one returns MS_INVALID_ARGUMENT (no plane, other dimensions, a
@@ -1142,7 +1142,7 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 /* ms-common-files end */
 #endif
 
-/* -------------------------------------------------------------------------------------------- KERNEL TABLE */
+/* ---- kernel table ---------------------------------------------------------------------------------------------- */
 
 #include <math.h>
 #ifndef MS_GPR_NO_STDIO
@@ -1273,7 +1273,7 @@ static const ms_gpr__kernels *ms_gpr__kernels_of(ms_simd level)
     return &ms_gpr__table_scalar;
 }
 
-/* ------------------------------------------------------------------------------------------ LINEAR ALGEBRA */
+/* ---- linear algebra -------------------------------------------------------------------------------------------- */
 
 static int ms_gpr__padded(int n)
 {
@@ -1396,7 +1396,7 @@ static void ms_gpr__release_doubles(const ms_allocator *allocator, void *block, 
     ms__release(allocator, block, (count + MS_GPR__BLOCK) * sizeof(double));
 }
 
-/* ------------------------------------------------------------------------------------------------ MINIMISER */
+/* ---- minimiser ------------------------------------------------------------------------------------------------- */
 
 /* f(q) and its gradient. 1: defined; 0: not defined here, the search steps back; -1: stop. */
 typedef int (*ms_gpr__objective)(void *context, const double *q, double *value, double *gradient);
@@ -1551,7 +1551,7 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
     return best;
 }
 
-/* ----------------------------------------------------------------------------------------------- LIKELIHOOD */
+/* ---- likelihood ------------------------------------------------------------------------------------------------ */
 
 /* What was said about a latent value g = f_row, or about a difference g = f_row - f_than: that g and its noise lie from low to high.
    A score is low = high, a comparison 0 to MS_GPR__OPEN of a difference, a score of coarse steps a range. */
@@ -1962,7 +1962,7 @@ static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int 
     return p;
 }
 
-/* ---------------------------------------------------------------------------------------------------- MODEL */
+/* ---- model ----------------------------------------------------------------------------------------------------- */
 
 #define MS_GPR__DROPPED 700.0 /* log l_k of a dimension that is dropped: no exp of it overflows */
 #define MS_GPR__N_MAX 30000   /* the matrix has 7 GB then */
@@ -2758,7 +2758,7 @@ MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const in
     return ms_gpr__commit(gp, edited, error);
 }
 
-/* ----------------------------------------------------------------------------------------------- PREDICTION */
+/* ---- prediction ------------------------------------------------------------------------------------------------ */
 
 /* One task: chunks of candidates task, task + tasks, ... */
 typedef struct ms_gpr__batch {
@@ -2958,7 +2958,7 @@ MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean
     return MS_OK;
 }
 
-/* ------------------------------------------------------------------------------------------------------ FIT */
+/* ---- fit ------------------------------------------------------------------------------------------------------- */
 
 /* Consecutive pieces of one allocation, whole blocks of 8 doubles each. A NULL base adds up the size alone. */
 typedef struct ms_gpr__arena {
@@ -3466,7 +3466,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     return status;
 }
 
-/* ---------------------------------------------------------------------------------------------------- FILES */
+/* ---- files ----------------------------------------------------------------------------------------------------- */
 
 #define MS_GPR__HEADER 24 /* bytes before the doubles */
 
@@ -3658,7 +3658,7 @@ MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *option
 }
 #endif
 
-/* ---------------------------------------------------------------------------------------- RECOMMENDATION */
+/* ---- recommendation -------------------------------------------------------------------------------------------- */
 
 /* A round range that holds column k of the model's inputs: [0, 1] or another unit's, or steps of 1, 2 or 5 times a power of ten. A
    locked column, equal in 8 scores or more, keeps its value. */
@@ -4476,7 +4476,7 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     return status;
 }
 
-/* --------------------------------------------------------------------------------------- ACTIVE LEARNING */
+/* ---- active learning ------------------------------------------------------------------------------------------- */
 
 #define MS_GPR__NEIGHBOURS 5 /* of novelty search */
 
@@ -4739,7 +4739,7 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
 }
 
 #ifndef MS_GPR_NO_PLANE
-/* ------------------------------------------------------------------------------------------ LATENT SPACE */
+/* ---- latent space ---------------------------------------------------------------------------------------------- */
 
 #define MS_GPR__LATENT_TRIAL 100 /* evaluations of every start of a fit */
 #define MS_GPR__LATENT_STARTS 4  /* training latents from which the nearest point is searched */
@@ -5347,7 +5347,7 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     return status;
 }
 
-/* -------------------------------------------------------------------------------------------------- MAPS */
+/* ---- maps ------------------------------------------------------------------------------------------------------ */
 
 MS_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution)
 {
@@ -5764,7 +5764,7 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 #endif /* MS_GPR_IMPLEMENTATION */
 
 #ifdef MS_GPR__PASS
-/* -------------------------------------------------------------------------------------------------- KERNELS */
+/* ---- kernels --------------------------------------------------------------------------------------------------- */
 
 /* One level and precision an inclusion: MS_GPR__PASS is the level (ms_simd), MS_GPR__FLOAT the precision. */
 #define MS_GPR__JOIN_(a, b) a##b

@@ -46,8 +46,8 @@
      an .mci file of MCML 1.2                                ms_mcml_mci_load, ms_mcml_simulate, ms_mcml_mco_save
      a flat or Gaussian beam instead of a pencil             ms_mcml_convolve
 
-   DIRECT MONTE CARLO (layers)
-
+   Monte Carlo
+   -----------
    Packets of 4, 8 or 16 photons, as MCML (Wang, Jacques, Zheng 1995): absorption by weight, Henyey-Greenstein, Fresnel,
    roulette. Time grows with the collisions of a photon; RESULTS.md has it for each level beside original MCML
    (`MCML=path make bench FILTER=mcml` makes the table on your machine).
@@ -56,60 +56,67 @@
    larger roulette_weight takes more, but thins out far rings. Without A_rz (no_absorption) a photon takes 0.7 to 0.9 of the
    time, with its errors (absorption_error) 1.1 to 2.2 times.
 
-   Determinism: photon i draws from (seed, i); sums are integers. Same bits for any thread count and any split at one level of
-   instruction sets; levels round paths differently (they agree far within a standard error). MCML's own generator is
-   biased (ketchup blue by -0.33%): results agree with the exact answer, not with its bits. -ffast-math voids what is said of
-   bits, NaN and infinity.
    Long paths: from event 4096 on, and every fourfold more, half of the photons end and the rest count double, so that
    media without absorption end, too.
    Clear layers on top count as part of the surface: what they reflect is specular.
    Rounding: paths are float, relative to their layer; the totals of 17 media agree with adding-doubling within their errors
    (tests/test_mcml.c).
 
-   Memory: one block a tally, one a result, see ms_mcml_create; nothing else. Stack: less than 8 KB. Threads: options.parallel
-   cuts stretches of 65536 photons into 16 tasks with a tally each. Calls on different tallies may overlap.
-   Errors: a status and, where asked for, a sentence; files with line numbers. On failure outputs are untouched.
-   Configuration, before the implementation: MS_MCML_NO_STDIO (no files, no stdio.h), MS_NO_SIMD (scalar text only), MS_DEF
-   (linkage), MS_MCML_FILENAME ("ms_mcml.h": the header's name, which it includes again), MS_ASSERT.
-   Limits: 2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31 cells. Pencil beam
-   at normal incidence; flat layers; unpolarised light; no fluence in clear layers.
-   Sources: Wang, Jacques, Zheng 1995 (MCML) and 1997 (CONV); Blackman, Vigna 2018 (xoshiro128+, seeded by Philox); Duff et
-   al. 2017 (basis).
-
-   LAYERS WITHOUT NOISE
-
+   Layers without noise
+   --------------------
    ms_mcml_layered_solve: up to 16 layers, any phase function by its Legendre moments, R and T over radius, totals, depth. For
    each spatial frequency the moments of the source on panels in depth, exact flights between them along rays through every
    layer and back (Fresnel at each boundary), GMRES; single scattering of the top layer in space with the whole phase
    function. Time grows with the square of the order, which g asks for (3 moments at 0.3, 7 at 0.8, 15 at 0.9), and with the
    panels, which follow optical depth. Each ring has an error beside it; what cannot be held is MS_NOT_CONVERGED.
-   Limits: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear layers, transmission within a mean free
-   path of the axis and below 3e-3 of its energy. One thread.
 
-   DIFFUSION PROFILES (materials, half-space solver)
-
+   Diffusion profiles
+   ------------------
    ms_mcml_profile_make turns mu_a, mu_s, eta of any number of channels into R_d(r): averages over rings that the caller
    chooses, the energy within each edge, and the pre-integrated kernel a_p. The default is the half-space solver: Galerkin's
    method in depth for each spatial frequency, and the spectrum as a sum of Bessel functions with positive energies, so that
-   every number asked for has a closed form. One core, all 33 channels of the dissertation in one call, against the finest
-   knobs (`make bench FILTER=profile`; times vary with the machine):
-
-     depth_step  frequency_step     time    error of a total    of a ring with 1e-5 of the energy
-       0.8         0.8             10 ms         8e-6                0.2
-       0.5         0.4             36 ms         1e-8                6e-3
-       0.4         0.3             76 ms         3e-10               4e-4
-       0.3         0.25 (default) 145 ms         5e-13               8e-5
+   every number asked for has a closed form. At the default steps totals are good to 5e-13, rings with 1e-5 of the energy to
+   8e-5; coarser steps take a tenth of the time (`make bench FILTER=profile`).
 
    Valid for index ratios 0.1 to 10 and every albedo, 1 included. Media with g other than 0 and layers go to the layered
-   solver, a tenth of a second to a second a channel; similarity, mu_s (1 - g), is an option, whose totals are off by 0.3% at reduced albedo 0.99, 6% at 0.9, 60% at 0.5 and
-   whose profile is off by 100% and more within a mean free path of the beam. Monte Carlo of 1e6 photons leaves about 1% of
-   noise in a profile (relative L2 over rings of a twentieth of a mean free path).
+   solver, a tenth of a second to a second a channel; similarity, mu_s (1 - g), is an option, whose totals are off by 0.3% at
+   reduced albedo 0.99, 6% at 0.9, 60% at 0.5 and whose profile is off by 100% and more within a mean free path of the beam.
+   Monte Carlo of 1e6 photons leaves about 1% of noise in a profile (relative L2 over rings of a twentieth of a mean free
+   path).
 
-   Memory: 0.3 MB while the solver runs (0.3 MB a channel with options.parallel), 32 bytes a ring and channel for the
-   result. Stack: less than 40 KB. Calls without a common object may
-   overlap. The same bits for any thread count; the half-space solver is plain C at every level.
-   Sources: Williams, "The searchlight problem in radiative transfer with internal reflection" (2007) for the equation;
-   Case & Zweifel, "Linear Transport Theory" (1967) for nu_0; Lawson & Hanson, "Solving Least Squares Problems" (1974);
+   Memory, threads, SIMD, determinism, errors
+   ------------------------------------------
+   Monte Carlo: one block a tally, one a result, see ms_mcml_create; nothing else. Stack: less than 8 KB. Threads:
+   options.parallel cuts stretches of 65536 photons into 16 tasks with a tally each. Calls on different tallies may overlap.
+   Solvers: 0.3 MB while the solver runs (0.3 MB a channel with options.parallel), 32 bytes a ring and channel for the
+   result. Stack: less than 40 KB. Calls without a common object may overlap. The same bits for any thread count; the
+   half-space solver is plain C at every level.
+   Monte Carlo: photon i draws from (seed, i); sums are integers. Same bits for any thread count and any split at one level
+   of instruction sets; levels round paths differently (they agree far within a standard error). MCML's own generator is
+   biased (ketchup blue by -0.33%): results agree with the exact answer, not with its bits. -ffast-math voids what is said of
+   bits, NaN and infinity.
+   A status and, where asked for, a sentence; files with line numbers. On failure outputs are untouched.
+
+   Configuration (define before the implementation)
+   ------------------------------------------------
+   MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
+   MS_MCML_FILENAME  this file's name, if it is not "ms_mcml.h"
+   MS_MCML_NO_STDIO  no files, no <stdio.h>
+   MS_NO_SIMD        scalar text only
+   MS_ASSERT         checks of the header's own invariants (nothing)
+
+   Limits
+   ------
+   Monte Carlo: 2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31 cells.
+   Pencil beam at normal incidence; flat layers; unpolarised light; no fluence in clear layers.
+   Layers without noise: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear layers, transmission
+   within a mean free path of the axis and below 3e-3 of its energy. One thread.
+
+   Sources
+   -------
+   Wang, Jacques, Zheng 1995 (MCML) and 1997 (CONV); Blackman, Vigna 2018 (xoshiro128+, seeded by Philox); Duff et al. 2017
+   (basis); Williams, "The searchlight problem in radiative transfer with internal reflection" (2007) for the equation; Case
+   & Zweifel, "Linear Transport Theory" (1967) for nu_0; Lawson & Hanson, "Solving Least Squares Problems" (1974);
    Chandrasekhar, "Radiative Transfer" (1960) for the test's reference; Jensen et al. 2001 for the materials.
 */
 #ifndef MS_MCML_H
@@ -229,7 +236,7 @@ static inline const char *ms_simd_string(ms_simd level)
 #endif
 /* ms-common end */
 
-/* --- tissue and runs --------------------------------------------------------------------------------------- */
+/* ---- tissue and runs ------------------------------------------------------------------------------------------- */
 
 /* One layer. A layer with mu_a = mu_s = 0 is clear (glass, water); g = 1 scatters straight ahead, which is the same as
    mu_s = 0. The last layer of a semi-infinite tissue is as thick as 1e8 cm. */
@@ -276,7 +283,7 @@ typedef struct ms_mcml_options {
 /* All zero, for C++ and for fields to come. */
 MS_API ms_mcml_options ms_mcml_defaults(void);
 
-/* --- direct Monte Carlo ------------------------------------------------------------------------------------ */
+/* ---- direct Monte Carlo ---------------------------------------------------------------------------------------- */
 
 /* A tally: what is known of one tissue so far. Photon i of a seed draws its numbers from (seed, i) alone, and sums are
    whole numbers (2^-30 of a photon, rounded at random so that means are right), so that any split of the photons over
@@ -353,7 +360,7 @@ MS_API void ms_mcml_result_destroy(ms_mcml_result *result);
 MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
                                   ms_mcml_result *result, ms_error *error);
 
-/* --- finite beams ------------------------------------------------------------------------------------------ */
+/* ---- finite beams ---------------------------------------------------------------------------------------------- */
 
 typedef enum ms_mcml_beam {
     MS_MCML_BEAM_FLAT = 1,    /* equal over a disc */
@@ -373,7 +380,7 @@ MS_API ms_status ms_mcml_convolve(int beam, double radius_cm, double dr_cm, int 
                                   const double *error, const double *r_cm, int count, double *out, double *out_error,
                                   ms_error *failure);
 
-/* --- mci and mco files ------------------------------------------------------------------------------------- */
+/* ---- mci and mco files ----------------------------------------------------------------------------------------- */
 
 /* One run of an MCML 1.2 input file. */
 typedef struct ms_mcml_run_spec {
@@ -416,7 +423,7 @@ MS_API ms_status ms_mcml_mco_save(const char *path, const ms_mcml_run_spec *run,
                                   ms_error *error);
 #endif
 
-/* --- materials --------------------------------------------------------------------------------------------- */
+/* ---- materials ------------------------------------------------------------------------------------------------- */
 
 /* A homogeneous half-space. Isotropic data sets give mu_s as the reduced coefficient with g = 0. */
 typedef struct ms_mcml_medium {
@@ -442,7 +449,7 @@ MS_API const ms_mcml_material *ms_mcml_find_material(const char *name);
 /* One channel (0 R, 1 G, 2 B) of a material. */
 MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, int channel);
 
-/* --- half-space solver ------------------------------------------------------------------------------------- */
+/* ---- half-space solver ----------------------------------------------------------------------------------------- */
 
 #define MS_MCML_RATES_MAX 112
 #define MS_MCML_CONE_MAX 64
@@ -500,7 +507,7 @@ MS_API double ms_mcml_halfspace_spectrum(const ms_mcml_halfspace *solution, doub
    there on; at 0 half the total. */
 MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *solution, double x_mm);
 
-/* --- colours ----------------------------------------------------------------------------------------------- */
+/* ---- colours --------------------------------------------------------------------------------------------------- */
 
 /* What a length stands for. With A the color below, Christensen, Burley 2015 (Approximate reflectance profiles for efficient
    subsurface scattering, equations 6 and 8) give the last two. */
@@ -538,7 +545,7 @@ MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int k
 MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind);
 
 
-/* --- layered solver ---------------------------------------------------------------------------------------- */
+/* ---- layered solver -------------------------------------------------------------------------------------------- */
 
 #define MS_MCML_LAYERED_RATES 96
 #define MS_MCML_LAYERED_SINGLES 40
@@ -600,7 +607,7 @@ MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *solution, int side, 
 MS_API double ms_mcml_layered_ring(const ms_mcml_layered *solution, int side, double r0_cm, double r1_cm, double *ring_error);
 MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *solution, int side, double x_cm);
 
-/* --- diffusion profiles ------------------------------------------------------------------------------------ */
+/* ---- diffusion profiles ---------------------------------------------------------------------------------------- */
 
 typedef enum ms_mcml_method {
     MS_MCML_AUTO = 0,          /* deterministic if photons = 0, else direct */
@@ -656,7 +663,7 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
 /* NULL and a zeroed profile are fine. */
 MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile);
 
-/* --- skin -------------------------------------------------------------------------------------------------- */
+/* ---- skin ------------------------------------------------------------------------------------------------------ */
 
 #define MS_MCML_SKIN_BANDS 13
 
@@ -1203,7 +1210,7 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 
 #include <math.h>
 
-/* --- tissue and runs --------------------------------------------------------------------------------------- */
+/* ---- tissue and runs ------------------------------------------------------------------------------------------- */
 
 #include <math.h>
 #ifndef MS_MCML_NO_STDIO
@@ -1263,7 +1270,7 @@ static ms_status ms_mcml__check_tissue(const ms_mcml_tissue *tissue, ms_error *e
     return MS_OK;
 }
 
-/* --- direct Monte Carlo ------------------------------------------------------------------------------------ */
+/* ---- direct Monte Carlo ---------------------------------------------------------------------------------------- */
 
 #define MS_MCML__UNITS 1073741824.0f /* 2^30: a whole photon in the sums */
 #define MS_MCML__PHI_UNITS 65536.0f  /* fluence adds up over collisions: coarser, to stay below 2^63 */
@@ -2145,7 +2152,7 @@ MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_gr
     return status;
 }
 
-/* --- finite beams ------------------------------------------------------------------------------------------ */
+/* ---- finite beams ---------------------------------------------------------------------------------------------- */
 
 /* exp(-x) I0(x), x >= 0: the power series, or from 20 on the asymptotic one. */
 static double ms_mcml__bessel_i0_scaled(double x)
@@ -2236,7 +2243,7 @@ MS_API ms_status ms_mcml_convolve(int beam, double radius_cm, double dr_cm, int 
     return MS_OK;
 }
 
-/* --- mci and mco files ------------------------------------------------------------------------------------- */
+/* ---- mci and mco files ----------------------------------------------------------------------------------------- */
 
 /* The data line at hand: from p to stop, a comment cut off. */
 typedef struct ms_mcml__text {
@@ -2762,7 +2769,7 @@ MS_API ms_status ms_mcml_mco_save(const char *path, const ms_mcml_run_spec *run,
 }
 #endif
 
-/* --- materials --------------------------------------------------------------------------------------------- */
+/* ---- materials ------------------------------------------------------------------------------------------------- */
 
 MS_API const ms_mcml_material *ms_mcml_materials(int *count)
 {
@@ -2805,7 +2812,7 @@ MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, 
     return medium;
 }
 
-/* --- half-space solver ------------------------------------------------------------------------------------- */
+/* ---- half-space solver ----------------------------------------------------------------------------------------- */
 
 /* Lengths in mean free paths 1 / mu_t. The lateral Fourier transform q(z; k) of the collision density under a pencil
    beam obeys  q(z) = exp(-z) + a integral_0^inf K(z, z') q(z') dz'  with  K(z, z') = L(|z - z'|) + M(z + z'),
@@ -3356,7 +3363,7 @@ MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *s, double x
     return 0.5 * sum;
 }
 
-/* --- layered solver ---------------------------------------------------------------------------------------- */
+/* ---- layered solver -------------------------------------------------------------------------------------------- */
 
 #define MS_MCML__ORDER_MAX 31
 #define MS_MCML__STRATA 16
@@ -4727,7 +4734,7 @@ MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *s, int side, do
     return 0.5 * (sum > 0 ? sum : 0);
 }
 
-/* --- colours ----------------------------------------------------------------------------------------------- */
+/* ---- colours --------------------------------------------------------------------------------------------------- */
 
 #define MS_MCML__NODES 28
 
@@ -4952,7 +4959,7 @@ MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind)
                 ms_mcml__path_of(kind, medium->mu_a_per_mm / (medium->mu_a_per_mm + medium->mu_s_per_mm), medium->g, color));
 }
 
-/* --- diffusion profiles ------------------------------------------------------------------------------------ */
+/* ---- diffusion profiles ---------------------------------------------------------------------------------------- */
 
 static ms_status ms_mcml__check_edges(const double *edge, int rings, int most, ms_error *error)
 {
@@ -5308,7 +5315,7 @@ MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile)
     memset(profile, 0, sizeof *profile);
 }
 
-/* --- skin -------------------------------------------------------------------------------------------------- */
+/* ---- skin ------------------------------------------------------------------------------------------------------ */
 
 /* Haemoglobin with and without oxygen, molar extinction per cm, every 10 nm from 400 (Prahl's table). */
 static const double ms_mcml__haemoglobin[31][2] = {
@@ -5504,7 +5511,7 @@ MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_sk
     return status;
 }
 
-/* --- kernels, one set a level ------------------------------------------------------------------------------------ */
+/* ---- kernels, one set a level ---------------------------------------------------------------------------------- */
 
 #ifndef MS_MCML_FILENAME
 #define MS_MCML_FILENAME "ms_mcml.h"

@@ -1,15 +1,16 @@
 /* ms_nn.h - v0.1.0 - small networks from safetensors - MIT or public domain, see the end
 
-   Runs small trained networks - a neural renderer (parameters to picture), inversion networks (picture to parameters) - from
-   safetensors files at the speed at which memory delivers the weights: forward, vector-Jacobian product, Jacobian-vector
-   product, Jacobian. Reads and writes safetensors strictly. No dependency but the C library; never trains.
-
-   USE IT. In one C or C++ file:
+   Use it
+   ------
+   In one C or C++ file; elsewhere only the second line:
 
       #define MS_NN_IMPLEMENTATION
       #include "ms_nn.h"
 
-   and include the header alone elsewhere. A complete program, C99 and C++11 (it writes a network of its own first):
+   Runs small trained networks - a neural renderer (parameters to picture), inversion networks (picture to parameters) - from
+   safetensors files at the speed at which memory delivers the weights: forward, vector-Jacobian product, Jacobian-vector
+   product, Jacobian. Reads and writes safetensors strictly. Never trains. Link with -lm. Here a network of one layer,
+   which the program writes first:
 
    Example:
       #define MS_NN_IMPLEMENTATION
@@ -37,7 +38,9 @@
       }
    End of example.
 
-   THE FILE. safetensors: a length of 8 bytes, a JSON header, the data. A network is a file whose __metadata__ has
+   The file
+   --------
+   safetensors: a length of 8 bytes, a JSON header, the data. A network is a file whose __metadata__ has
 
       "format"         "pt": weights as PyTorch lays them out (may be absent)
       "ms_nn_version"  "1"
@@ -68,52 +71,63 @@
       concat           from, order: after (default) or before      puts that output's channels behind, or before
       shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
 
-   <name>.bias [outputs] belongs to every dense and convolution layer unless "bias":false stands in the list. Weights are F64, F32,
-   F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]): weight = scale of its output x integer. Convolutions are
-   correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2 zeros in front, rounded down, and as many behind as make
-   ceil(size / stride) outputs. "extra" is PyTorch's output_padding. "activation": linear (default), relu, leaky_relu (slope alpha,
-   0.01), elu (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels evaluates the rest of the list once for each of its lists of input indices and puts the
-   outputs one after the other: one small network for the red, green and blue of a scene without colours of its own.
-   examples/export_torch.py saves PyTorch and Keras networks in this form.
+   <name>.bias [outputs] belongs to every dense and convolution layer unless "bias":false stands in the list. Weights are
+   F64, F32, F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]): weight = scale of its output x integer. Convolutions
+   are correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2 zeros in front, rounded down, and as many
+   behind as make ceil(size / stride) outputs. "extra" is PyTorch's output_padding. "activation": linear (default), relu,
+   leaky_relu (slope alpha, 0.01), elu (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels evaluates
+   the rest of the list once for each of its lists of input indices and puts the outputs one after the other: one small
+   network for the red, green and blue of a scene without colours of its own. examples/export_torch.py saves PyTorch and
+   Keras networks in this form.
 
-   WHAT IT COSTS. A dense layer costs what reading its weights costs: a picture of the full-size renderer (2.1 GB of F32) runs within
-   some percent of the speed of memory, BF16 and F16 in about half the time, I8 in a third to two fifths, at about 68, 86 and 65 dB
-   against F32. Large pages under the weights (on Linux madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is given) save a sixth
-   to a third of it. README.md and tests/bench/RESULTS.md have the tables, with PyTorch, OpenBLAS and oneDNN beside;
-   `make bench FILTER=nn` makes them.
+   What it costs
+   -------------
+   A dense layer costs what reading its weights costs: a picture of the full-size renderer (2.1 GB of F32) runs within some
+   percent of the speed of memory, BF16 and F16 in about half the time, I8 in a third to two fifths, at about 68, 86 and 65
+   dB against F32. Large pages under the weights (on Linux madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is given)
+   save a sixth to a third of it. README.md and tests/bench/RESULTS.md have the tables, with PyTorch, OpenBLAS and oneDNN
+   beside; `make bench FILTER=nn` makes them.
 
-   MEMORY. A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights, float
-   copies of F64 and of folded dense weights, nothing else of the weights. The products allocate nothing when they are given a
-   workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples or directions: more run in blocks. Stack: below 32 kB, 64 kB
-   when compiled without optimisation.
-   THREADS. No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ.
-   options.parallel takes a thread pool; the work is cut by the problem alone.
-   SIMD. SSE2, AVX2, AVX-512 (with VNNI where there is) and NEON, chosen at load, capped by options.simd. MS_NO_SIMD: plain C.
-   DETERMINISM. At one level the same bits for any number of threads, and for a sample alone or in a batch. Dense layers of I8 are
-   summed in integers and equal at every level; all else agrees between levels within the error below.
-   ERROR. Arithmetic is in floats: about 1e-6 of the largest output against double precision for the networks above, at most
-   1e-5 in the tests. I8 layers take their input in 21-bit fixed point: 5e-7 of its largest element. The collapse is in double.
-   ERRORS. Every call that can fail returns a status; loaders also fill an ms_error with a byte offset and a sentence. On failure
+   Memory, threads, SIMD, determinism, errors
+   ------------------------------------------
+   A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights, float copies
+   of F64 and of folded dense weights, nothing else of the weights. The products allocate nothing when they are given a
+   workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples or directions: more run in blocks. Stack: below
+   32 kB, 64 kB when compiled without optimisation.
+   No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ. options.parallel
+   takes a thread pool; the work is cut by the problem alone.
+   SSE2, AVX2, AVX-512 (with VNNI where there is) and NEON, chosen at load, capped by options.simd. MS_NO_SIMD: plain C.
+   At one level the same bits for any number of threads, and for a sample alone or in a batch. Dense layers of I8 are summed
+   in integers and equal at every level; all else agrees between levels within the error below.
+   Arithmetic is in floats: about 1e-6 of the largest output against double precision for the networks above, at most 1e-5 in
+   the tests. I8 layers take their input in 21-bit fixed point: 5e-7 of its largest element. The collapse is in double.
+   Every call that can fail returns a status; loaders also fill an ms_error with a byte offset and a sentence. On failure
    outputs are untouched. Weights and inputs that are NaN or infinite run through (ms_nn_check_weights finds them).
    -ffast-math voids what is said of bits, NaN and infinity; the rest holds to rounding.
 
-   CONFIGURATION, all before the #include of the implementation
-      MS_NN_NO_STDIO    no <stdio.h>, no files by name
-      MS_NN_NO_COLLAPSE no collapse and no low rank: what matching needs, a fifth of the code
-      MS_NO_SIMD        plain C only
-      MS_DEF            linkage of the functions, e.g. static
-      MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
-      MS_ASSERT(x)      nothing; checks of the library's own invariants
+   Configuration (define before the implementation)
+   ------------------------------------------------
+   MS_NN_NO_STDIO    no <stdio.h>, no files by name
+   MS_NN_NO_COLLAPSE no collapse and no low rank: what matching needs, a fifth of the code
+   MS_NO_SIMD        plain C only
+   MS_DEF            linkage of the functions, e.g. static
+   MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
+   MS_ASSERT(x)      nothing; checks of the library's own invariants
 
-   LIMITS. Refused with MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes unless
-   options.allow_trailing, NUL in names, null metadata, header over 100,000,000 bytes, rank over 32) and layers that do not fit
-   their tensors; 4096 layers at most. MS_UNSUPPORTED: other element types than the five as weights. Files of 2^31 bytes and
-   more need a 64-bit machine. A mapped file must not shrink while it is used: options.copy reads it instead. Networks are chains with skips
-   that are added or concatenated: no recurrence, attention, or normalisation at run time (BatchNorm goes into the weights).
+   Limits
+   ------
+   Refused with MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes unless
+   options.allow_trailing, NUL in names, null metadata, header over 100,000,000 bytes, rank over 32) and layers that do not
+   fit their tensors; 4096 layers at most. MS_UNSUPPORTED: other element types than the five as weights. Files of 2^31 bytes
+   and more need a 64-bit machine. A mapped file must not shrink while it is used: options.copy reads it instead. Networks
+   are chains with skips that are added or concatenated: no recurrence, attention, or normalisation at run time (BatchNorm
+   goes into the weights).
 
-   SOURCES. safetensors: its format description and reference implementation. Networks: Zsolnai-Feher, PhD thesis, sections 3.4.2
-   and 4.3.1. Convolutions: Winograd's F(2, 3), Lavin & Gray 2016. Collapse: Golub & Van Loan, Matrix Computations, chapter 5; Schreiber & Van Loan 1989; Bjoerck 1987; Chambers 1971.
-   Low rank: Hestenes 1958.
+   Sources
+   -------
+   safetensors: its format description and reference implementation. Networks: Zsolnai-Feher, PhD thesis, sections 3.4.2 and
+   4.3.1. Convolutions: Winograd's F(2, 3), Lavin & Gray 2016. Collapse: Golub & Van Loan, Matrix Computations, chapter 5;
+   Schreiber & Van Loan 1989; Bjoerck 1987; Chambers 1971. Low rank: Hestenes 1958.
 */
 #ifndef MS_NN_H
 #define MS_NN_H
@@ -232,11 +246,7 @@ static inline const char *ms_simd_string(ms_simd level)
 #endif
 /* ms-common end */
 
-#ifndef MS_NN_API
-#define MS_NN_API MS_API
-#endif
-
-/* --- safetensors: what is in a file --- */
+/* ---- safetensors: what is in a file ---------------------------------------------------------------------------- */
 
 /* Every element type of the format: code, name in the file, bits. Networks use F64, F32, F16, BF16 and I8; the
    others are listed, checked and copied. */
@@ -289,10 +299,10 @@ typedef struct ms_nn_options {
 } ms_nn_options;
 
 /* All defaults. */
-MS_NN_API ms_nn_options ms_nn_defaults(void);
+MS_API ms_nn_options ms_nn_defaults(void);
 
 /* "F32" and so on; "unknown" outside the list. */
-MS_NN_API const char *ms_nn_dtype_string(ms_nn_dtype dtype);
+MS_API const char *ms_nn_dtype_string(ms_nn_dtype dtype);
 
 typedef struct ms_nn_file ms_nn_file;
 
@@ -303,19 +313,19 @@ typedef struct ms_nn_file ms_nn_file;
    error     NULL or filled on failure: position is the byte in the file, message the reason
    One allocation, of at most 5 times the header that is really there. No recursion.
    MS_BAD_DATA: not a strict safetensors file. MS_UNSUPPORTED: 2^31 bytes or more on a 32-bit machine. MS_OUT_OF_MEMORY. */
-MS_NN_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
+MS_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
                                     ms_error *error);
-MS_NN_API void ms_nn_file_close(ms_nn_file *file); /* NULL is allowed */
+MS_API void ms_nn_file_close(ms_nn_file *file); /* NULL is allowed */
 
 /* Tensors in the order of their data, i in [0, count); metadata in the order of the file. */
-MS_NN_API size_t ms_nn_file_tensor_count(const ms_nn_file *file);
-MS_NN_API const ms_nn_tensor *ms_nn_file_tensor(const ms_nn_file *file, size_t i);
-MS_NN_API size_t ms_nn_file_entry_count(const ms_nn_file *file);
-MS_NN_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i);
+MS_API size_t ms_nn_file_tensor_count(const ms_nn_file *file);
+MS_API const ms_nn_tensor *ms_nn_file_tensor(const ms_nn_file *file, size_t i);
+MS_API size_t ms_nn_file_entry_count(const ms_nn_file *file);
+MS_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i);
 
 /* By name, in O(log count); NULL if there is none. */
-MS_NN_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name);
-MS_NN_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key);
+MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name);
+MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key);
 
 /* Receives a file front to back; returns 0, or anything else to stop with MS_IO. */
 typedef struct ms_nn_sink {
@@ -329,10 +339,10 @@ typedef struct ms_nn_sink {
    metadata  [entries]; keys unique; NULL with entries 0
    MS_INVALID_ARGUMENT: a name twice, "__metadata__" as a name, text that is not UTF-8, a wrong size. MS_IO: the sink
    stopped. MS_OUT_OF_MEMORY. position: index of the tensor or entry. Nothing is written unless all is valid. */
-MS_NN_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+MS_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
                                      size_t entries, const ms_allocator *allocator, ms_nn_sink sink, ms_error *error);
 
-/* --- networks --- */
+/* ---- networks -------------------------------------------------------------------------------------------------- */
 
 typedef struct ms_nn ms_nn;
 
@@ -360,40 +370,40 @@ typedef struct ms_nn_layer {
    Folds (options->no_folds): upsample1d before conv1d and upsample1d/2d before flatten + dense of F32 or F64.
    MS_BAD_DATA: file or layer list malformed, shapes that do not fit. MS_UNSUPPORTED: an element type or version that
    this release does not run. MS_OUT_OF_MEMORY. */
-MS_NN_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn,
+MS_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn,
                                ms_error *error);
-MS_NN_API void ms_nn_destroy(ms_nn *nn); /* NULL is allowed */
+MS_API void ms_nn_destroy(ms_nn *nn); /* NULL is allowed */
 
 #ifndef MS_NN_NO_STDIO
 /* ms_nn_file_open and ms_nn_load for a file by name: mapped on POSIX systems, where a file that shrinks while it is used
    ends the program (options.copy), read into one allocation elsewhere. MS_IO: cannot be read. */
-MS_NN_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error);
-MS_NN_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error);
+MS_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error);
+MS_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error);
 
 /* ms_nn_file_write into a file by name, replaced if it is there. */
-MS_NN_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count,
+MS_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count,
                                     const ms_nn_entry *metadata, size_t entries, const ms_allocator *allocator,
                                     ms_error *error);
 #endif
 
-MS_NN_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn);
-MS_NN_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn);
-MS_NN_API size_t ms_nn_input_size(const ms_nn *nn);  /* floats of one sample */
-MS_NN_API size_t ms_nn_output_size(const ms_nn *nn);
-MS_NN_API int ms_nn_layer_count(const ms_nn *nn);
-MS_NN_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i); /* i in [0, ms_nn_layer_count) */
-MS_NN_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn);   /* the file behind it; belongs to nn */
-MS_NN_API ms_simd ms_nn_simd(const ms_nn *nn);                /* the level in use */
+MS_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn);
+MS_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn);
+MS_API size_t ms_nn_input_size(const ms_nn *nn);  /* floats of one sample */
+MS_API size_t ms_nn_output_size(const ms_nn *nn);
+MS_API int ms_nn_layer_count(const ms_nn *nn);
+MS_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i); /* i in [0, ms_nn_layer_count) */
+MS_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn);   /* the file behind it; belongs to nn */
+MS_API ms_simd ms_nn_simd(const ms_nn *nn);                /* the level in use */
 
 /* Reads every weight. MS_BAD_DATA and the name and index of the first NaN or infinity; MS_OK: there is none. */
-MS_NN_API ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error);
+MS_API ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error);
 
 /* What a workspace is for, and how many samples (forward, VJP) or directions (JVP) run at once. */
 typedef enum ms_nn_product { MS_NN_FORWARD, MS_NN_VJP, MS_NN_JVP, MS_NN_JACOBIAN } ms_nn_product;
 
 /* Bytes of the workspace that a call needs; SIZE_MAX: count < 1 or more than memory can address. The Jacobian needs
    count 1. */
-MS_NN_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int count);
+MS_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int count);
 
 /* y = f(x) for count samples at once; the weights are read once for all of them.
    x          [count][input size]
@@ -402,7 +412,7 @@ MS_NN_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, in
    nn is only read: calls may overlap if their workspaces differ. NaN and infinity pass through.
    Same bits for any thread count, and for a sample alone or in a batch, at one SIMD level.
    MS_INVALID_ARGUMENT: count < 1, a NULL pointer. MS_OUT_OF_MEMORY: only with workspace NULL. */
-MS_NN_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace);
+MS_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace);
 
 /* Vector-Jacobian product g_x = (df/dx)' g_y for count samples, each with its own output gradient.
    x          [count][input size]
@@ -411,7 +421,7 @@ MS_NN_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, fl
    g_x        [count][input size] out
    At a kink (relu at 0) the slope of the left side, at a tie in a pool the first maximum, as PyTorch does.
    Statuses, threads, bits and workspace (MS_NN_VJP) as for ms_nn_forward. */
-MS_NN_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x,
+MS_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x,
                               void *workspace);
 
 /* Jacobian-vector products dy = (df/dx) dx at one x for count directions.
@@ -420,17 +430,17 @@ MS_NN_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const 
    y          [output size] out; NULL: not wanted
    dy         [count][output size] out
    Workspace MS_NN_JVP. */
-MS_NN_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy,
+MS_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy,
                               void *workspace);
 
 /* The whole Jacobian at one x: forwards (one direction an input) or backwards (one an output), whichever is fewer.
    y          [output size] out; NULL: not wanted
    jacobian   [output size][input size] out
    Workspace MS_NN_JACOBIAN, count 1. The weights are read once. */
-MS_NN_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace);
+MS_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace);
 
 #ifndef MS_NN_NO_COLLAPSE
-/* --- collapse: a network with a linear last layer as an objective --- */
+/* ---- collapse: a network with a linear last layer as an objective ---------------------------------------------- */
 
 /* With y = W h(x) + b, target t and a weight for each output in the diagonal of M,
      |y - t|_M^2 = |R (h - h0) - e|^2 + rest,   R'R = W' M W,
@@ -448,15 +458,15 @@ typedef struct ms_nn_collapse ms_nn_collapse;
    About 2 h^2 multiply-adds for each output of a channel, once for each different set of weights; 8 h^2 bytes for each channel
    and, while it runs, for each of 8 parts.
    MS_INVALID_ARGUMENT: a negative or non-finite weight (position: its index). MS_OUT_OF_MEMORY. */
-MS_NN_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error);
-MS_NN_API void ms_nn_collapse_destroy(ms_nn_collapse *c); /* NULL is allowed */
+MS_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error);
+MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c); /* NULL is allowed */
 
 /* Inputs of the last layer, those of all channels together. */
-MS_NN_API size_t ms_nn_collapse_features(const ms_nn_collapse *c);
+MS_API size_t ms_nn_collapse_features(const ms_nn_collapse *c);
 
 /* R of the first channel, rows of the upper triangle one after the other: store that of a collapse without weights as F64
    tensor "ms_nn.collapse" (ms_nn_file_write) and the next ms_nn_collapse_create takes no time. */
-MS_NN_API const double *ms_nn_collapse_r(const ms_nn_collapse *c);
+MS_API const double *ms_nn_collapse_r(const ms_nn_collapse *c);
 
 /* Changes the weights of some outputs: R is updated by their rows (Householder for more weight, mixed hyperbolic
    rotations for less), or made anew where that would lose accuracy or time. The target must be set again. A mask of pixels
@@ -464,27 +474,27 @@ MS_NN_API const double *ms_nn_collapse_r(const ms_nn_collapse *c);
    index   [count] outputs, each once
    weight  [count] >= 0
    MS_INVALID_ARGUMENT (position: index of the offender), MS_OUT_OF_MEMORY: c is unchanged. */
-MS_NN_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error);
+MS_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error);
 
 /* Sets t. Two passes over W, of floats and of doubles: semi-normal equations with a correction (Bjoerck 1987), so that the
    residual of the best h is summed, not subtracted.
    target  [output size], finite */
-MS_NN_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error);
+MS_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error);
 
 /* |f(x) - t|_M^2 in double. Its error is about 1e-16 |t|_M^2 + that of h(x) in float: a residual of 1e-6 |t| keeps
    four digits.
    workspace  ms_nn_collapse_workspace_size(c, 0) bytes, any alignment; NULL: from the allocator
    MS_INVALID_ARGUMENT: no target since the last mask. c is only read: calls may overlap if their workspaces differ. */
-MS_NN_API ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace);
+MS_API ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace);
 
 /* The residual vector, whose square sum is the value, and its Jacobian, for least-squares solvers.
    residual  [features + 1] out, channel by channel; the last is sqrt(rest) and does not depend on x
    jacobian  [features + 1][input size] out; NULL: not wanted
    workspace ms_nn_collapse_workspace_size(c, jacobian != NULL) bytes; NULL: from the allocator */
-MS_NN_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace);
-MS_NN_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian);
+MS_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace);
+MS_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian);
 
-/* --- low rank: a smaller last layer for the inputs that matter --- */
+/* ---- low rank: a smaller last layer for the inputs that matter ------------------------------------------------- */
 
 /* Over sample inputs, W (h - mean h) is replaced by its projection on the `rank` output directions that carry most of
    its variance: U U' W, the best of that rank for these features (a truncated SVD of W times a factor of the
@@ -496,20 +506,20 @@ typedef struct ms_nn_low_rank ms_nn_low_rank;
    x        [samples][input size]
    peak     the largest output, for PSNR: 10 log10(peak^2 / mean square error); 0: 1
    About 10 features^3 multiply-adds. */
-MS_NN_API ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak, ms_nn_low_rank **low_rank,
+MS_API ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak, ms_nn_low_rank **low_rank,
                                           ms_error *error);
-MS_NN_API void ms_nn_low_rank_destroy(ms_nn_low_rank *low_rank); /* NULL is allowed */
+MS_API void ms_nn_low_rank_destroy(ms_nn_low_rank *low_rank); /* NULL is allowed */
 
 /* PSNR in dB of the rank, against the full network, over the samples; infinite where nothing is lost. */
-MS_NN_API double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank);
+MS_API double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank);
 
 /* The smallest rank of at least that PSNR; the number of features if there is none. */
-MS_NN_API int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db);
+MS_API int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db);
 
 /* Writes the file of the smaller network: the last dense layer becomes two, "<name>.low" and "<name>".
    rank   1 to the number of features
    dtype  of their weights: F32, F16 or BF16 */
-MS_NN_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error);
+MS_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error);
 #endif /* MS_NN_NO_COLLAPSE */
 
 #ifdef __cplusplus
@@ -1043,7 +1053,7 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #define MS_NN__COLD
 #endif
 
-/* === bytes === */
+/* ---- bytes ----------------------------------------------------------------------------------------------------- */
 
 /* Files are little-endian; these read any alignment on any host. */
 static uint32_t ms_nn__u16(const unsigned char *p) { return (uint32_t)p[0] | (uint32_t)p[1] << 8; }
@@ -1121,7 +1131,7 @@ static float ms_nn__narrow(double x)
     return ms_nn__float_of((uint32_t)(bits >> 63) << 31 | (!ms__finite(x) && bits << 12 ? 0x7fc00000u : 0x7f800000u));
 }
 
-/* === sorting === */
+/* ---- sorting --------------------------------------------------------------------------------------------------- */
 
 /* Heap sort of indices: no recursion, no allocation, O(n log n) for any input. */
 static void ms_nn__sort(size_t *index, size_t n, int (*compare)(const void *context, size_t a, size_t b),
@@ -1145,7 +1155,7 @@ static void ms_nn__sort(size_t *index, size_t n, int (*compare)(const void *cont
     }
 }
 
-/* === JSON === */
+/* ---- json ------------------------------------------------------------------------------------------------------ */
 
 /* A cursor over JSON text. The grammars here have a fixed depth, so each level is a loop and nothing recurses. */
 typedef struct ms_nn__json {
@@ -1309,7 +1319,7 @@ static MS_NN__COLD ms_status ms_nn__json_more(ms_nn__json *j, char close, int *m
     return ms_nn__bad(j, close == '}' ? "expected ',' or '}'" : "expected ',' or ']'");
 }
 
-/* === file === */
+/* ---- file ------------------------------------------------------------------------------------------------------ */
 
 typedef struct ms_nn__record {
     ms_nn_tensor tensor;
@@ -1519,14 +1529,14 @@ static MS_NN__COLD ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start,
     return MS_OK;
 }
 
-MS_NN_API MS_NN__COLD ms_nn_options ms_nn_defaults(void)
+MS_API MS_NN__COLD ms_nn_options ms_nn_defaults(void)
 {
     ms_nn_options options;
     memset(&options, 0, sizeof options);
     return options;
 }
 
-MS_NN_API const char *ms_nn_dtype_string(ms_nn_dtype dtype) { return ms_nn__dtype_name((int)dtype); }
+MS_API const char *ms_nn_dtype_string(ms_nn_dtype dtype) { return ms_nn__dtype_name((int)dtype); }
 
 /* An allocation under the caller's cap. */
 static MS_NN__COLD void *ms_nn__alloc(const ms_nn_options *options, size_t size)
@@ -1535,7 +1545,7 @@ static MS_NN__COLD void *ms_nn__alloc(const ms_nn_options *options, size_t size)
     return ms__alloc(&options->allocator, size);
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
+MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
                                     ms_error *error)
 {
     const unsigned char *b = (const unsigned char *)bytes;
@@ -1610,7 +1620,7 @@ static MS_NN__COLD void ms_nn__release_content(const ms_allocator *allocator, co
     ms__release(allocator, at, bytes);
 }
 
-MS_NN_API MS_NN__COLD void ms_nn_file_close(ms_nn_file *file)
+MS_API MS_NN__COLD void ms_nn_file_close(ms_nn_file *file)
 {
     ms_allocator allocator;
     if (file == NULL) return;
@@ -1619,20 +1629,20 @@ MS_NN_API MS_NN__COLD void ms_nn_file_close(ms_nn_file *file)
     ms__release(&allocator, file, file->bytes);
 }
 
-MS_NN_API size_t ms_nn_file_tensor_count(const ms_nn_file *file) { return file ? file->tensors : 0; }
-MS_NN_API size_t ms_nn_file_entry_count(const ms_nn_file *file) { return file ? file->entries : 0; }
+MS_API size_t ms_nn_file_tensor_count(const ms_nn_file *file) { return file ? file->tensors : 0; }
+MS_API size_t ms_nn_file_entry_count(const ms_nn_file *file) { return file ? file->entries : 0; }
 
-MS_NN_API const ms_nn_tensor *ms_nn_file_tensor(const ms_nn_file *file, size_t i)
+MS_API const ms_nn_tensor *ms_nn_file_tensor(const ms_nn_file *file, size_t i)
 {
     return file && i < file->tensors ? &file->record[file->by_data[i]].tensor : NULL;
 }
 
-MS_NN_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i)
+MS_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i)
 {
     return file && i < file->entries ? &file->entry[i] : NULL;
 }
 
-MS_NN_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name)
+MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name)
 {
     size_t low = 0, high = file && name ? file->tensors : 0;
     while (low < high) {
@@ -1646,7 +1656,7 @@ MS_NN_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char
     return NULL;
 }
 
-MS_NN_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key)
+MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key)
 {
     size_t low = 0, high = file && key ? file->entries : 0;
     while (low < high) {
@@ -1683,7 +1693,7 @@ static MS_NN__COLD size_t ms_nn__byte_of(const ms_nn_file *file, const char *key
     return (size_t)(p - file->start);
 }
 
-/* === writer === */
+/* ---- writer ---------------------------------------------------------------------------------------------------- */
 
 /* The header's text goes through this: counted first, then written. */
 typedef struct ms_nn__writer {
@@ -1829,7 +1839,7 @@ static MS_NN__COLD void ms_nn__write_header(ms_nn__writer *w, const ms_nn_tensor
     while (w->length % 64) ms_nn__put_text(w, " ");
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+MS_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
                                      size_t entries, const ms_allocator *allocator, ms_nn_sink sink, ms_error *error)
 {
     size_t order_bytes = ms__size_mul(count > entries ? count : entries, sizeof(size_t)), i;
@@ -1866,7 +1876,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, si
     return status;
 }
 
-/* === layer list === */
+/* ---- layer list ------------------------------------------------------------------------------------------------ */
 
 /* What a layer does, after reading. */
 typedef enum ms_nn__kind {
@@ -2162,7 +2172,7 @@ static MS_NN__COLD ms_status ms_nn__shape_read(ms_nn_shape *shape, const char *t
     return j.p == j.end ? MS_OK : ms_nn__bad(&j, "text follows ms_nn_input");
 }
 
-/* === plan === */
+/* ---- plan ------------------------------------------------------------------------------------------------------ */
 
 /* channels x height x width; a signal has height 1, a vector height and width 1. */
 typedef struct ms_nn__dims {
@@ -3046,7 +3056,7 @@ static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *
     return status;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     ms_nn_file *file = NULL;
@@ -3056,7 +3066,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const
     return status == MS_OK ? ms_nn__make(file, &o, nn, error) : status;
 }
 
-/* === run === */
+/* ---- run ------------------------------------------------------------------------------------------------------- */
 
 /* Rows of y_b = W x_b + bias, one b a sample; or their transpose, g_x = W' g_y. */
 typedef struct ms_nn__dense {
@@ -3537,7 +3547,7 @@ static void ms_nn__transpose(const float *x, size_t rows, size_t cols, float *y)
                 for (i = i0; i < ms_nn__min(i0 + 32, rows); ++i) y[j * rows + i] = x[i * cols + j];
 }
 
-/* === products === */
+/* ---- products -------------------------------------------------------------------------------------------------- */
 
 /* One run: points x directions. Samples of the caller become channels each with shared_channels. */
 typedef struct ms_nn__run {
@@ -3781,7 +3791,7 @@ static MS_NN__COLD ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product
     return l;
 }
 
-MS_NN_API MS_NN__COLD size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int count)
+MS_API MS_NN__COLD size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int count)
 {
     if (nn == NULL) return 0;
     if (count < 1) return SIZE_MAX;
@@ -3853,7 +3863,7 @@ static MS_NN__COLD void ms_nn__give_back(const ms_nn *nn, ms_nn_product product,
     if (allocated != NULL) ms__release(&nn->options.allocator, allocated, ms_nn_workspace_size(nn, product, count));
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace)
 {
     ms_nn__call call;
     void *allocated;
@@ -3889,7 +3899,7 @@ static MS_NN__COLD ms_status ms_nn__vjp(const ms_nn *nn, int count, const float 
     return ms_nn__end(&call);
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
 {
     void *allocated;
     int at, n;
@@ -3904,7 +3914,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_vjp(const ms_nn *nn, int count, const floa
     return status;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy, void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy, void *workspace)
 {
     ms_nn__call call;
     ms_status status = dx == NULL || dy == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JVP, count, x, y, workspace);
@@ -3953,7 +3963,7 @@ static MS_NN__COLD const float *ms_nn__slopes(const ms_nn__call *call, size_t *r
     return call->layout.backward ? dx : dy;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace)
 {
     ms_nn__call call;
     ms_status status = jacobian == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JACOBIAN, 1, x, y, workspace);
@@ -3978,7 +3988,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, 
     return ms_nn__end(&call);
 }
 
-/* === queries === */
+/* ---- queries --------------------------------------------------------------------------------------------------- */
 
 static ms_nn_shape ms_nn__no_shape(void)
 {
@@ -3987,18 +3997,18 @@ static ms_nn_shape ms_nn__no_shape(void)
     return none;
 }
 
-MS_NN_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn) { return nn ? nn->input : ms_nn__no_shape(); }
-MS_NN_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn) { return nn ? nn->output : ms_nn__no_shape(); }
+MS_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn) { return nn ? nn->input : ms_nn__no_shape(); }
+MS_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn) { return nn ? nn->output : ms_nn__no_shape(); }
 
-MS_NN_API size_t ms_nn_input_size(const ms_nn *nn)
+MS_API size_t ms_nn_input_size(const ms_nn *nn)
 {
     if (nn == NULL) return 0;
     return nn->input.size[0] * (nn->input.rank > 1 ? nn->input.size[1] : 1) * (nn->input.rank > 2 ? nn->input.size[2] : 1);
 }
 
-MS_NN_API size_t ms_nn_output_size(const ms_nn *nn) { return nn ? nn->channels * ms_nn__value_size(nn, nn->ops) : 0; }
-MS_NN_API int ms_nn_layer_count(const ms_nn *nn) { return nn ? nn->layers : 0; }
-MS_NN_API MS_NN__COLD ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
+MS_API size_t ms_nn_output_size(const ms_nn *nn) { return nn ? nn->channels * ms_nn__value_size(nn, nn->ops) : 0; }
+MS_API int ms_nn_layer_count(const ms_nn *nn) { return nn ? nn->layers : 0; }
+MS_API MS_NN__COLD ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
 {
     ms_nn_layer none;
     if (nn != NULL && i >= 0 && i < nn->layers) return nn->layer[i];
@@ -4008,10 +4018,10 @@ MS_NN_API MS_NN__COLD ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
     return none;
 }
 
-MS_NN_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn) { return nn ? nn->file : NULL; }
-MS_NN_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn ? nn->level : MS_SIMD_AUTO; }
+MS_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn) { return nn ? nn->file : NULL; }
+MS_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn ? nn->level : MS_SIMD_AUTO; }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error)
 {
     size_t t, i;
     if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn is NULL");
@@ -4026,7 +4036,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *e
     return MS_OK;
 }
 
-MS_NN_API MS_NN__COLD void ms_nn_destroy(ms_nn *nn)
+MS_API MS_NN__COLD void ms_nn_destroy(ms_nn *nn)
 {
     ms_nn__block *b, *next;
     ms_allocator allocator;
@@ -4040,7 +4050,7 @@ MS_NN_API MS_NN__COLD void ms_nn_destroy(ms_nn *nn)
     ms__release(&allocator, nn, sizeof *nn);
 }
 
-/* === stdio === */
+/* ---- stdio ----------------------------------------------------------------------------------------------------- */
 
 #ifndef MS_NN_NO_STDIO
 /* A regular file mapped read-only; *bytes NULL where that is not possible. */
@@ -4098,7 +4108,7 @@ static ms_status ms_nn__slurp(const char *path, const ms_nn_options *o, void **b
     return status;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     const void *mapped = NULL;
@@ -4120,7 +4130,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_op
     return MS_OK;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     ms_nn_file *file = NULL;
@@ -4130,7 +4140,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_load_file(const char *path, const ms_nn_op
     return status == MS_OK ? ms_nn__make(file, &o, nn, error) : status;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
+MS_API MS_NN__COLD ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
                                     size_t entries, const ms_allocator *allocator, ms_error *error)
 {
     ms_nn_sink sink;
@@ -4145,7 +4155,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_file_save(const char *path, const ms_nn_te
 #endif /* MS_NN_NO_STDIO */
 
 #ifndef MS_NN_NO_COLLAPSE
-/* === collapse === */
+/* ---- collapse -------------------------------------------------------------------------------------------------- */
 
 struct ms_nn_collapse {
     ms_nn trunk;            /* the network without its last layer: a view, it owns nothing */
@@ -4370,7 +4380,7 @@ static MS_NN__COLD ms_nn ms_nn__trunk(const ms_nn *nn)
     return t;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error)
 {
     const ms_nn__op *last;
     const ms_nn_tensor *stored;
@@ -4427,13 +4437,13 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const flo
     return status;
 }
 
-MS_NN_API void ms_nn_collapse_destroy(ms_nn_collapse *c)
+MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c)
 {
     if (c != NULL) ms__release(&c->nn->options.allocator, c, c->bytes);
 }
 
-MS_NN_API size_t ms_nn_collapse_features(const ms_nn_collapse *c) { return c ? c->channels * c->h : 0; }
-MS_NN_API const double *ms_nn_collapse_r(const ms_nn_collapse *c) { return c ? c->packed : NULL; }
+MS_API size_t ms_nn_collapse_features(const ms_nn_collapse *c) { return c ? c->channels * c->h : 0; }
+MS_API const double *ms_nn_collapse_r(const ms_nn_collapse *c) { return c ? c->packed : NULL; }
 
 /* R'R - v v' by mixed hyperbolic rotations (Chambers 1971): 0 where the difference is not positive definite. */
 static int ms_nn__downdate(double *r, size_t h, double *v)
@@ -4480,7 +4490,7 @@ static MS_NN__COLD int ms_nn__collapse_update(const ms_nn_collapse *c, const flo
     return 1;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error)
 {
     const ms_nn_options *o;
     double *r, *b, *row;
@@ -4644,7 +4654,7 @@ static MS_NN__COLD void ms_nn__collapse_start(ms_nn_collapse *c, const float *ta
     }
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
 {
     ms_nn__pass_job job;
     float *g;
@@ -4683,7 +4693,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const f
 /* Doubles of an evaluation: the residual (for the value) and columns for R; then the floats of h(x); then the trunk's. */
 static size_t ms_nn__collapse_doubles(const ms_nn_collapse *c) { return c->channels * c->h + 1 + MS_NN__COLUMNS * c->h; }
 
-MS_NN_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian)
+MS_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian)
 {
     size_t trunk;
     if (c == NULL) return 0;
@@ -4755,7 +4765,7 @@ static MS_NN__COLD ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, c
     return MS_OK;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace)
 {
     size_t bytes;
     void *allocated = NULL;
@@ -4769,7 +4779,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c,
     return status;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace)
 {
     size_t bytes, i;
     void *allocated = NULL;
@@ -4788,7 +4798,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_collapse_value(const ms_nn_collapse *c, co
     return status;
 }
 
-/* === low rank === */
+/* ---- low rank -------------------------------------------------------------------------------------------------- */
 
 struct ms_nn_low_rank {
     const ms_nn_collapse *c;
@@ -4870,7 +4880,7 @@ static ms_status ms_nn__feature_moments(const ms_nn_collapse *c, int samples, co
     return status;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak, ms_nn_low_rank **low_rank,
+MS_API MS_NN__COLD ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak, ms_nn_low_rank **low_rank,
                                           ms_error *error)
 {
     size_t h, i, k, bytes, g_bytes;
@@ -4917,12 +4927,12 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, i
     return status == MS_OK ? MS_OK : ms__fail(error, status, 0, "no memory for the directions of %z features", h);
 }
 
-MS_NN_API void ms_nn_low_rank_destroy(ms_nn_low_rank *low_rank)
+MS_API void ms_nn_low_rank_destroy(ms_nn_low_rank *low_rank)
 {
     if (low_rank != NULL) ms__release(&low_rank->c->nn->options.allocator, low_rank, low_rank->bytes);
 }
 
-MS_NN_API MS_NN__COLD double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank)
+MS_API MS_NN__COLD double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank, int rank)
 {
     const ms_nn_low_rank *l = low_rank;
     double lost = 0;
@@ -4933,7 +4943,7 @@ MS_NN_API MS_NN__COLD double ms_nn_low_rank_psnr(const ms_nn_low_rank *low_rank,
     return 10 * log10(l->peak * l->peak * (double)l->c->m->rows / lost);
 }
 
-MS_NN_API MS_NN__COLD int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db)
+MS_API MS_NN__COLD int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db)
 {
     int rank = 1;
     while (low_rank != NULL && (size_t)rank < low_rank->c->h && ms_nn_low_rank_psnr(low_rank, rank) < psnr_db) ++rank;
@@ -4978,7 +4988,7 @@ static size_t ms_nn__low_rank_layers(const ms_nn *nn, const char *layers, size_t
     return w.length;
 }
 
-MS_NN_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error)
 {
     const ms_nn_low_rank *l = low_rank;
     const ms_nn_collapse *c = l ? l->c : NULL;
@@ -5076,7 +5086,7 @@ MS_NN_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_r
 }
 #endif /* MS_NN_NO_COLLAPSE */
 
-/* === levels === */
+/* ---- levels ---------------------------------------------------------------------------------------------------- */
 
 /* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments. Under
    Clang's sanitizers that would take minutes to compile; without optimisation it would only add up the stack of all forms. */
@@ -5250,7 +5260,7 @@ static int ms_nn__row_tiles(void)
 #endif /* MS_NN_IMPLEMENTATION */
 
 #if defined(MS_NN_IMPLEMENTATION) && defined(MS_NN__PASS)
-/* === kernels === */
+/* ---- kernels --------------------------------------------------------------------------------------------------- */
 
 /* Plain C beside SIMD, and SSE2, are compiled for size: few run them. */
 #if MS_NN__ISA <= 2 && defined(MS__X64)

@@ -1,11 +1,17 @@
 /* ms_pme.h - v0.1.0 - from an edited picture to material parameters - MIT or public domain, see the end
 
+   Use it
+   ------
+   In one C or C++ file; elsewhere only the second line:
+
+      #define MS_PME_IMPLEMENTATION
+      #include "ms_pme.h"
+
    You have a renderer phi(x) (a small neural one, ms_nn.h runs such), and a target picture that somebody painted. This
    header finds the parameters x, inside their bounds, whose picture is closest: it tries the guesses that you have
-   (inversion networks, the previous frame, the source material), keeps the best, and refines it. It works from
-   callbacks alone, and its optimisers can be used on any function of up to 256 parameters.
-
-   Use it: in one C or C++ file, before the #include, #define MS_PME_IMPLEMENTATION.
+   (inversion networks, the previous frame, the source material), keeps the best, and refines it. It works from callbacks
+   alone, and its optimisers can be used on any function of up to 256 parameters. Link with -lm. Here a "renderer" of two
+   parameters and three pixels:
 
    Example:
       #define MS_PME_IMPLEMENTATION
@@ -38,46 +44,55 @@
    End of example.
 
    Which optimiser
-      The default is Levenberg-Marquardt whose every step is a least-squares problem inside the box, solved exactly by an
-      active-set method whose QR factorisation follows each bound that is entered or left. On the 14 problems of
-      tests/data/pme_problems.json (More, Garbow, Hillstrom, free and bounded) it ends within 1e-7 of a trust-region solver's
-      minima on all (`tests/test_pme.c reference`; the methods of the thesis are in tests/bench/thesis_methods.h). With
-      restarts as many first guesses set out as the budget has steps for, the best of them go on (successive halving), and what is
-      left goes to the others and to random points. Give a Jacobian when you have one: it
-      costs a network a few evaluations, differences cost n. On float32 pictures differences of 1.5e-8, the customary
-      default, are noise.
+   ---------------
+   The default is Levenberg-Marquardt whose every step is a least-squares problem inside the box, solved exactly by an
+   active-set method whose QR factorisation follows each bound that is entered or left. On the 14 problems of
+   tests/data/pme_problems.json (More, Garbow, Hillstrom, free and bounded) it ends within 1e-7 of a trust-region solver's
+   minima on all (`tests/test_pme.c reference`; the methods of the thesis are in tests/bench/thesis_methods.h). With restarts
+   as many first guesses set out as the budget has steps for, the best of them go on (successive halving), and what is left
+   goes to the others and to random points. Give a Jacobian when you have one: it costs a network a few evaluations,
+   differences cost n. On float32 pictures differences of 1.5e-8, the customary default, are noise.
+
    Budget
-      Counted in evaluations; one with a Jacobian counts jacobian_cost. A call never spends more than max_cost (the
-      candidates of ms_pme_match, its final render and its deviations come on top), and stops earlier at a target value,
-      after max_seconds on the wall's clock, or when progress says so: before the next callback. `make bench FILTER=pme`
-      has times and what more cost buys.
+   ------
+   Counted in evaluations; one with a Jacobian counts jacobian_cost. A call never spends more than max_cost (the candidates
+   of ms_pme_match, its final render and its deviations come on top), and stops earlier at a target value, after max_seconds
+   on the wall's clock, or when progress says so: before the next callback. `make bench FILTER=pme` has times and what more
+   cost buys.
+
    Edits that no material explains
-      Exposure, tint and an offset of the picture can be fitted along (options.nuisance). A logo, a stitch: weights by
-      ms_pme_reweigh, and match again from the answer, some times (examples/match.c --robust). Parameters: frozen by equal
-      bounds, tied (options.tie), pulled towards a source (options.pull); bounds around the last frame's answer limit what a
-      frame may change.
-   Memory
-      One block a call (two for ms_pme_match) from options.allocator, sizes stated there; stack below 32 KB, 64 KB when
-      compiled without optimisation.
-   Threads
-      No state: calls may overlap. The callbacks run on the calling thread; a renderer may be parallel inside.
-   Determinism
-      The same bits at every call with the same seed, as far as the callbacks' answers are; no SIMD, so on one build. -ffast-math
-      voids this and what is said of NaN and infinity.
-   Errors
-      Statuses, and a sentence in ms_error. NaN or infinite values of a function are no errors: such points lose; a derivative
-      that is not finite is MS_BAD_DATA. Residuals may have any size that doubles have.
-   Configuration
-      MS_PME_NO_CLOCK   no <time.h>, <sys/time.h>; max_seconds then needs options.clock. The header never uses stdio.
-      MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport)
+   -------------------------------
+   Exposure, tint and an offset of the picture can be fitted along (options.nuisance). A logo, a stitch: weights by
+   ms_pme_reweigh, and match again from the answer, some times (examples/match.c --robust). Parameters: frozen by equal
+   bounds, tied (options.tie), pulled towards a source (options.pull); bounds around the last frame's answer limit what a
+   frame may change.
+
+   Memory, threads, SIMD, determinism, errors
+   ------------------------------------------
+   One block a call (two for ms_pme_match) from options.allocator, sizes stated there; stack below 32 KB, 64 KB when compiled
+   without optimisation.
+   No state: calls may overlap. The callbacks run on the calling thread; a renderer may be parallel inside.
+   The same bits at every call with the same seed, as far as the callbacks' answers are; no SIMD, so on one build.
+   -ffast-math voids this and what is said of NaN and infinity.
+   Statuses, and a sentence in ms_error. NaN or infinite values of a function are no errors: such points lose; a derivative
+   that is not finite is MS_BAD_DATA. Residuals may have any size that doubles have.
+
+   Configuration (define before the implementation)
+   ------------------------------------------------
+   MS_PME_NO_CLOCK   no <time.h>, <sys/time.h>; max_seconds then needs options.clock. The header never uses stdio.
+   MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport)
+
    Limits
-      256 parameters; dense Jacobians [m][n] in double. Local methods: the answer is the minimum nearest to the best
-      candidate; restarts or basin hopping look further. A function must not be smoother than it says: noise larger
-      than the tolerance wants difference_step or Nelder-Mead.
+   ------
+   256 parameters; dense Jacobians [m][n] in double. Local methods: the answer is the minimum nearest to the best candidate;
+   restarts or basin hopping look further. A function must not be smoother than it says: noise larger than the tolerance
+   wants difference_step or Nelder-Mead.
+
    Sources
-      Zsolnai-Feher, Photorealistic Material Learning and Synthesis, chapter 4 (algorithm 4, equations 4.1 to 4.4);
-      More 1978; Nielsen 1999; Stark and Parker 1995; Nocedal and Wright 2006; Nelder and Mead 1965; Wales and Doye 1997;
-      Hestenes 1958; Huber 1981; More, Garbow and Hillstrom 1981.
+   -------
+   Zsolnai-Feher, Photorealistic Material Learning and Synthesis, chapter 4 (algorithm 4, equations 4.1 to 4.4); More 1978;
+   Nielsen 1999; Stark and Parker 1995; Nocedal and Wright 2006; Nelder and Mead 1965; Wales and Doye 1997; Hestenes 1958;
+   Huber 1981; More, Garbow and Hillstrom 1981.
 */
 #ifndef MS_PME_H
 #define MS_PME_H
@@ -196,7 +211,7 @@ static inline const char *ms_simd_string(ms_simd level)
 #endif
 /* ms-common end */
 
-/* ---- 1. any function of a few parameters ------------------------------------------------------------------------ */
+/* ---- 1. any function of a few parameters ----------------------------------------------------------------------- */
 
 /* What is to be made small over the box lower <= x <= upper: f(x) = sum of r_i(x)^2 when `residuals` is given, else
    `value`. A callback returns MS_OK, or a status that ends the run and becomes its answer. Values that are NaN or
@@ -283,7 +298,7 @@ MS_API const char *ms_pme_method_string(int method);
 MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_options *options, double *x,
                                  ms_pme_result *result, ms_error *error);
 
-/* ---- 2. which material made this picture? ------------------------------------------------------------------------ */
+/* ---- 2. which material made this picture? ---------------------------------------------------------------------- */
 
 /* The picture is image_size floats in any order, phi(x). Thesis, chapter 4. */
 typedef struct ms_pme_renderer {
@@ -678,7 +693,7 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
 #include <time.h>
 #endif
 
-/* ---- small maths ------------------------------------------------------------------------------------------------- */
+/* ---- small maths ----------------------------------------------------------------------------------------------- */
 
 #define MS_PME__INF ((double)HUGE_VAL)
 #define MS_PME__MEMORY 8 /* pairs that L-BFGS keeps */
@@ -795,7 +810,7 @@ static void ms_pme__qr_append(double *r, int n, double *columns, int k)
     }
 }
 
-/* ---- the run: budgets and evaluations ----------------------------------------------------------------------------- */
+/* ---- the run: budgets and evaluations -------------------------------------------------------------------------- */
 
 typedef struct ms_pme__run {
     const ms_pme_function *function;
@@ -1052,7 +1067,7 @@ static double ms_pme__gradient(ms_pme__run *run, const double *x, double *g)
     return f;
 }
 
-/* ---- bounded least squares ------------------------------------------------------------------------------------------ */
+/* ---- bounded least squares ------------------------------------------------------------------------------------- */
 
 /* The columns `order`[0 .. free) of a matrix [n][n + 1] are an upper triangle; the others are full, the last is the right-hand
    side. Rotations of neighbouring rows keep that when a column enters or leaves, at the cost of some rows each. */
@@ -1162,7 +1177,7 @@ static void ms_pme__bounded_least_squares(double *a, int n, const double *low, c
     }
 }
 
-/* ---- Levenberg-Marquardt --------------------------------------------------------------------------------------------- */
+/* ---- Levenberg-Marquardt --------------------------------------------------------------------------------------- */
 
 /* One descent, which may rest and go on. Derivatives are taken when it takes its next step: several walks share them. */
 typedef struct ms_pme__walk {
@@ -1328,7 +1343,7 @@ static void ms_pme__step(ms_pme__run *run, ms_pme__walk *walk, double *memory)
     }
 }
 
-/* ---- restarts ---------------------------------------------------------------------------------------------------------- */
+/* ---- restarts -------------------------------------------------------------------------------------------------- */
 
 /* Uniform in the box; a side without a bound reaches max(|x|, 1) beyond x. */
 static void ms_pme__random_point(ms_pme__run *run, const double *near_x, double *x)
@@ -1392,7 +1407,7 @@ static void ms_pme__descend(ms_pme__run *run, const double *starts, int count, i
     }
 }
 
-/* ---- L-BFGS ------------------------------------------------------------------------------------------------------------ */
+/* ---- l-bfgs ---------------------------------------------------------------------------------------------------- */
 
 /* Where a line search stands: a point, its value and gradient. */
 typedef struct ms_pme__point {
@@ -1554,7 +1569,7 @@ static void ms_pme__lbfgs(ms_pme__run *run, const double *x, double *memory)
     }
 }
 
-/* ---- Nelder-Mead -------------------------------------------------------------------------------------------------------- */
+/* ---- Nelder-Mead ----------------------------------------------------------------------------------------------- */
 
 /* to = from + t (towards - from), inside the box; may be either. */
 static void ms_pme__between(const ms_pme__run *run, const double *from, const double *towards, double t, double *to)
@@ -1643,7 +1658,7 @@ static void ms_pme__nelder_mead(ms_pme__run *run, const double *x, double *memor
     }
 }
 
-/* ---- basin hopping ------------------------------------------------------------------------------------------------------- */
+/* ---- basin hopping --------------------------------------------------------------------------------------------- */
 
 /* The method that other methods stand on, from x. */
 static void ms_pme__local(ms_pme__run *run, const double *x, double *memory)
@@ -1735,7 +1750,7 @@ static size_t ms_pme__method_scratch(int n)
     return 3 * un * (un + 1) + (2 * MS_PME__MEMORY + 2 * MS_PME__FIELD + 32) * un + 32;
 }
 
-/* ---- public: minimize ----------------------------------------------------------------------------------------------------- */
+/* ---- public: minimize ------------------------------------------------------------------------------------------ */
 
 MS_API ms_pme_options ms_pme_defaults(void)
 {
@@ -1865,7 +1880,7 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
     return status;
 }
 
-/* ---- match: objectives ------------------------------------------------------------------------------------------------------ */
+/* ---- match: objectives ----------------------------------------------------------------------------------------- */
 
 /* What a match makes small, in variables z: the parameters that lead (others are tied to them), then the nuisance. The picture is a sum
    of squares, r_i = sqrt(w_i / sum w) (gain phi_i + offset - t_i), so that f is the squared weighted RMSE, or the caller's
@@ -2071,7 +2086,7 @@ static void ms_pme__objective_make(ms_pme__objective *o, ms_pme_function *functi
     o->plain = o->leads == n && function->parameter_count == n;
 }
 
-/* ---- match: stages --------------------------------------------------------------------------------------------------------- */
+/* ---- match: stages --------------------------------------------------------------------------------------------- */
 
 /* Best of n: eq. (4.3), with the caller's candidates as further members of the pool, eq. (4.4). The best `pool_size` go to pool,
    sorted; how many there are. */
@@ -2190,7 +2205,7 @@ static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_
     return MS_OK;
 }
 
-/* ---- public: match ---------------------------------------------------------------------------------------------------------- */
+/* ---- public: match --------------------------------------------------------------------------------------------- */
 
 MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *target, const float *weight,
                               const ms_pme_match_options *options, double *x, float *image, ms_pme_match_result *result,
@@ -2338,7 +2353,7 @@ MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channe
     return MS_OK;
 }
 
-/* ---- public: sensitivity ---------------------------------------------------------------------------------------------------- */
+/* ---- public: sensitivity --------------------------------------------------------------------------------------- */
 
 MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pme_options *options, const double *x,
                                     double *singular_value, double *direction, double *deviation, ms_error *error)

@@ -122,10 +122,10 @@
 
    Sections (search for the name)
    ------------------------------
-   Declarations: PROFILES, ELEVATION, KERNELS, ERRORS, TRANSLUCENCY, FILTER, PYRAMID, GATHER, GPU TEXT.
-   Implementation: SMALL MATHS, PROFILE TABLES, PRE-INTEGRATION, CELLS AND SPECTRA, KERNEL ERRORS, TAPS, KERNEL MODELS,
-   TRANSLUCENCY TABLES, FILTER CODE, PYRAMID CODE, GATHER CODE, GPU CODE.
-   Included once a level: FILTER KERNELS, PYRAMID KERNELS.
+   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, gather, GPU text.
+   Implementation: small maths, profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models,
+   translucency tables, filter code, pyramid code, gather code, GPU code.
+   Included once a level: filter kernels, pyramid kernels.
 */
 #ifndef MS_SSS_H
 #define MS_SSS_H
@@ -244,7 +244,7 @@ static inline const char *ms_simd_string(ms_simd level)
 #endif
 /* ms-common end */
 
-/* -------------------------------------------------------------- PROFILES */
+/* ---- profiles -------------------------------------------------------------------------------------------------- */
 
 #define MS_SSS_GAUSSIANS_MAX 16 /* Gaussians of one profile */
 
@@ -316,7 +316,7 @@ MS_API void ms_sss_profile_strip(const ms_sss_profile *profile, double x_mm, dou
 /* Radius that holds this fraction (0 to 1) of each channel's light, to 1e-9 of itself; 0 for an empty channel. */
 MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction, double out[3]);
 
-/* ------------------------------------------------------------- ELEVATION */
+/* ---- elevation ------------------------------------------------------------------------------------------------- */
 
 /* On a curved surface more light leaves than on the plane that the profile was made for, in hollows less. Light that enters
    at q and leaves at p, outward normals n_q and n_p: profile on the surface over profile on the plane, at the same distance,
@@ -333,7 +333,7 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction
    too dark, by a third. exp(K sin(theta)) would need a K that falls by a fifth towards small balls. */
 MS_API double ms_sss_elevation(double reflectance, double index);
 
-/* --------------------------------------------------------------- KERNELS */
+/* ---- kernels --------------------------------------------------------------------------------------------------- */
 
 #define MS_SSS_TAPS_MAX 257 /* taps of one 1D pass, centre included */
 #define MS_SSS_TERMS_MAX 6  /* separable terms */
@@ -431,7 +431,7 @@ MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artis
 MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *designer, int count, double (*sigma_mm)[3],
                                           double (*weight)[3], ms_error *error);
 
-/* ---------------------------------------------------------------- ERRORS */
+/* ---- errors ---------------------------------------------------------------------------------------------------- */
 
 /* What a kernel gives up against the profile's 2D convolution: root mean square difference over the standard deviation
    of the right result, all channels together, on signals of 512 x 512 pixels that repeat. */
@@ -469,7 +469,7 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
                                         double radius_px, const ms_sss_kernel_options *options,
                                         const ms_allocator *allocator, ms_error *error);
 
-/* ---------------------------------------------------------- TRANSLUCENCY */
+/* ---- translucency ---------------------------------------------------------------------------------------------- */
 
 /* What a slab of this thickness passes of the light that enters its far side evenly from all directions: 1 at thickness 0,
    where the unscattered light comes through, then
@@ -502,7 +502,7 @@ MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, doubl
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
                                     const float entry_normal[3], const float to_light[3], const float light[3], float out[3]);
 
-/* ---------------------------------------------------------------- FILTER */
+/* ---- filter ---------------------------------------------------------------------------------------------------- */
 
 /* Pixels in the caller's memory: three channels, or one value a pixel (depth, strength) in channel[0]. All zero: none.
    No alignment is asked beyond the element's own. The filter writes to its output alone. */
@@ -655,7 +655,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
                                    const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                    ms_error *error);
 
-/* --------------------------------------------------------------- PYRAMID */
+/* ---- pyramid --------------------------------------------------------------------------------------------------- */
 
 #define MS_SSS_PYRAMID_LEVELS 12 /* of a pyramid; level l is 2^l times smaller */
 #define MS_SSS_PYRAMID_SIZES 49  /* kernel radii of 1, 1.25, 1.5, 1.75, 2, 2.5 ... 4096 pixels */
@@ -694,7 +694,7 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
                                            const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                            ms_error *error);
 
-/* ---------------------------------------------------------------- GATHER */
+/* ---- gather ---------------------------------------------------------------------------------------------------- */
 
 /* The surface behind: what lies first behind each pixel along the view, as an engine draws it with front faces culled. */
 typedef struct ms_sss_back {
@@ -718,7 +718,7 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
                                    const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                    ms_error *error);
 
-/* -------------------------------------------------------------- GPU TEXT */
+/* ---- GPU text -------------------------------------------------------------------------------------------------- */
 
 #define MS_SSS_SHADER_PROFILES_MAX 16 /* kernels of one pass */
 
@@ -1234,7 +1234,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #endif /* MS_COMMON_SIMD */
 /* ms-common-simd end */
 
-/* ----------------------------------------------------------- SMALL MATHS */
+/* ---- small maths ----------------------------------------------------------------------------------------------- */
 #include <float.h>
 #include <math.h>
 
@@ -1321,7 +1321,7 @@ static double ms_sss__disc_corner(double x, double y, double r)
     return sign * 0.5 * (y * t + x * sqrt((r - x) * (r + x)) + r * r * (asin(x / r) - asin(t / r)));
 }
 
-/* -------------------------------------------------------- PROFILE TABLES */
+/* ---- profile tables -------------------------------------------------------------------------------------------- */
 
 typedef enum ms_sss__profile_kind { MS_SSS__RINGS, MS_SSS__GAUSSIANS, MS_SSS__BURLEY } ms_sss__profile_kind;
 
@@ -1717,7 +1717,7 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double fraction, doub
     }
 }
 
-/* ------------------------------------------------------- PRE-INTEGRATION */
+/* ---- pre-integration ------------------------------------------------------------------------------------------- */
 
 /* The chord at distance x through R_d = mean + slope (x^2 + u^2 - middle): 2 times the integral over u from 0. */
 static double ms_sss__chord(double mean, double slope, double u)
@@ -1799,7 +1799,7 @@ MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double out[3
     }
 }
 
-/* ----------------------------------------------------- CELLS AND SPECTRA */
+/* ---- cells and spectra ----------------------------------------------------------------------------------------- */
 
 /* Everything below counts lengths in cells, which are the pixels of the design size, and frequencies in cycles per 512
    pixels. A kernel is even in x and y and symmetric under their exchange: cells are kept for i, j >= 0, its real
@@ -2111,7 +2111,7 @@ MS_API void ms_sss_designer_destroy(ms_sss_designer *designer)
     ms__release(&allocator, designer, designer->bytes);
 }
 
-/* --------------------------------------------------------- KERNEL ERRORS */
+/* ---- kernel errors --------------------------------------------------------------------------------------------- */
 
 /* What the taps at +-(x, y) read of a wave with frequency (kx, ky): the real part of the product of two linear
    interpolations. along: its derivative when (x, y) moves by (dx, dy); NULL: not wanted. */
@@ -2314,7 +2314,7 @@ MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kerne
     return MS_OK;
 }
 
-/* ------------------------------------------------------------------ TAPS */
+/* ---- taps ------------------------------------------------------------------------------------------------------ */
 
 /* The bins over which taps are fitted: every frequency up to 12 + a third of the cells, as far as spectra of such kernels
    have detail that matters, then with gaps that grow in proportion; each bin also stands for the gap around it. With
@@ -2672,7 +2672,7 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
             }
 }
 
-/* --------------------------------------------------------- KERNEL MODELS */
+/* ---- kernel models --------------------------------------------------------------------------------------------- */
 
 /* Largest eigenvalues by magnitude of a symmetric A [n][n], with unit eigenvectors: block power iteration, then the
    eigenvectors within the block by Jacobi rotations. vector [count][n]; scratch 2 block n doubles, block = count + 4. */
@@ -3449,7 +3449,7 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
 
 #endif /* MS_SSS_NO_DESIGN */
 
-/* --------------------------------------------------- TRANSLUCENCY TABLES */
+/* ---- translucency tables --------------------------------------------------------------------------------------- */
 
 static double ms_sss__slab(double R, double decay, double s)
 {
@@ -3518,7 +3518,7 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #undef MS_SSS__BINS_MAX
 #undef MS_SSS__BLOCK_MAX
 
-/* ----------------------------------------------------------- FILTER CODE */
+/* ---- filter code ----------------------------------------------------------------------------------------------- */
 
 #ifndef MS_SSS_FILENAME
 #define MS_SSS_FILENAME "ms_sss.h" /* this file's name, for the inclusions below */
@@ -5482,7 +5482,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     return MS_OK;
 }
 
-/* ---------------------------------------------------------- PYRAMID CODE */
+/* ---- pyramid code ---------------------------------------------------------------------------------------------- */
 
 #ifndef MS_SSS_NO_DESIGN
 /* Minimises x'A x / 2 - b'x for x >= 0, n <= 24: active sets (Lawson and Hanson 1974, Solving Least Squares Problems,
@@ -6115,7 +6115,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
 #undef MS_SSS__GATHER
 
 #ifndef MS_SSS_NO_DESIGN
-/* ----------------------------------------------------------- GATHER CODE */
+/* ---- gather code ----------------------------------------------------------------------------------------------- */
 
 enum { MS_SSS__GATHER_NEAR = 4, MS_SSS__GATHER_LEVELS = 16, MS_SSS__GATHER_STEPS = 2048 };
 
@@ -6466,7 +6466,7 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
 
 #endif /* MS_SSS_NO_DESIGN */
 
-/* -------------------------------------------------------------- GPU CODE */
+/* ---- GPU code -------------------------------------------------------------------------------------------------- */
 
 /* The passes in a notation of their own: HLSL's types and operators as far as GLSL and WGSL have them too, one variable a
    declaration, braces everywhere, no ?: and no assignment to components. ms_sss__say_line turns a line into a language,
@@ -7409,7 +7409,7 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #endif /* MS_SSS_IMPLEMENTATION */
 
 #ifdef MS_SSS__PASS /* one inclusion a level, from FILTER CODE above */
-/* -------------------------------------------------------- FILTER KERNELS */
+/* ---- filter kernels -------------------------------------------------------------------------------------------- */
 
 /* Row kernels. Counts are multiples of 16; rows may be read and written up to that, and by the taps up to
    MS_SSS__LEFT before and MS_SSS__RIGHT behind a row. A pixel that takes no part has depth INFINITY and colour 0. */
@@ -8528,7 +8528,7 @@ static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const ow
     }
 }
 
-/* ------------------------------------------------------- PYRAMID KERNELS */
+/* ---- pyramid kernels ------------------------------------------------------------------------------------------- */
 
 /* d from depth (INFINITY: takes no part). */
 static void MS_SSS__NAME(invert)(const ms_sss__growth *s, const float *depth, int count, float *d)
