@@ -5077,7 +5077,7 @@ MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int 
     for (y = 0; y < height; ++y)
         for (x = 0; x < width; ++x) {
             const double d = (double)ms_sss__get(&from, 0, x, y), away = how->reversed ? d : 1 - d; /* 1 at the near plane, 0 at the far one */
-            double z = INFINITY;
+            double z = (double)INFINITY;
             if (away > 0 && away <= 1)
                 z = how->orthographic ? far_plane - away * (far_plane - near_plane)
                     : endless         ? near_plane / away
