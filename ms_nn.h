@@ -5728,21 +5728,18 @@ MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, float *out)
     __m128 ab = _mm_add_ps(_mm_unpacklo_ps(a, b), _mm_unpackhi_ps(a, b)), cd = _mm_add_ps(_mm_unpacklo_ps(c, d), _mm_unpackhi_ps(c, d));
     _mm_storeu_ps(out, _mm_add_ps(_mm_add_ps(_mm_movelh_ps(ab, cd), _mm_movehl_ps(cd, ab)), _mm_loadu_ps(out)));
 }
-#else
+#elif MS_NN__ISA > 1
 MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, float *out)
 {
     int i;
-#if MS_NN__ISA > 1
     for (i = 0; i < 4; ++i) out[i] += vaddvq_f32(v[i]);
-#else
-    for (i = 0; i < 4; ++i) out[i] += v[i];
-#endif
 }
 #endif
 
 /* Dot products of rows x samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1) modulo MS_NN__V_LANES
    MS_NN__W_CHAINS; the chains are added in pairs, then comes what is left of the columns, then the sum of the lanes. The order
    depends on nothing but cols, so that tiles of any shape agree. This is the end of all of them. w, x: where `left` columns begin. */
+#if MS_NN__V_LANES > 1
 MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(MS_NN__V_FLOATS *total, int rows, int batch, const unsigned char *const *w, ms_nn_dtype dtype, const float *const *x, size_t left)
 {
     MS_NN__V_FLOATS v[3], u;
@@ -5803,6 +5800,7 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish_rows)(const ms_nn__dense *job, 
     if (rows == MS_NN__W_ROWS) MS_NN__FN(finish)(job, row, sample, MS_NN__W_ROWS, 1, w, x, left, total);
     else MS_NN__FN(finish)(job, row, sample, 1, 1, w, x, left, total);
 }
+#endif
 
 /* `rows` rows of a type times `batch` samples, all three constants. */
 MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch)
@@ -5875,13 +5873,28 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
             total[b * rows + r] = sum;
         }
     }
+#if MS_NN__V_LANES == 1
+    MS_NN__UNROLL
+    for (r = 0; r < rows; ++r) {
+        const float bias = job->m->bias && !job->linear ? ms_nn__float_at(job->m->bias, row + (size_t)r) : 0.0f;
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) {
+            float sum = total[b * rows + r];
+            size_t left;
+            for (left = 0; left < cols - k; ++left) sum += MS_NN__FN(weight)(w[r] + left * size, dtype) * x[b][left];
+            job->y[(sample + (size_t)b) * job->m->rows + row + (size_t)r] = sum + bias;
+        }
+    }
+#else
     if (batch == 3) {
         MS_NN__FN(finish)(job, row, sample, MS_NN__W_ROWS, 3, w, x, cols - k, total);
     } else {
         MS_NN__FN(finish_rows)(job, row, sample, rows, w, x, cols - k, total[0], total[rows > 1 ? 1 : 0], total[rows > 2 ? 2 : 0], total[rows > 3 ? 3 : 0]);
     }
+#endif
 }
 
+#if MS_NN__V_LANES > 1
 /* MS_NN__W_ROWS rows times three samples. */
 MS_NN__KERNEL MS_NN__APART void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
 {
@@ -5889,6 +5902,7 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(tile)(const ms_nn__dense *job, size_t 
     else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, MS_NN__W_ROWS, 3);
     else MS_NN__FN(dots)(job, row, sample, MS_NN_BF16, MS_NN__W_ROWS, 3);
 }
+#endif
 
 /* Rows times one sample: MS_NN__W_ROWS at a time, or each alone where they come from memory (ms_nn__large). */
 MS_NN__INLINE void MS_NN__FN(rows_typed)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample, ms_nn_dtype dtype)
@@ -5917,11 +5931,18 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
             for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row0, row1, b);
             continue;
         }
+#if MS_NN__V_LANES == 1
+        for (row = row0; row < row1; row = next) { /* plain C: compilers make vectors of one sample's chains */
+            next = ms_nn__min(row + 8, row1);
+            for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row, next, b);
+        }
+#else
         for (row = row0; row < row1; row = next) {
             next = ms_nn__min(row + MS_NN__W_ROWS, row1);
             for (b = b0; next - row == MS_NN__W_ROWS && b + 3 <= b1; b += 3) MS_NN__FN(tile)(job, row, b);
             for (; b < b1; ++b) MS_NN__FN(rows)(job, row, next, b);
         }
+#endif
     }
 }
 
