@@ -3628,7 +3628,7 @@ typedef struct ms_sss__halving {
     float scale;    /* of depths of the scene */
 } ms_sss__halving;
 
-#define MS_SSS__GATHER(level) ((level) > 0 ? 7.5625f : 3.0625f) /* square of the radius of a level's gather, in pixels of the next: 2.75^2, 1.75^2 */
+#define MS_SSS__GATHER(level) ((level) > 0 ? 4.84f : 3.0625f) /* square of the radius of a level's gather, in pixels of the next: 2.2^2 (wider ones lose detail), 1.75^2 */
 
 /* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective, else
    depth; 0 where nothing takes part. Rows of a level: colour, d, share (surface there, in pixels of the level), the change

@@ -467,7 +467,7 @@ static void case_planes(void)
 {
     static const double tilt[5] = {0, 30, 45, 60, 75};
     /* Found, not derived, and half as much again: from 48 degrees on a gather reaches no further along the level line. */
-    static const double bound[5] = {0.005, 0.015, 0.045, 0.06, 0.22};
+    static const double bound[5] = {0.005, 0.02, 0.045, 0.06, 0.22};
     const ms_sss_pyramid pyramid = skin_pyramid();
     char note[400];
     int i, j, n = 0;
