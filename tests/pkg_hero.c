@@ -1,4 +1,5 @@
-/* What tests/render/hero.c does around the tracer: tastes, the arrangement, the development of passes. */
+/* What tests/render/hero.c does around the tracer: tastes, the arrangement, the development of passes. (It calls ms__rng: the headers
+   stand in it.) */
 #define main hero_main
 #include "render/hero.c"
 #undef main
