@@ -5,7 +5,7 @@
 #           caller's threads run takes no more than the call that hands it out, which runs them itself without threads.)
 #   traps   unmasked floating-point exceptions never trap; lists function and line of those that do
 #   flush   the tests pass where the host flushes subnormals to zero
-# FILTER: part of the cases' names. The calls are caught in the assembler text: the function is renamed, and its name becomes a
+# CASES: part of the cases' names. The calls are caught in the assembler text: the function is renamed, and its name becomes a
 # jump to tests/calls.c. The header is compiled once, and again only in tests that call its private functions.
 set -u
 out=$1
@@ -50,7 +50,7 @@ for t in tests/test_*.c; do
     fi
     gcc -no-pie "$out/$n.s" $part "$out/enter.o" "$out/calls.o" -o "$out/$n" -lm -lpthread -Wl,--unresolved-symbols=ignore-all || exit 1
     for mode in $modes; do
-        if ! CALLS=$mode CALLS_REPORT="$out/report.$n" "$out/$n" ${FILTER:-} >"$out/$n.log" 2>&1; then
+        if ! CALLS=$mode CALLS_REPORT="$out/report.$n" "$out/$n" ${CASES:-} >"$out/$n.log" 2>&1; then
             failed=$((failed + 1))
             echo "FAIL $n with $mode:"
             grep -v '^ok' "$out/$n.log" | tail -12
@@ -64,7 +64,7 @@ for t in tests/test_*.c; do
         rm -f "$out/report.$n"
     done
 done
-[ -n "${FILTER:-}" ] || awk 'NR == FNR {seen[$1] = 1; next} !($1 in seen) {print "  no test calls " $1}' "$out/report" "$out/names"
+[ -n "${CASES:-}" ] || awk 'NR == FNR {seen[$1] = 1; next} !($1 in seen) {print "  no test calls " $1}' "$out/report" "$out/names"
 sort -k1,1 -k2,2nr "$out/report" | awk '!seen[$1]++' | sort -k2,2nr >"$out/sorted"
 awk -v limit=$limit -v level=$level -v header="$header" -v failed=$failed '
     NR <= 3 {top = top sprintf("%s%s %d", NR > 1 ? ", " : "", $1, $2)}
