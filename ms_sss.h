@@ -1676,6 +1676,7 @@ MS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3]
             i = ms_sss__ring_of(p, r);
             if (i >= 0) out[c] = p->inside[c][i];
             if (i >= 0 && i < p->count) out[c] += ms_sss__ring_energy(p, c, i, r * r);
+            if (out[c] < 0) out[c] = 0; /* rounding */
         } else if (p->kind == MS_SSS__BURLEY) {
             double t = r / p->sigma[0][c];
             out[c] = -p->weight[0][c] * (0.25 * expm1(-t) + 0.75 * expm1(-t / 3));

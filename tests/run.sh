@@ -218,7 +218,7 @@ fuzz_jobs() {
     for f in tests/fuzz/fuzz_*.c; do
         n=$(basename "$f" .c)
         job "$n" "mkdir -p build/fuzz/$n && clang $posix $paths -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $f -o $out/$n -lm &&
-$out/$n -max_total_time=${FUZZ_SECONDS:-20} -timeout=10 -rss_limit_mb=2048 -artifact_prefix=build/fuzz/$n- -print_final_stats=1 build/fuzz/$n tests/fuzz/corpus_${n#fuzz_}"
+$out/$n -max_total_time=${FUZZ_SECONDS:-20} -timeout=10 -error_exitcode=1 -rss_limit_mb=2048 -artifact_prefix=build/fuzz/$n- -print_final_stats=1 build/fuzz/$n tests/fuzz/corpus_${n#fuzz_}"
     done
 }
 
