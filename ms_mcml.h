@@ -519,7 +519,8 @@ typedef enum ms_mcml_length {
 } ms_mcml_length;
 
 /* Total diffuse reflectance of a half-space, what ms_mcml_profile_make calls total, without the profile: tenths of a millisecond, no
-   memory. Within 1e-8 at g = 0, 1e-6 up to |g| = 0.5, 2e-5 at 0.8, 1e-4 at 0.9, 1e-3 at 0.99. NaN where the medium is not valid or g < -0.7. */
+   memory. Within 1e-8 at g = 0, 1e-6 up to |g| = 0.5, 2e-5 at 0.8, 1e-4 at 0.9 of the other solvers (tests/test_mcml_profile.c); not compared
+   beyond. NaN where the medium is not valid or g < -0.7. */
 MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium);
 
 /* The medium that looks so: of this color and this length. ms_mcml_reflectance of it gives the color back to 1e-7.
@@ -672,8 +673,9 @@ MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile);
    (Donner, Jensen 2006, "A spectral BSSRDF for shading human skin"); bloodless, pale skin 0.244 + 85.3 exp(-(w - 154) / 66.2)
    (Jacques 1998); reduced scattering 46 (w / 500)^-1.421 (mean of skin in Jacques 2013, "Optical properties of biological tissues");
    blood of 150 g/l haemoglobin (Prahl's table of Gratzer's and Kollias's data, omlc.org); fat scatters 1050 w^-0.68 (Bashkatov et al.
-   2005) and absorbs as dermis with a tenth of the blood. Index 1.4. The spectra of people in NIST's reference data (Cooksey, Allen, Tsai
-   2017) come out to 0.01 from 500 to 700 nm, with scattering 2 to 4 times the mean. */
+   2005) and absorbs as dermis with a tenth of the blood. Index 1.4. Melanin, blood and scattering fitted to people in NIST's
+   reference data (Cooksey, Allen, Tsai 2017, read off plots) follow their spectra to 0.01 from 500 to 700 nm, with scattering 2 to 4 times
+   the mean: this shows what the model can say, not that it foretells anybody. */
 typedef struct ms_mcml_skin {
     double melanin;      /* melanosomes in the epidermis, by volume: 0.01 very pale to 0.4 very dark */
     double eumelanin;    /* part of the melanin that is black-brown; the rest is red-yellow pheomelanin */

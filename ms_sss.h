@@ -572,8 +572,8 @@ typedef struct ms_sss_frame {
 
 /* How a tap whose surface lies dz in front of or behind the pixel counts. */
 typedef enum ms_sss_depth_mode {
-    MS_SSS_DEPTH_AWARE = 0,  /* weight * exp(-dz^2 / (2 sigma^2)), dz from the tangent plane (see `flat`), 0 where the depths differ
-                                by more than the kernel's radius; the rest is renormalised */
+    MS_SSS_DEPTH_AWARE = 0,  /* weight times a falloff in dz, about exp(-dz^2 / (2 sigma^2)) (see `exact`), from the tangent plane (see
+                                `flat`), 0 beyond 3.1 sigma (flat 1: and beyond the kernel's radius); the rest is renormalised */
     MS_SSS_DEPTH_FOLLOW = 1, /* older engines: the tap's colour fades to the pixel's own over follow_mm */
     MS_SSS_DEPTH_SCALE = 2   /* depth sets the kernel's size in pixels only; light leaks across silhouettes */
 } ms_sss_depth_mode;

@@ -94,7 +94,7 @@ static inline const char *scores__read(const char *path, scores *s, int some)
         }
     }
     if (problem == NULL && ferror(f)) problem = "cannot be read";
-    if (problem == NULL && s->n == 0) problem = "holds no scores";
+    if (problem == NULL && s->n == 0) problem = "holds no rows";
     fclose(f);
     return problem;
 }

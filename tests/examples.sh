@@ -164,6 +164,8 @@ if [ -x build/recommend ]; then
     refuses "materials without a score and without comparisons" "line 1" build/recommend "$out/shown.csv"
     echo 3,41 >"$out/beyond.csv"
     refuses "a comparison of what is not there" "line 1" build/recommend "$out/shown.csv" --pairs "$out/beyond.csv"
+    : >"$out/empty.csv"
+    refuses "no comparisons" "holds no rows" build/recommend "$out/shown.csv" --pairs "$out/empty.csv"
 fi
 
 if [ -x build/nn_info ]; then

@@ -601,6 +601,24 @@ static long double far_value(int act, long double x, int slope, long double *siz
     return v;
 }
 
+/* A network of one activation of n values. Free file->file after the network. */
+static ms_nn *net_activation(ref_net *file, const char *activation, double alpha, int n, ms_simd simd)
+{
+    char layers[200], input[16];
+    ms_nn_entry e[3];
+    ms_nn_sink sink;
+    memset(file, 0, sizeof *file);
+    snprintf(layers, sizeof layers, "[{\"type\":\"activation\",\"activation\":\"%s\",\"alpha\":%g}]", activation, alpha);
+    snprintf(input, sizeof input, "[%d]", n);
+    e[0].key = "ms_nn_version"; e[0].value = "1";
+    e[1].key = "ms_nn_input"; e[1].value = input;
+    e[2].key = "ms_nn_layers"; e[2].value = layers;
+    sink.user = file;
+    sink.write = net_sink;
+    ms_nn_file_write(NULL, 0, e, 3, NULL, sink, NULL);
+    return net_load(file, simd, 0);
+}
+
 static void test_saturation(void)
 {
     static const char *const acts[] = {"", "", "leaky_relu", "elu", "tanh", "sigmoid", "softplus", "silu", "gelu"};
@@ -612,20 +630,8 @@ static void test_saturation(void)
     int act, simd, i;
     for (act = 2; act <= 8; ++act)
         for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
-            char layers[200];
-            ms_nn_entry e[3];
             ref_net file;
-            ms_nn_sink sink;
-            ms_nn *nn;
-            memset(&file, 0, sizeof file);
-            snprintf(layers, sizeof layers, "[{\"type\":\"activation\",\"activation\":\"%s\",\"alpha\":0.75}]", acts[act]);
-            e[0].key = "ms_nn_version"; e[0].value = "1";
-            e[1].key = "ms_nn_input"; e[1].value = "[4401]";
-            e[2].key = "ms_nn_layers"; e[2].value = layers;
-            sink.user = &file;
-            sink.write = net_sink;
-            ms_nn_file_write(NULL, 0, e, 3, NULL, sink, NULL);
-            nn = net_load(&file, (ms_simd)simd, 0);
+            ms_nn *nn = net_activation(&file, acts[act], 0.75, N, (ms_simd)simd);
             for (i = 0; i < N; ++i) {
                 x[i] = (float)((i - 2200) * 0.05); /* -110 to 110 */
                 g[i] = 1;
@@ -1214,20 +1220,8 @@ static void test_activations(void)
         for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
             enum { N = 4003 };
             static float x[N], y[N], g[N], one[N];
-            char layers[200];
-            ms_nn_entry e[3];
             ref_net file;
-            ms_nn_sink sink;
-            ms_nn *nn;
-            memset(&file, 0, sizeof file);
-            snprintf(layers, sizeof layers, "[{\"type\":\"activation\",\"activation\":\"%s\",\"alpha\":1.5}]", acts[act]);
-            e[0].key = "ms_nn_version"; e[0].value = "1";
-            e[1].key = "ms_nn_input"; e[1].value = "[4003]";
-            e[2].key = "ms_nn_layers"; e[2].value = layers;
-            sink.user = &file;
-            sink.write = net_sink;
-            ms_nn_file_write(NULL, 0, e, 3, NULL, sink, NULL);
-            nn = net_load(&file, (ms_simd)simd, 0);
+            ms_nn *nn = net_activation(&file, acts[act], 1.5, N, (ms_simd)simd);
             for (i = 0; i < N; ++i) {
                 x[i] = (float)((i - 2000) * 0.02);
                 one[i] = 1;
