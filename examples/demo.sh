@@ -19,6 +19,7 @@ if [ -f examples/data/inversion_1.safetensors ]; then
     echo "a gallery, a taste learned from it, recommendations"
     build/workflow $out >$out/workflow.txt
 fi
+cp examples/data/materialx.png $out/materialx.png
 cp examples/web/studio.html $out/studio.html
 cp examples/web/kernels.html $out/designer.html
 sh examples/exhibition.sh $out >$out/index.html

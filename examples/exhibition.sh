@@ -122,6 +122,7 @@ C
 section ms_gpr.h "Score a gallery, get hundreds of materials to your taste, and a plane to walk in."
 figure workflow.png "From the top: a gallery, bright as it was scored; 300 recommendations; the plane of the best (preference, similarity, product) with the chosen material in red and its variants; an edited picture and its match, and a walk through the plane"
 figure latent.png "Another taste: the plane of its best materials" 33.3:preference 33.3:similarity 33.3:product
+figure materialx.png "Eight materials by the path tracer, and by the shader that MaterialX's own library makes of the file that build/materialx writes"
 [ ! -f "$out/times.md" ] || awk 'NF == 0 {exit} {print}' "$out/times.md" | table
 code "build/recommend examples/data/scores.csv --count 300" <<'C'
 ms_gpr_fit(x, y, n, 19, NULL, &taste, NULL, &error);

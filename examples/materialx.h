@@ -20,8 +20,8 @@
      transmission_color what a path through the middle of a ball of radius 1 leaves: the glass colour twice (in and out)
                         and Beer's law, at transmission_depth 2; the colour thus moves from the surface into the volume.
                         Scale the depth with your object
-     subsurface         stands for the translucent lobe (Lambert behind the surface, absorption along the mean chord
-                        4/3) with a radius of 1: scattering in the volume, similar light and not the same
+     subsurface         stands for the translucent lobe (Lambert behind the surface) with a radius of 1: what a ball lets
+                        through, its colour twice and Beer's law, averaged over the chords that Lambert's law takes
    Colours are linear with Rec. 709 primaries. */
 #ifndef EXAMPLES_MATERIALX_H
 #define EXAMPLES_MATERIALX_H
@@ -46,6 +46,9 @@ static inline materialx_surface materialx_from(const double x[19])
 {
     double d = (1 - x[17]) * (1 - x[7]), g = (1 - x[17]) * x[7], t = x[17] * (1 - x[16]), l = x[17] * x[16];
     double absorption = 4 * x[18]; /* per ball radius */
+    /* mean of exp(-2 absorption cosine) over the cosines of Lambert's law */
+    double chord = absorption > 1e-2 ? (1 - (1 + 2 * absorption) * exp(-2 * absorption)) / (2 * absorption * absorption)
+                                     : 1 - absorption * (4.0 / 3 - absorption);
     materialx_surface s;
     int c;
     s.metalness = g;
@@ -59,7 +62,7 @@ static inline materialx_surface materialx_from(const double x[19])
         s.base_color[c] = materialx__mean(x[c], x[3 + c], d, g);
         s.specular_color[c] = x[8 + c];
         s.transmission_color[c] = fmax(x[8 + c] * x[8 + c] * exp(-2 * absorption), 1e-4); /* its logarithm is taken */
-        s.subsurface_color[c] = x[13 + c] * exp(-4.0 / 3 * absorption);
+        s.subsurface_color[c] = x[13 + c] * x[13 + c] * chord;
     }
     return s;
 }

@@ -1,7 +1,13 @@
 #!/bin/sh
-# Installs what `make test` needs besides a C compiler: a C++ compiler, OpenImageIO, Embree. Does nothing when they
-# are there.
+# Installs what `make test` needs besides a C compiler: a C++ compiler, OpenImageIO, Embree; where npm is there, also what opens MaterialX
+# files (tests/materialx_open.py), which one test does without otherwise. Does nothing when they are there.
 set -u
+packages=${MS_PACKAGES:-${HOME:-.}/.cache/ms/npm}
+if command -v npm >/dev/null 2>&1 && ! { [ -f "$packages/node_modules/three/examples/jsm/loaders/MaterialXLoader.js" ] &&
+    [ -f "$packages/node_modules/@needle-tools/materialx/bin/JsMaterialXGenShader.js" ]; }; then
+    mkdir -p "$packages" && npm install --prefix "$packages" --ignore-scripts --no-audit --no-fund --no-save --fetch-retries=1 --fetch-timeout=30000 \
+        three@0.187.0 @needle-tools/materialx@1.4.6 >/dev/null 2>&1 || echo "deps: npm could not install three.js and MaterialX: their test will be skipped"
+fi
 mkdir -p build/deps
 probe() { # NAME, then the program's text on standard input, then libraries
     name=$1

@@ -33,7 +33,7 @@ is() { # NAME, value, expected
     fi
 }
 
-tools="mcml mcml_split profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantise preview match workflow demo_sss demo_match"
+tools="mcml mcml_split profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantise preview match materialx workflow demo_sss demo_match"
 for tool in $tools; do
     [ -x build/$tool ] || { failed=$((failed + 1)); echo "FAIL build/$tool is not there: make first"; continue; }
     # help where it can be piped, and nothing else; a mistake: one line of usage behind what was wrong, and 2
@@ -236,6 +236,12 @@ if [ -x build/workflow ] && [ -f examples/data/inversion_1.safetensors ]; then
     ok "a sheet of the recommendations" build/preview examples/data/renderer_64.safetensors "$out/a/recommended.csv" "$out/recommended.png"
     ok "a sheet of the variants" build/preview examples/data/renderer_128.safetensors "$out/a/chosen.csv" "$out/chosen.png"
     if command -v python3 >/dev/null 2>&1; then ok "the MaterialX file" python3 tests/materialx.py "$out/a"; fi
+    ok "the recommendations alone as MaterialX" build/materialx "$out/a/recommended.csv" "$out/mtlx/recommended.mtlx" --name recommended
+    is "with the same names and inputs" "$(sed -n '/<standard_surface name="recommended_/,/<\/standard_surface/s/ value=.*//p' "$out/mtlx/recommended.mtlx" | cksum)" \
+        "$(sed -n '/<standard_surface name="recommended_/,/<\/standard_surface/s/ value=.*//p' "$out/a/workflow.mtlx" | cksum)"
+    refuses "MaterialX of no materials" "number\|columns" build/materialx README.md "$out/mtlx/none.mtlx"
+    refuses "a name that MaterialX does not allow" "usage" build/materialx "$out/a/recommended.csv" "$out/mtlx/none.mtlx" --name 3d
+    is "nothing written then" "$(ls "$out/mtlx")" recommended.mtlx
     sed '3s/^[^,]*/1.5/' "$out/a/gallery.csv" >"$out/bad.csv"
     refuses "scores of an impossible material" "outside" build/workflow "$out/b" --scores "$out/bad.csv"
     awk -F, -v OFS=, 'NR > 1 {$20 = 0} {print}' "$out/a/gallery.csv" >"$out/bad.csv"

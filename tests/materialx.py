@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Checks FOLDER/workflow.mtlx of build/workflow against the CSV files beside it: python3 tests/materialx.py FOLDER
+"""Checks FOLDER/workflow.mtlx of build/workflow against the CSV files beside it: python3 tests/materialx.py FOLDER [READ.json]
 
+READ.json: what another program read (tests/materialx.mjs), in place of the file's own text.
 Well-formed, names unique, every material has its shader, every input is one of standard_surface with the type and range of its
 node definition, and the closure has the lobes of the 19-parameter shader (design: share of diffuse, glossy, glass, translucent)."""
-import csv, math, re, sys
+import csv, json, math, re, sys
 import xml.etree.ElementTree as xml
 
 # name: type, least, most; from the node definition ND_standard_surface_surfaceshader
@@ -34,6 +35,13 @@ for e in root:
         assert e.tag == "surfacematerial" and e.get("type") == "material" and i.get("type") == "surfaceshader", name
         materials.append((name, shaders[i.get("nodename")]))
 
+if len(sys.argv) > 2:
+    with open(sys.argv[2]) as f:
+        read = json.load(f)["materials"]
+    assert [name for name, _ in materials] == list(read) and all(read[name].keys() == s.keys() for name, s in materials)
+    materials = list(read.items())
+    shaders = read
+
 rows = [[float(t) for t in r[:19]] for f in ("recommended", "chosen") for r in list(csv.reader(open("%s/%s.csv" % (folder, f))))[1:]]
 assert len(rows) == len(materials) == 309 and len(shaders) == 309, (len(rows), len(materials))
 for x, (name, s) in zip(rows, materials):
@@ -48,6 +56,9 @@ for x, (name, s) in zip(rows, materials):
     for c in range(3):  # a path through the middle of a ball of radius 1: in, two radii of 4 x18 each, out
         through = x[8 + c] ** 2 * math.exp(-2 * 4 * x[18])
         assert abs(s["transmission_color"][c] - max(through, 1e-4)) < 1e-4, name
+        a = 4 * x[18]  # from wall to wall by Lambert's law, in and out through the colour
+        beer = sum(math.exp(-2 * a * math.sqrt((i + 0.5) / 100)) / 100 for i in range(100))
+        assert abs(s["subsurface_color"][c] - x[13 + c] ** 2 * beer) < 5e-4, name
         low, high = sorted((x[c], x[3 + c]))
         assert low - 1e-4 <= s["base_color"][c] <= high + 1e-4, name
 print("%d materials" % len(materials))

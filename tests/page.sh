@@ -9,7 +9,7 @@ failed=0
 check() { # NAME, value, expected
     if [ "$2" = "$3" ]; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAIL $1: '$2', expected '$3'"; fi
 }
-for name in skin1 marble bust knot workflow latent preview; do cp examples/data/demo.png "$out/demo/$name.png"; done
+for name in skin1 marble bust knot workflow latent preview materialx; do cp examples/data/demo.png "$out/demo/$name.png"; done
 cp examples/data/match.png "$out/demo/match.png"
 for channel in red green blue; do cp examples/data/profile.svg "$out/demo/profiles_$channel.svg"; done
 echo 'bust.png: before 19.9% | after 10.3% | truth | difference x 4' >"$out/demo/sss.txt"
@@ -38,7 +38,7 @@ HTML
         found=$("$browser" --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking --disable-component-update \
             --disable-sync --allow-file-access-from-files --user-data-dir="$out/profile" --window-size=1800,1000 --virtual-time-budget=10000 \
             --dump-dom "file://$(cd "$out/demo" && pwd)/frame.html" 2>/dev/null | sed -n 's/.*id="found">\([^<]*\)<.*/\1/p')
-        check "page of $width pixels" "$found" "over 0 missing 0 of 9"
+        check "page of $width pixels" "$found" "over 0 missing 0 of 10"
     done
     rm -rf "$out/profile"
     echo "$passed passed, $failed failed"

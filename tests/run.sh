@@ -149,6 +149,7 @@ test_group() {
     job dropin_together "sh tests/dropin/dropin.sh $out/dropin_together $(echo $headers)"
     job page "sh tests/page.sh $out/page"
     job web "sh tests/web.sh $out/web"
+    job materialx "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/materialx_open.py $out/materialx"
     job null "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/null.py $out/null"
     job dropin_meson "sh tests/dropin/meson.sh $out/dropin_meson"
     job dropin_msvc "sh tests/dropin/msvc.sh $out/dropin_msvc $(echo $headers)"
