@@ -743,7 +743,10 @@ typedef enum ms_sss_source {
 typedef enum ms_sss_step {
     MS_SSS_STEP_X = 0,      /* along x (or the turned axis) */
     MS_SSS_STEP_Y = 1,      /* along y */
-    MS_SSS_STEP_PREPARE = 2 /* optional, before both: gathers what X reads into one texture */
+    MS_SSS_STEP_PREPARE = 2,/* optional, before both: gathers what X reads into one texture */
+    MS_SSS_STEP_DOWN = 3,   /* of half resolution, before both: one texel from four pixels */
+    MS_SSS_STEP_NORMAL = 4, /* of half resolution, with_normal: their normal */
+    MS_SSS_STEP_UP = 5      /* of half resolution, after both: the picture */
 } ms_sss_step;
 
 /* One step, as a fragment shader for a full-screen triangle or as a compute shader. All zero but tap_count: the first
@@ -752,24 +755,31 @@ typedef enum ms_sss_step {
               pass where depth, profile or strength have textures of their own.
      X        reads PREPARE's target (set prepared), else the input, as ms_sss_colour; writes the same kind of texel
      Y        reads X's target as ms_sss_colour; writes the result, alpha 1
+   Half resolution (half_resolution 1: MS_SSS_METHOD_HALF) in place of PREPARE; the constants stay those of the picture:
+     DOWN     reads the input as ms_sss_colour; its target and those of X and Y have (width + 1) / 2 x (height + 1) / 2 texels
+     NORMAL   with_normal, where slopes count: reads the input and ms_sss_normal; writes what X and Y then read as ms_sss_normal
+     X, Y     as above, from DOWN's target, which is Y's ms_sss_input; all terms add up in one target
+     UP       reads the input as ms_sss_colour, DOWN's target as ms_sss_input, Y's as ms_sss_sum; writes the result, alpha 1
    Textures are float or half RGBA (depth, strength, profile: any with red), read by texel only. Vulkan and WGSL bind them
    at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST for both filters of each: with its
    defaults a float texture is incomplete and reads as black. The other languages need no sampler.
      n  name             read by
      0  ms_sss_colour    every step
-     1  ms_sss_depth     the first step, depth MS_SSS_TEXTURE: as ms_sss_frame.depth
-     2  ms_sss_strength  the first step and Y, with_strength: in red
-     3  ms_sss_input     Y: the input
-     4  ms_sss_profile   the first step, profile MS_SSS_TEXTURE: index / 255, so that 8-bit UNORM holds ms_sss_frame.profile
-     5  ms_sss_sum       compute, Y of terms after the first: the sum of those before
-     6  ms_sss_normal    X and Y where slopes count, with_normal: as ms_sss_frame.normal
+     1  ms_sss_depth     the first step, NORMAL and UP, depth MS_SSS_TEXTURE: as ms_sss_frame.depth
+     2  ms_sss_strength  as 1, and Y but with half_resolution, with_strength: in red
+     3  ms_sss_input     Y: the input (half_resolution: DOWN's target); UP: DOWN's target
+     4  ms_sss_profile   as 1, profile MS_SSS_TEXTURE: index / 255, so that 8-bit UNORM holds ms_sss_frame.profile
+     5  ms_sss_sum       compute, Y of terms after the first: the sum of those before; UP: of all
+     6  ms_sss_normal    X, Y and NORMAL where slopes count, with_normal: as ms_sss_frame.normal
      7  ms_sss_target    compute: what is written, rgba32f or (half_target) rgba16f; GLSL 330: image unit 0, HLSL: u0
 
    Light does not cross between profiles, nor to pixels that take no part (see ms_sss_filter): an index from profile_count
    on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 2 in X and Y, 26 for 7 taps, and one
    more where light stays (delta, fade, strength below 1). Slopes (depth, MS_SSS_DEPTH_AWARE, flat below 1) read 4 more in
    each, 5 or 6 at outlines, or 1 with_normal. Depth, profile and strength in
-   textures of their own cost 2 n - 1 each, or one each with PREPARE. Turned axes read twice as many.
+   textures of their own cost 2 n - 1 each, or one each with PREPARE. Turned axes read twice as many. Half resolution reads
+   10 a pixel and a quarter of X's and Y's: 17 for 7 taps, 19 with slopes. Of several profiles a texel of DOWN has one,
+   that of the nearest of its pixels (without depth: of the first that takes part); ms_sss_filter halves each by itself.
    In alpha of the input: depth as it is, or (without depth) index / 255. Both: a 32-bit float depth whose last four bits
    hold the index, intBitsToFloat(floatBitsToInt(depth) + 8 & ~15 | index), for 16 profiles; depth 0 masks.
    Targets of PREPARE and X in binary16 round depth to 11 bits: keep that under a tenth of the depth sigma. With depth, the
@@ -789,9 +799,11 @@ typedef struct ms_sss_shader {
     int half_target;        /* 1: the targets of PREPARE and X, and any of compute, are binary16 */
     int compute;            /* 0: fragment shader, 1: compute shader, its tile of the picture in shared memory */
     int later;              /* compute: 1 for Y of terms after the first, adds ms_sss_sum */
+    int half_resolution;    /* 1: X and Y work at half the width and height, between DOWN and UP */
+    int term_count;         /* UP: the most of any of the kernels; 0: 1 */
 } ms_sss_shader;
 
-/* Pixels of a compute shader's work group: dispatch the picture's size over them, rounded up. 0: x, 1: y. */
+/* Pixels of a compute shader's work group: dispatch the target's size over them, rounded up. 0: x, 1: y. */
 MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis);
 
 /* The text of a pass for these options, with entry point main.
@@ -802,7 +814,8 @@ MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filte
 
 /* The constants, for callers that fill them without this header; the same for both passes. All float, offsets in bytes:
    one ms_sss_shader_picture at 0, then for profile i at 48 + i * (80 + 16 taps), taps being tap_count or with half_kernel
-   tap_count / 2 + 1, one ms_sss_shader_profile and its taps {red, green, blue, offset in mm} (ms_sss_kernel_upload).
+   tap_count / 2 + 1, one ms_sss_shader_profile and its taps {red, green, blue, offset in mm} (ms_sss_kernel_upload). UP of
+   term_count terms: the profiles of term 0, then those of term 1 and so on; other steps read those of one term.
 
      when                 what changes
      a pass is drawn      nothing: both passes of a term share the constants
@@ -837,10 +850,10 @@ typedef struct ms_sss_shader_profile {
     float reach;       /* 76: square of the scaled radius, the step in depth that ends a surface */
 } ms_sss_shader_profile;
 
-/* Float4 constants that a shader reads: 3, and for each profile 5 and its taps. OpenGL ES 3.0 promises 224. */
+/* Float4 constants that a shader reads: 3, and for each profile (UP: of each term) 5 and its taps. OpenGL ES 3.0 promises 224. */
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 
-/* Their values for term `term` of kernels[profile_count]. Terms after the first are drawn with additive blending over the
+/* Their values for term `term` (UP: all terms) of kernels[profile_count]. Terms after the first are drawn with additive blending over the
    first; a kernel with fewer terms adds nothing.
    out    [ms_sss_shader_constant_count()][4]
    MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
@@ -6563,7 +6576,11 @@ static const char *const ms_sss__shader_body[] = {
     "\n",
     "bool inside(int2 p)\n",
     "{\n",
+    "#if HALVED\n",
+    "    return p.x >= 0 && p.y >= 0 && 2 * p.x < int(constant[0].x) && 2 * p.y < int(constant[0].y);\n",
+    "#else\n",
     "    return p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y);\n",
+    "#endif\n",
     "}\n",
     "\n",
     "float4 texel(int2 p)\n",
@@ -6600,7 +6617,11 @@ static const char *const ms_sss__shader_body[] = {
     "{\n",
     "    float2 ray = float2(0.0, 0.0);\n",
     "#if PERSPECTIVE\n",
+    "#if HALVED\n",
+    "    ray = (float2(2.0 * float(p.x) + 1.0, 2.0 * float(p.y) + 1.0) - 0.5 * constant[0].xy) / constant[2].y;\n",
+    "#else\n",
     "    ray = (float2(float(p.x) + 0.5, float(p.y) + 0.5) - 0.5 * constant[0].xy) / constant[2].y;\n",
+    "#endif\n",
     "#endif\n",
     "    return ray;\n",
     "}\n",
@@ -6669,7 +6690,11 @@ static const char *const ms_sss__shader_body[] = {
     "    }\n",
     "#else\n",
     "    float2 limit = float2(constant[at + 1].w, constant[at + 4].w);\n",
-    "    slope = float2(slope_of(p, int2(1, 0), own, constant[2].y, limit), slope_of(p, int2(0, 1), own, constant[2].z, limit));\n",
+    "    float2 focal = constant[2].yz;\n",
+    "#if HALVED\n",
+    "    focal = 0.5 * focal;\n",
+    "#endif\n",
+    "    slope = float2(slope_of(p, int2(1, 0), own, focal.x, limit), slope_of(p, int2(0, 1), own, focal.y, limit));\n",
     "#endif\n",
     "    return slope * constant[2].w;\n",
     "}\n",
@@ -6680,7 +6705,161 @@ static const char *const ms_sss__shader_body[] = {
     "{\n",
     "    return source(p);\n",
     "}\n",
+    "#endif\n",
+    "#if NEARNESS\n",
+    "// Of a pixel near another, of the same surface; at: its profile's constants.\n",
+    "float nearness(float4 there, float4 own, int at)\n",
+    "{\n",
+    "    float f = 1.0;\n",
+    "#if DEPTH\n",
+    "    float dz = (there.a - own.a) * constant[at + 1].w;\n",
+    "    f = max(1.0 - dz * dz / constant[at + 2].w, 0.0);\n",
+    "    f = f * f * f * f;\n",
+    "#endif\n",
+    "    return pick(0.0, f, same(there, own));\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "#if DOWN\n",
+    "float4 nearer(float4 a, float4 b)\n",
+    "{\n",
+    "#if DEPTH\n",
+    "    return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a));\n",
     "#else\n",
+    "    return pick(b, a, a.a > 0.0);\n",
+    "#endif\n",
+    "}\n",
+    "\n",
+    "// The mean of those of four pixels that lie near the nearest.\n",
+    "float4 filter_pixel(int2 p)\n",
+    "{\n",
+    "    int2 first = p * 2;\n",
+    "    float4 a = texel(first);\n",
+    "    float4 b = texel(first + int2(1, 0));\n",
+    "    float4 c = texel(first + int2(0, 1));\n",
+    "    float4 d = texel(first + int2(1, 1));\n",
+    "    float4 own = nearer(nearer(a, b), nearer(c, d));\n",
+    "    int at = 3;\n",
+    "    if (!(own.a > 0.0)) {\n",
+    "        return own;\n",
+    "    }\n",
+    "#if PROFILE\n",
+    "    at = 3 + STRIDE * int(profile_of(own));\n",
+    "#endif\n",
+    "    float fa = nearness(a, own, at);\n",
+    "    float fb = nearness(b, own, at);\n",
+    "    float fc = nearness(c, own, at);\n",
+    "    float fd = nearness(d, own, at);\n",
+    "    float4 mean = (fa * a + fb * b + fc * c + fd * d) / (fa + fb + fc + fd);\n",
+    "#if BOTH\n",
+    "    mean = float4(mean.rg, code_of(mean.b, profile_of(own)), mean.a);\n",
+    "#endif\n",
+    "    return mean;\n",
+    "}\n",
+    "#endif\n",
+    "#if NORMAL\n",
+    "// The normal of the nearest of four pixels.\n",
+    "float4 filter_pixel(int2 p)\n",
+    "{\n",
+    "    int2 first = p * 2;\n",
+    "    int2 best = first;\n",
+    "    float least = texel(first).a;\n",
+    "    for (int i = 1; i < 4; i++) {\n",
+    "        int2 q = first + int2(i % 2, i / 2);\n",
+    "        float depth = texel(q).a;\n",
+    "        if (depth > 0.0 && (!(least > 0.0) || depth < least)) {\n",
+    "            least = depth;\n",
+    "            best = q;\n",
+    "        }\n",
+    "    }\n",
+    "    return fetch_normal(best);\n",
+    "}\n",
+    "#endif\n",
+    "#if UP\n",
+    "// Pixels a mm there, before the limit of the picture's larger side.\n",
+    "float pixels_at(float depth)\n",
+    "{\n",
+    "    float pixels = constant[0].z;\n",
+    "#if PERSPECTIVE\n",
+    "    pixels = pixels / depth;\n",
+    "#endif\n",
+    "    return pixels;\n",
+    "}\n",
+    "\n",
+    "// How much of the filtered light is the pixel's own: each tap's bilinear share of it.\n",
+    "float3 share_at(float depth, int at)\n",
+    "{\n",
+    "    float pixels = min(pixels_at(depth), max(constant[0].x, constant[0].y) / constant[at].w);\n",
+    "    float3 share = constant[at + 2].rgb;\n",
+    "    for (int t = 0; t < TERMS; t++) {\n",
+    "        int block = at + t * PROFILES * STRIDE;\n",
+    "        float3 across = float3(0.0, 0.0, 0.0);\n",
+    "        float3 down = float3(0.0, 0.0, 0.0);\n",
+    "        for (int k = 0; k < TAPS; k++) {\n",
+    "#if HALF_KERNEL\n",
+    "            float4 tap = constant[block + 5 + (k + 1) / 2];\n",
+    "#else\n",
+    "            float4 tap = constant[block + 5 + k];\n",
+    "#endif\n",
+    "            float away = pixels * abs(tap.w);\n",
+    "            across = across + tap.rgb * max(1.0 - away * constant[1].x, 0.0);\n",
+    "            down = down + tap.rgb * max(1.0 - away * constant[1].y, 0.0);\n",
+    "        }\n",
+    "        share = share + constant[block + 1].rgb * across * down;\n",
+    "    }\n",
+    "    return clamp(share, float3(0.0, 0.0, 0.0), float3(0.999, 0.999, 0.999));\n",
+    "}\n",
+    "\n",
+    "// A pixel keeps its share of its own light; the rest is what became of the light of the four larger pixels around.\n",
+    "float4 filter_pixel(int2 p)\n",
+    "{\n",
+    "    float4 own = source(p);\n",
+    "    float3 light = own.rgb;\n",
+    "    int at = 3;\n",
+    "    if (!(own.a > 0.0)) {\n",
+    "        return float4(fetch_colour(p).rgb, 1.0);\n",
+    "    }\n",
+    "#if BOTH\n",
+    "    light = fetch_colour(p).rgb;\n",
+    "#endif\n",
+    "#if PROFILE\n",
+    "    at = 3 + STRIDE * int(profile_of(own));\n",
+    "#endif\n",
+    "    float3 share = share_at(own.a, at);\n",
+    "    float3 soft = float3(0.0, 0.0, 0.0);\n",
+    "    float weight = 0.0;\n",
+    "    for (int i = 0; i < 4; i++) {\n",
+    "        int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);\n",
+    "        if (!inside(q * 2)) {\n",
+    "            continue;\n",
+    "        }\n",
+    "        float4 there = fetch_input(q);\n",
+    "        float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);\n",
+    "        if (!(f > 0.0)) {\n",
+    "            continue;\n",
+    "        }\n",
+    "        float3 kept = share;\n",
+    "#if PERSPECTIVE\n",
+    "        kept = share_at(there.a, at);\n",
+    "#endif\n",
+    "        float3 change = fetch_sum(q).rgb - there.rgb;\n",
+    "        soft = soft + f * (there.rgb + change / (float3(1.0, 1.0, 1.0) - kept));\n",
+    "        weight = weight + f;\n",
+    "    }\n",
+    "    float strength = constant[0].w;\n",
+    "#if WITH_STRENGTH\n",
+    "    strength = strength * min(fetch_strength(p).r, 1.0);\n",
+    "#endif\n",
+    "    if (!(pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5) || !(weight > 1e-6)) {\n",
+    "        strength = 0.0;\n",
+    "    }\n",
+    "    if (strength > 0.0) {\n",
+    "        light = light + strength * (float3(1.0, 1.0, 1.0) - share) * (soft / weight - light);\n",
+    "    }\n",
+    "    return float4(light, 1.0);\n",
+    "}\n",
+    "#endif\n",
+    "#if PASS\n",
     "float restore(float sum, float weight, float own, float total, bool mixed)\n",
     "{\n",
     "    if (mixed) {\n",
@@ -6722,11 +6901,16 @@ static const char *const ms_sss__shader_body[] = {
     "    float4 total = constant[at];\n",
     "    float2 aspect = constant[1].xy;\n",
     "    float pixels = constant[0].z;\n",
+    "    float most = max(constant[0].x, constant[0].y) / total.w;\n",
     "#if PERSPECTIVE\n",
     "    pixels = pixels / own.a;\n",
     "#endif\n",
+    "#if HALVED\n",
+    "    pixels = 0.5 * pixels;\n",
+    "    most = 0.5 * most;\n",
+    "#endif\n",
     "    bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n",
-    "    pixels = min(pixels, max(constant[0].x, constant[0].y) / total.w);\n",
+    "    pixels = min(pixels, most);\n",
     "    float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n",
     "#if TURNED\n",
     "    float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n",
@@ -6740,6 +6924,9 @@ static const char *const ms_sss__shader_body[] = {
     "    float slope = dot(axis, slopes);\n",
     "    pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n",
     "    float2 plane = slopes / constant[2].yz;\n",
+    "#if HALVED\n",
+    "    plane = 2.0 * plane;\n",
+    "#endif\n",
     "    float towards = dot(ray, slopes) + 1.0;\n",
     "    float facing = constant[2].y / (constant[0].z * constant[at + 1].w * sqrt(dot(slopes, slopes) + towards * towards));\n",
     "    float3 curve = constant[at + 3].rgb;\n",
@@ -6838,9 +7025,12 @@ static const char *const ms_sss__shader_body[] = {
     "        result = own.rgb * total.rgb;\n",
     "    }\n",
     "#if SECOND\n",
-    "    float strength = constant[0].w;\n",
+    "    float strength = 1.0;\n",
+    "#if !HALVED\n",
+    "    strength = constant[0].w;\n",
     "#if WITH_STRENGTH\n",
     "    strength = strength * min(fetch_strength(p).r, 1.0);\n",
+    "#endif\n",
     "#endif\n",
     "    float3 delta = constant[at + 2].rgb;\n",
     "    result = constant[at + 1].rgb * result;\n",
@@ -6876,7 +7066,11 @@ static const char *const ms_sss__shader_body[] = {
     "    }\n",
     "    tile_ready();\n",
     "#endif\n",
+    "#if SMALLER\n",
+    "    if (inside(p * 2)) {\n",
+    "#else\n",
     "    if (inside(p)) {\n",
+    "#endif\n",
     "#if LATER\n",
     "        float4 before = fetch_sum(p);\n",
     "        store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n",
@@ -6922,7 +7116,7 @@ static const char *const ms_sss__transmission_body[] = {
     X(PREPARE) X(SECOND) X(RAW) X(TAPS) X(STRIDE) X(PROFILES) X(CORNERS) X(HALF_KERNEL) X(WITH_STRENGTH) X(WITH_NORMAL)  \
     X(DEPTH) X(DEPTH_TEXTURE) X(DEPTH_ALPHA) X(PROFILE) X(PROFILE_TEXTURE) X(PROFILE_ALONE) X(READS_PROFILE) \
     X(BOTH) X(BOTH_ALPHA) X(PERSPECTIVE) X(FOLLOW) X(EXACT) X(TURNED) X(SHAPE) X(COMPUTE) X(TILED) X(LATER) X(GROUP_X)   \
-    X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y)
+    X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y) X(PASS) X(HALVED) X(NEARNESS) X(DOWN) X(NORMAL) X(SMALLER) X(UP) X(TERMS)
 
 enum {
 #define MS_SSS__FEATURE_ENUM(name) MS_SSS__HAS_##name,
@@ -7096,9 +7290,12 @@ static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFIL
 
 static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
 
+/* Terms whose constants a step reads. */
+static int ms_sss__shader_terms(const ms_sss_shader *s) { return s->step == MS_SSS_STEP_UP && s->term_count > 1 ? s->term_count : 1; }
+
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
-    return MS_SSS__PICTURE_HEAD + ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
+    return MS_SSS__PICTURE_HEAD + ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
 }
 
 MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis)
@@ -7182,17 +7379,26 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
 {
     static const char *const name[7] = {"colour", "depth", "strength", "input", "profile", "sum", "normal"};
     const ms_sss__dialect *d = &ms_sss__dialects[s->language];
-    const int second = s->step == MS_SSS_STEP_Y, prepare = s->step == MS_SSS_STEP_PREPARE;
+    const int second = s->step == MS_SSS_STEP_Y, pass = second || s->step == MS_SSS_STEP_X, up = s->step == MS_SSS_STEP_UP;
+    const int halved = pass && s->half_resolution, smaller = s->step == MS_SSS_STEP_DOWN || s->step == MS_SSS_STEP_NORMAL;
     const int both = s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE;
     const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
     const int shape = ms_sss__shader_shaped(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
-    const int raw = prepare || (!second && !s->prepared);
+    const int raw = !pass || (!second && !s->prepared && !halved);
     const int again = both && !raw && s->half_target; /* blue of 16 bits can't hold the index as well */
-    const int used[7] = {1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || second), second,
-                         s->profile == MS_SSS_TEXTURE && (raw || again), s->later, s->with_normal && shape && !prepare};
+    const int used[7] = {1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || (second && !halved)), second || up,
+                         s->profile == MS_SSS_TEXTURE && (raw || again), s->later || up, s->with_normal && shape && (pass || s->step == MS_SSS_STEP_NORMAL)};
     int *f = text->feature, i;
     text->column = d->column;
-    f[MS_SSS__HAS_PREPARE] = prepare;
+    f[MS_SSS__HAS_PREPARE] = s->step == MS_SSS_STEP_PREPARE;
+    f[MS_SSS__HAS_PASS] = pass;
+    f[MS_SSS__HAS_HALVED] = halved;
+    f[MS_SSS__HAS_NEARNESS] = up || s->step == MS_SSS_STEP_DOWN;
+    f[MS_SSS__HAS_DOWN] = s->step == MS_SSS_STEP_DOWN;
+    f[MS_SSS__HAS_NORMAL] = s->step == MS_SSS_STEP_NORMAL;
+    f[MS_SSS__HAS_SMALLER] = smaller;
+    f[MS_SSS__HAS_UP] = up;
+    f[MS_SSS__HAS_TERMS] = ms_sss__shader_terms(s);
     f[MS_SSS__HAS_SECOND] = second;
     f[MS_SSS__HAS_RAW] = raw;
     f[MS_SSS__HAS_STRIDE] = ms_sss__shader_stride(s);
@@ -7215,16 +7421,16 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     f[MS_SSS__HAS_FOLLOW] = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
     f[MS_SSS__HAS_EXACT] = o->exact;
     f[MS_SSS__HAS_TURNED] = turned;
-    f[MS_SSS__HAS_SHAPE] = shape && !prepare;
+    f[MS_SSS__HAS_SHAPE] = shape && pass;
     f[MS_SSS__HAS_COMPUTE] = s->compute;
-    f[MS_SSS__HAS_TILED] = s->compute && !prepare;
+    f[MS_SSS__HAS_TILED] = s->compute && pass;
     f[MS_SSS__HAS_LATER] = s->later;
     f[MS_SSS__HAS_GROUP_X] = ms_sss_shader_group(s, 0);
     f[MS_SSS__HAS_GROUP_Y] = ms_sss_shader_group(s, 1);
-    f[MS_SSS__HAS_APRON_X] = second || prepare ? 0 : 32;
+    f[MS_SSS__HAS_APRON_X] = pass && !second ? 32 : 0;
     f[MS_SSS__HAS_APRON_Y] = second ? 32 : 0;
-    f[MS_SSS__HAS_TILE_X] = prepare ? 1 : f[MS_SSS__HAS_GROUP_X] + 2 * f[MS_SSS__HAS_APRON_X];
-    f[MS_SSS__HAS_TILE_Y] = prepare ? 1 : f[MS_SSS__HAS_GROUP_Y] + 2 * f[MS_SSS__HAS_APRON_Y];
+    f[MS_SSS__HAS_TILE_X] = !pass ? 1 : f[MS_SSS__HAS_GROUP_X] + 2 * f[MS_SSS__HAS_APRON_X];
+    f[MS_SSS__HAS_TILE_Y] = !pass ? 1 : f[MS_SSS__HAS_GROUP_Y] + 2 * f[MS_SSS__HAS_APRON_Y];
 
     if (s->compute && s->language == MS_SSS_GLSL_330) ms_sss__say(text, "#version 430\n" MS_SSS__PICK);
     else ms_sss__say(text, d->version);
@@ -7253,12 +7459,20 @@ static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filte
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile_count %d needs profile, the source of the index", s->profile_count);
     if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fov_degrees %g needs depth", (double)o->fov_degrees);
-    if ((int)s->step < 0 || (int)s->step > (int)MS_SSS_STEP_PREPARE)
+    if ((int)s->step < 0 || (int)s->step > (int)MS_SSS_STEP_UP)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d is unknown", (int)s->step);
+    if (s->half_resolution ? s->step == MS_SSS_STEP_PREPARE || s->prepared : (int)s->step >= (int)MS_SSS_STEP_DOWN)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "half_resolution %d: its first step is DOWN, that of others is PREPARE or X", s->half_resolution);
+    if (s->step == MS_SSS_STEP_NORMAL && !(s->with_normal && ms_sss__shader_shaped(s, o)))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step NORMAL without with_normal, or where slopes do not count");
+    if (s->term_count < 0 || s->term_count > MS_SSS_TERMS_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term_count %d is not within 0 to %d", s->term_count, (int)MS_SSS_TERMS_MAX);
     if (s->half_target && ms_sss__shader_shaped(s, o))
         return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with flat %g: slopes need more of depth than binary16 holds; flat must be 1", (double)o->flat);
     if (s->half_target && s->depth != MS_SSS_NONE && s->profile == MS_SSS_ALPHA)
         return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with depth needs profile MS_SSS_TEXTURE");
+    if (s->half_target && s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE && s->half_resolution)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with depth and profile and half_resolution");
     if (s->later && !(s->compute && s->step == MS_SSS_STEP_Y))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "later is of second passes in compute shaders; others blend additively");
     if (s->compute && s->language == MS_SSS_GLSL_ES_300)
@@ -7330,9 +7544,10 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
                                              int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                              ms_error *error)
 {
+    const int up = shader && shader->step == MS_SSS_STEP_UP;
     ms_sss_shader_picture picture;
     ms_status status;
-    int count, stride, terms = 0, i, c;
+    int count, stride, terms = 0, blocks, i, c;
     double mm, pixels;
     if (!kernels || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernels or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
@@ -7344,8 +7559,10 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
     for (i = 0; i < count; ++i) { /* all are checked before anything is written */
         if (kernels[i].tap_count > shader->tap_count)
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i, "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count, shader->tap_count);
-        status = ms_sss_kernel_upload(&kernels[i], term < kernels[i].term_count ? term : 0, shader->half_kernel, 0, NULL, error);
-        if (status != MS_OK) return status;
+        for (c = up ? 0 : term; c < kernels[i].term_count && (c == term || up); ++c) {
+            status = ms_sss_kernel_upload(&kernels[i], c, shader->half_kernel, 0, NULL, error);
+            if (status != MS_OK) return status;
+        }
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
     }
     if (term < 0 || term >= terms)
@@ -7363,8 +7580,11 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
     picture.jitter = options->jitter;
     picture.first = term == 0 ? 1.0f : 0.0f;
     picture.upright = 1.0f - options->flat;
-    for (i = 0; i < count; ++i) {
-        const ms_sss_kernel *k = &kernels[i];
+    blocks = up ? ms_sss__shader_terms(shader) * count : count;
+    if (up) term = 0;
+    for (i = 0; i < blocks; ++i) {
+        const ms_sss_kernel *k = &kernels[i % count];
+        const int t = term + i / count;
         float(*at)[4] = out + MS_SSS__PICTURE_HEAD + i * stride;
         ms_sss_shader_profile profile;
         ms_sss__job job;
@@ -7386,12 +7606,12 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         profile.reach = job.pass.reach;
         memcpy(profile.curve, job.pass.curve, sizeof profile.curve);
         memcpy(profile.root, job.pass.root, sizeof profile.root);
-        if (term < k->term_count) {
-            ms_sss__totals(k, term, job.pass.follow && shader->depth != MS_SSS_NONE, job.pass.total, job.pass.mixed);
-            ms_sss_kernel_upload(k, term, shader->half_kernel, 0, at + MS_SSS__PROFILE_HEAD, NULL);
+        if (t < k->term_count) {
+            ms_sss__totals(k, t, job.pass.follow && shader->depth != MS_SSS_NONE, job.pass.total, job.pass.mixed);
+            ms_sss_kernel_upload(k, t, shader->half_kernel, 0, at + MS_SSS__PROFILE_HEAD, NULL);
             for (c = 0; c < 3; ++c) {
                 profile.total[c] = job.pass.total[c];
-                profile.scale[c] = k->scale[term][c];
+                profile.scale[c] = k->scale[t][c];
                 profile.delta[c] = k->delta[c];
                 profile.mixed += (float)(job.pass.mixed[c] << c);
             }

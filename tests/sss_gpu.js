@@ -1,6 +1,6 @@
-// Runs what tests/pkg_sss_gpu.c wrote: the steps of each case in WebGL 2 or WebGPU, and compares with the CPU's result.
-// data = {api, width, height, images: {name: base64 of RGBA floats}, cases: [{input, expected, tolerance, steps: [{text,
-// constants, read: {name: image}, write: [image], groups}]}], compile: texts that only have to compile}. Logs what is off or an error, then "sss worst E over N cases".
+// Runs what tests/pkg_sss_gpu.c wrote: the steps of each case in WebGL 2 or WebGPU, and compares with the CPU's result (NaN: with none).
+// data = {api, width, height, targets: {name: [width, height]}, images: {name: base64 of RGBA floats}, cases: [{input, profile, expected, tolerance, steps: [{text,
+// constants, read: {name: image}, write: image, groups}]}], compile: texts that only have to compile}. Logs what is off or an error, then "sss worst E over N cases".
 const count = data.width * data.height * 4;
 const lines = [];
 const say = line => lines.push(line);
@@ -19,18 +19,17 @@ function webgl() {
         return s;
     };
     gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-    gl.viewport(0, 0, data.width, data.height);
-    const attach = (i, t) => gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, t, 0);
+    const attach = image => gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, image.texture, 0);
     return {
         name: () => gl.getParameter(gl.VERSION),
         async compile(text) { stage(gl.FRAGMENT_SHADER, text); },
-        image(pixels) {
-            const t = gl.createTexture();
-            gl.bindTexture(gl.TEXTURE_2D, t);
-            gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, data.width, data.height, 0, gl.RGBA, gl.FLOAT, pixels);
+        image(pixels, width, height) {
+            const texture = gl.createTexture();
+            gl.bindTexture(gl.TEXTURE_2D, texture);
+            gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, pixels);
             gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
             gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-            return t;
+            return {texture, width, height};
         },
         run(step, read, write) {
             const p = gl.createProgram();
@@ -41,20 +40,18 @@ function webgl() {
             gl.useProgram(p);
             read.forEach((r, i) => {
                 gl.activeTexture(gl.TEXTURE0 + i);
-                gl.bindTexture(gl.TEXTURE_2D, r.image);
+                gl.bindTexture(gl.TEXTURE_2D, r.image.texture);
                 gl.uniform1i(gl.getUniformLocation(p, r.name), i);
             });
             gl.uniform4fv(gl.getUniformLocation(p, 'ms_sss'), step.constants);
-            attach(0, write[0]);
-            attach(1, write[1] || null);
-            gl.drawBuffers(write.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
+            attach(write);
+            gl.viewport(0, 0, write.width, write.height);
             gl.drawArrays(gl.TRIANGLES, 0, 3);
             if (gl.getError()) throw 'an error of OpenGL';
         },
         async pixels(image) {
             const out = new Float32Array(count);
-            attach(0, image);
-            attach(1, null);
+            attach(image);
             gl.readPixels(0, 0, data.width, data.height, gl.RGBA, gl.FLOAT, out);
             return out;
         }
@@ -74,8 +71,8 @@ async function webgpu() {
         async compile(text) { // errors come as an uncapturederror
             await device.createShaderModule({code: text}).getCompilationInfo();
         },
-        image(pixels) {
-            const t = device.createTexture({size: [data.width, data.height], format: 'rgba32float',
+        image(pixels, width, height) {
+            const t = device.createTexture({size: [width, height], format: 'rgba32float',
                 usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST | GPUTextureUsage.COPY_SRC | GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.STORAGE_BINDING});
             if (pixels) device.queue.writeTexture({texture: t}, pixels, {bytesPerRow: data.width * 16}, [data.width, data.height]);
             return t;
@@ -87,9 +84,8 @@ async function webgpu() {
             device.queue.writeBuffer(constants, 0, new Float32Array(step.constants));
             const layout = [{binding: 0, visibility: stage, buffer: {}}], entries = [{binding: 0, resource: {buffer: constants}}];
             for (const [, binding, name] of step.text.matchAll(/@binding\((\d+)\) var (ms_sss_\w+): /g)) {
-                const to = name === 'ms_sss_target' ? 0 : name === 'ms_sss_shape_target' ? 1 : -1;
-                const image = to >= 0 ? write[to] : read.find(r => r.name === name).image;
-                layout.push(to >= 0 ? {binding: +binding, visibility: stage, storageTexture: {format: 'rgba32float'}}
+                const target = name === 'ms_sss_target', image = target ? write : read.find(r => r.name === name).image;
+                layout.push(target ? {binding: +binding, visibility: stage, storageTexture: {format: 'rgba32float'}}
                                     : {binding: +binding, visibility: stage, texture: {sampleType: 'unfilterable-float'}});
                 entries.push({binding: +binding, resource: image.createView()});
             }
@@ -100,9 +96,9 @@ async function webgpu() {
                 pass = commands.beginComputePass();
                 pass.setPipeline(device.createComputePipeline({layout: all, compute: {module, entryPoint: 'main'}}));
             } else {
-                pass = commands.beginRenderPass({colorAttachments: write.map(t => ({view: t.createView(), loadOp: 'clear', storeOp: 'store'}))});
+                pass = commands.beginRenderPass({colorAttachments: [{view: write.createView(), loadOp: 'clear', storeOp: 'store'}]});
                 pass.setPipeline(device.createRenderPipeline({layout: all, vertex: {module: corner, entryPoint: 'main'},
-                    fragment: {module, entryPoint: 'main', targets: write.map(() => ({format: 'rgba32float'}))}, primitive: {topology: 'triangle-list'}}));
+                    fragment: {module, entryPoint: 'main', targets: [{format: 'rgba32float'}]}, primitive: {topology: 'triangle-list'}}));
             }
             pass.setBindGroup(0, device.createBindGroup({layout: group, entries}));
             if (compute) pass.dispatchWorkgroups(...step.groups);
@@ -130,16 +126,17 @@ async function webgpu() {
         name = gpu.name();
         for (const text of data.compile) await gpu.compile(text);
         const shared = {};
-        for (const [key, text] of Object.entries(data.images)) shared[key] = gpu.image(floats(text));
-        for (const key of ['prepared', 'shape', 'middle', 'result', 'sum']) shared[key] = gpu.image(null);
+        for (const [key, text] of Object.entries(data.images)) shared[key] = gpu.image(floats(text), data.width, data.height);
+        for (const [key, size] of Object.entries(data.targets)) shared[key] = gpu.image(null, ...size);
         for (const [i, c] of data.cases.entries()) {
-            const input = floats(c.input), expected = floats(c.expected), images = {...shared, input: gpu.image(input)};
+            const input = floats(c.input), expected = floats(c.expected);
+            const images = {...shared, input: gpu.image(input, data.width, data.height), profile: gpu.image(floats(c.profile), data.width, data.height)};
             let error = 0;
             for (const step of c.steps)
-                gpu.run(step, Object.entries(step.read).map(([name, image]) => ({name, image: images[image]})), step.write.map(w => images[w]));
-            const out = await gpu.pixels(images[c.steps[c.steps.length - 1].write[0]]);
+                gpu.run(step, Object.entries(step.read).map(([name, image]) => ({name, image: images[image]})), images[step.write]);
+            const out = await gpu.pixels(images[c.steps[c.steps.length - 1].write]);
             for (let k = 0; k < count; ++k) {
-                if (k % 4 === 3 || !Number.isFinite(input[k])) continue;
+                if (k % 4 === 3 || !Number.isFinite(input[k]) || Number.isNaN(expected[k])) continue;
                 const e = Math.abs(out[k] - expected[k]);
                 if (!(e <= error)) error = e === e ? e : 1e9;
             }
