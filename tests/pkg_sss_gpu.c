@@ -301,8 +301,8 @@ static int written_by(const one_case *t, one_step s)
     }
 }
 
-static int width_of(int image) { return image >= SMALL ? (WIDTH + 1) / 2 : WIDTH; }
-static int height_of(int image) { return image >= SMALL ? (HEIGHT + 1) / 2 : HEIGHT; }
+static int width_of(int which) { return which >= SMALL ? (WIDTH + 1) / 2 : WIDTH; }
+static int height_of(int which) { return which >= SMALL ? (HEIGHT + 1) / 2 : HEIGHT; }
 
 /* The shader and its constants become those of a step. */
 static void set_step(one_case *t, one_step s)
