@@ -28,7 +28,7 @@ LDLIBS = -lm
 # Every implementation is compiled once; the examples are told that it is there and link what they use. (Each also
 # compiles alone, as its comment says.)
 TOOLS = build/mcml build/mcml_split build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
-	build/recommend build/latent build/nn_info build/nn_run build/nn_quantise build/preview build/match build/materialx build/workflow
+	build/recommend build/latent build/nn_info build/nn_run build/nn_quantise build/preview build/match build/materialx build/workflow build/train
 DEMOS = build/demo_sss build/demo_match
 OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o
 MADE = -DMS_MCML_IMPLEMENTED -DMS_SSS_IMPLEMENTED -DMS_GPR_IMPLEMENTED -DMS_NN_IMPLEMENTED -DMS_PME_IMPLEMENTED
@@ -81,6 +81,8 @@ build/preview: examples/preview.c examples/neural.h examples/materials.h $(IMAGE
 	$(BUILD) examples/preview.c build/ms_nn.o $(LDLIBS)
 build/materialx: examples/materialx.c examples/materialx.h examples/materials.h examples/files.h
 	$(BUILD) examples/materialx.c $(LDLIBS)
+build/train: examples/train.c examples/train.h $(IMAGE) build/ms_nn.o
+	$(BUILD) -O3 -fno-math-errno -fno-trapping-math -D_POSIX_C_SOURCE=200809L examples/train.c build/ms_nn.o $(LDLIBS) -lpthread
 build/match: examples/match.c examples/matcher.h examples/neural.h examples/materials.h $(IMAGE) build/ms_nn.o build/ms_pme.o
 	$(BUILD) examples/match.c build/ms_nn.o build/ms_pme.o $(LDLIBS)
 build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h $(IMAGE) build/ms_nn.o build/ms_pme.o
