@@ -2067,7 +2067,7 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
             else if (strcmp(a, "--hidden") == 0 && next) o->hidden = next;
             else if (strcmp(a, "--type") == 0 && next && (strcmp(next, "F32") == 0 || strcmp(next, "F16") == 0 || strcmp(next, "I8") == 0))
                 o->type = next[0] == 'I' ? MS_NN_I8 : next[1] == '1' ? MS_NN_F16 : MS_NN_F32;
-            else return wrong("'%s %s' is no option: --help lists them", a, next ? next : "");
+            else return wrong("'%s' is no option, or lacks its value", a);
             if (!fine) return 0;
         }
     }
