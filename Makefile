@@ -67,7 +67,7 @@ build/lightmap: examples/lightmap.c $(IMAGE) build/ms_sss.o
 	$(BUILD) examples/lightmap.c build/ms_sss.o $(LDLIBS)
 build/demo_sss: examples/demo_sss.c examples/scene.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
 	$(BUILD) examples/demo_sss.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
-build/recommend: examples/recommend.c examples/scores.h build/ms_gpr.o
+build/recommend: examples/recommend.c examples/keep.h examples/scores.h build/ms_gpr.o
 	$(BUILD) examples/recommend.c build/ms_gpr.o $(LDLIBS)
 build/latent: examples/latent.c examples/scores.h examples/maps.h $(IMAGE) build/ms_gpr.o
 	$(BUILD) examples/latent.c build/ms_gpr.o $(LDLIBS)

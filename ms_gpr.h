@@ -49,7 +49,7 @@
       and fit again.
    3. What was learned: ms_gpr_predict, ms_gpr_gradient, ms_gpr_relevance, ms_gpr_leave_one_out; ms_gpr_simplify leaves
       out what a scene does not need; ms_gpr_save and ms_gpr_load keep it.
-   4. New materials: ms_gpr_recommend.
+   4. New materials: ms_gpr_recommend. They, galleries and planes keep a ms_gpr_space: what is fixed, ranges, steps, ties, lists of metals.
    5. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane, ms_gpr_latent_map leads
       from the plane to materials; ms_gpr_map_preference and its sisters colour it; ms_gpr_variants finds the best ones.
 
@@ -64,7 +64,7 @@
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    A model is two blocks from its allocator, n^2 + 3 n m doubles; a fit takes another of 4 n^2 and gives it back. Calls that
-   predict take one block of scratch. No globals; 20 KB of stack.
+   predict take one block of scratch, those that keep a space two. No globals; 20 KB of stack.
    A model is only read by const calls: they may overlap. ms_parallel shares out predictions, recommendations and galleries.
    Kernels are scalar, SSE2 or NEON, or AVX2 text, chosen once a model, capped by options.simd. AVX-512 brought too little
    and was left out.
@@ -408,6 +408,32 @@ MS_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_error *
 MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 #endif
 
+/* ---- where materials may lie ----------------------------------------------------------------------------------- */
+
+/* Values that some parameters take together, such as a list of metals. */
+typedef struct ms_gpr_list {
+    const int *columns; /* [width] which parameters, from 0; none in two lists */
+    int width;
+    const double *rows; /* [count][width], all as likely; rows outside the box are left out */
+    int count;
+} ms_gpr_list;
+
+/* What recommendations, galleries and planes keep. All zero: the box that the scores suggest. */
+typedef struct ms_gpr_space {
+    const double *low;   /* [m] the box of allowed parameters, low = high for a fixed one. NULL: in every column 0 to 1 where all */
+    const double *high;  /* [m] scores lie there, else their range, rounded outwards; the one value of a locked column; a list's range.
+                            -INFINITY, INFINITY: so in that column */
+    const double *steps; /* [m] parameters that come in steps from low on, such as 1 for whole numbers; 0: continuous. NULL: all are */
+    const double *ties;  /* [tie_count][m + 1] sum over k of tie[k] x[k] = tie[m], to 1e-9 of the box. What is neither fixed, in steps
+                            nor in a list follows what is; uniform is then uniform on what the ties leave, by hit-and-run */
+    int tie_count;
+    const ms_gpr_list *lists;
+    int list_count;
+} ms_gpr_space;
+/* MS_INVALID_ARGUMENT, and a message that says which of them, where they contradict each other: low > high; no row of a list in the box;
+   a parameter in two lists, or in a list and in steps; ties that nothing in the box keeps, or that join only what is fixed, in steps or in
+   lists. Smith 1984, "Efficient Monte Carlo procedures for generating points uniformly distributed over bounded regions". */
+
 /* ---- recommendation -------------------------------------------------------------------------------------------- */
 
 /* How recommendations are found. */
@@ -428,9 +454,7 @@ typedef struct ms_gpr_recommend_options {
                               0: none. Uniform pairs are 0.4 apart */
     double diversity;      /* 0: in proportion to the volume of what is liked. Up to 1: every recommendation is the farthest from
                               those before it of 1 + 15 diversity */
-    const double *low;     /* [m] the box of allowed parameters, low = high for a fixed one. NULL: in every column 0 to 1 where all */
-    const double *high;    /* [m] scores lie there, else their range, rounded outwards; the one value of a locked column */
-    const double *steps;   /* [m] parameters that come in steps from low on, such as 1 for whole numbers; 0: continuous. NULL: all are */
+    ms_gpr_space space;    /* what is kept */
     const double *avoid;   /* [avoid_count][m] "not like these": nothing nearer than avoid_distance to any of them */
     int avoid_count;
     double avoid_distance; /* as min_distance; 0: 0.15 */
@@ -462,7 +486,7 @@ typedef struct ms_gpr_recommend_report {
    The same seed gives the same sequence: count says how much of it, skip where it begins.
    MS_NOT_CONVERGED: the model predicts no score above the floor (all scores are equal, or there are none); nothing reaches the
    threshold with that caution; or the search gave up, MS_CANCELLED: the first report->found rows of x are valid then, and mean and
-   sigma of them. MS_INVALID_ARGUMENT: an option out of range, low > high, count < 1. MS_OUT_OF_MEMORY.
+   sigma of them. MS_INVALID_ARGUMENT: an option out of range, a space that contradicts itself, count < 1. MS_OUT_OF_MEMORY.
    Memory and threads are the model's. gp is only read: calls may overlap. Bit-equal for any thread count at one SIMD level.
    Thesis 3.4.1; Au & Beck 2001, "Estimation of small failure probabilities in high dimensions by subset simulation"; its steps:
    Neal 2003, "Slice sampling", with shrinkage, along the axes and along random directions. */
@@ -486,8 +510,7 @@ typedef enum ms_gpr_gallery_kind {
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_gallery_options {
-    const double *low;  /* [m] as in ms_gpr_recommend_options */
-    const double *high; /* [m] */
+    ms_gpr_space space; /* what is kept */
     uint64_t seed;      /* the number of scores is part of it: every round gives another gallery */
     ms_gpr_gallery_kind kind;
     int pool;           /* candidates to choose from; 0: the larger of 4000 and 10 count */
@@ -517,6 +540,8 @@ typedef struct ms_gpr_latent_options {
     double noise_floor; /* least standard deviation of the noise, in units of x; 0: 1e-3 of the materials' own */
     int starts;         /* scales of the PCA start that are tried; 0: 3 */
     int evaluations;    /* of the likelihood, at most; 0: 2000 */
+    ms_gpr_space space; /* what materials of the plane keep: what the model says is moved to the nearest that does. All zero: nothing, not
+                           even a box; else as in recommendations, for the range of the embedded materials */
     ms_simd simd;
     ms_allocator allocator;
     ms_progress progress; /* asked every evaluation */
@@ -534,7 +559,8 @@ typedef struct ms_gpr_latent_report {
    together). Starts from principal components at several scales; sf, sn and all latents are optimised together by L-BFGS, every
    start for 100 evaluations and the best of them to the end.
    MS_BAD_DATA: a value that is not finite (position: its row, from 1), or all materials equal.
-   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED. *out is NULL unless MS_OK. Bit-equal at one SIMD level. An evaluation costs
+   MS_INVALID_ARGUMENT (a space that contradicts itself, too), MS_OUT_OF_MEMORY, MS_CANCELLED. *out is NULL unless MS_OK. Bit-equal at
+   one SIMD level. An evaluation costs
    z^3 / 2 + 2 z^2 m multiply-adds. Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
 MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
                                        ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error);
@@ -564,8 +590,8 @@ MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane);
 MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x, double *variance,
                                        ms_error *error);
 
-/* The latent point whose material is nearest to a given one: least |x - map(latent)|, by L-BFGS from the four training latents
-   whose materials are nearest.
+/* The latent point whose material, before options.space, is nearest to a given one: least |x - map(latent)|, by L-BFGS from the four
+   training latents whose materials are nearest.
    x         [m]
    latent    [l] out
    distance  out, or NULL: root mean square over the m dimensions
@@ -3658,23 +3684,23 @@ MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *option
 }
 #endif
 
-/* ---- recommendation -------------------------------------------------------------------------------------------- */
+/* ---- where materials may lie ----------------------------------------------------------------------------------- */
 
-/* A round range that holds column k of the model's inputs: [0, 1] or another unit's, or steps of 1, 2 or 5 times a power of ten. A
-   locked column, equal in 8 scores or more, keeps its value. */
-static void ms_gpr__natural_range(const ms_gpr *gp, int k, double *low, double *high)
+/* A round range that holds column k of the rows of x: [0, 1] or another unit's, or steps of 1, 2 or 5 times a power of ten. A locked
+   column, equal in 8 rows or more, keeps its value. */
+static void ms_gpr__natural_range(const double *x, int n, int m, int k, double *low, double *high)
 {
     static const double unit[][2] = {{-1, 1}, {0, 100}, {0, 255}, {0, 360}, {-180, 180}};
     double least = 0, most = 1, step;
     int i;
-    for (i = 0; i < gp->n; ++i) {
-        double v = gp->x[(size_t)i * (size_t)gp->m + (size_t)k];
+    for (i = 0; i < n; ++i) {
+        double v = x[(size_t)i * (size_t)m + (size_t)k];
         if (i == 0 || v < least) least = v;
         if (i == 0 || v > most) most = v;
     }
     *low = least;
     *high = most;
-    if (gp->n >= 8 && !(most > least)) return;
+    if (n >= 8 && !(most > least)) return;
     if (least >= 0 && most <= 1) {
         *low = 0;
         *high = 1;
@@ -3694,25 +3720,470 @@ static void ms_gpr__natural_range(const ms_gpr *gp, int k, double *low, double *
     *high = step * ceil(most / step);
 }
 
-/* The box [low, high] as low corner and widths; NULL: as the model's inputs say. */
-static ms_status ms_gpr__box(const ms_gpr *gp, const double *low, const double *high, double *out_low, double *out_width, ms_error *error)
+/* Uniform in (0, 1), 32 bits. */
+static double ms_gpr__uniform(ms__rng *rng) { return (ms__rng_u32(rng) + 0.5) * (1.0 / 4294967296.0); }
+
+static double ms_gpr__into(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
+
+/* A list without its rows outside the box. */
+typedef struct ms_gpr__group {
+    int width, count, idle; /* idle: the model asks nothing of it, and no tie */
+    int *column;  /* [width] */
+    double *rows; /* [count][width] */
+} ms_gpr__group;
+
+/* A ms_gpr_space made ready: a material in the box has a place in the unit box. */
+typedef struct ms_gpr__space {
+    int m, ties, groups, tied_count;
+    double *low, *width, *per; /* [m] the box, in units of x, and 1 / width or 0 */
+    double *step, *cells;      /* [m] a step and how many values there are; 0: continuous */
+    double *tie;               /* [ties][m + 1] of places; over the continuous columns the rows are orthonormal */
+    double *inside;            /* [m] a place that keeps everything, in the middle of it where possible */
+    int *owner;                /* [m] which list the column is from, counted from 1, or 0 */
+    int *tied, *which;         /* [m] whether it is in a tie; [tied_count] those that are */
+    ms_gpr__group *group;
+    ms_allocator allocator;
+    void *block;
+    size_t doubles;
+} ms_gpr__space;
+
+static void ms_gpr__space_layout(ms_gpr__space *s, const ms_gpr_space *wish, ms_gpr__arena *arena)
+{
+    size_t m = (size_t)s->m;
+    int g;
+    s->low = ms_gpr__take(arena, m, 1);
+    s->width = ms_gpr__take(arena, m, 1);
+    s->per = ms_gpr__take(arena, m, 1);
+    s->step = ms_gpr__take(arena, m, 1);
+    s->cells = ms_gpr__take(arena, m, 1);
+    s->inside = ms_gpr__take(arena, m, 1);
+    s->owner = (int *)(void *)ms_gpr__take(arena, m, 1);
+    s->tied = (int *)(void *)ms_gpr__take(arena, m, 1);
+    s->which = (int *)(void *)ms_gpr__take(arena, m, 1);
+    s->tie = ms_gpr__take(arena, (size_t)wish->tie_count, m + 1);
+    s->group = (ms_gpr__group *)(void *)ms_gpr__take(arena, (size_t)wish->list_count, sizeof *s->group / sizeof(double) + 1);
+    for (g = 0; g < wish->list_count; ++g) {
+        size_t width = (size_t)wish->lists[g].width;
+        int *column = (int *)(void *)ms_gpr__take(arena, width, 1);
+        double *rows = ms_gpr__take(arena, ms__size_mul(width, (size_t)wish->lists[g].count), 1);
+        if (arena->base == NULL) continue;
+        s->group[g].column = column;
+        s->group[g].rows = rows;
+    }
+}
+
+static int ms_gpr__space_continuous(const ms_gpr__space *s, int k) { return s->width[k] > 0 && !(s->cells[k] > 0) && s->owner[k] == 0; }
+
+/* A uniform value of parameter k, in the unit box. */
+static double ms_gpr__space_draw(const ms_gpr__space *s, int k, ms__rng *rng)
+{
+    double u = ms_gpr__uniform(rng);
+    return s->cells[k] > 0 ? floor(u * s->cells[k]) * s->step[k] / s->width[k] : u;
+}
+
+/* Row `row` of a list takes its place. */
+static void ms_gpr__group_put(const ms_gpr__space *s, const ms_gpr__group *g, int row, double *place)
+{
+    int i;
+    for (i = 0; i < g->width; ++i) {
+        int k = g->column[i];
+        place[k] = (g->rows[(size_t)row * (size_t)g->width + (size_t)i] - s->low[k]) * s->per[k];
+    }
+}
+
+/* The row of a list that is nearest to a place. */
+static int ms_gpr__group_nearest(const ms_gpr__space *s, const ms_gpr__group *g, const double *place)
+{
+    double least = 0;
+    int best = -1, row, i;
+    for (row = 0; row < g->count; ++row) {
+        double sum = 0;
+        for (i = 0; i < g->width; ++i) {
+            int k = g->column[i];
+            double d = (g->rows[(size_t)row * (size_t)g->width + (size_t)i] - s->low[k]) * s->per[k] - place[k];
+            sum += d * d;
+        }
+        if (best >= 0 && !(sum < least)) continue;
+        best = row;
+        least = sum;
+    }
+    return best;
+}
+
+/* The material at a place that keeps everything; values of a list are its own to the bit. */
+static void ms_gpr__space_material(const ms_gpr__space *s, const double *place, double *x)
+{
+    int k, i, g;
+    for (k = 0; k < s->m; ++k) {
+        double offset = s->width[k] * place[k];
+        x[k] = s->low[k] + (s->cells[k] > 0 ? s->step[k] * floor(offset / s->step[k] + 0.5) : offset);
+    }
+    for (g = 0; g < s->groups; ++g) {
+        const ms_gpr__group *list = &s->group[g];
+        const double *row = list->rows + (size_t)ms_gpr__group_nearest(s, list, place) * (size_t)list->width;
+        for (i = 0; i < list->width; ++i) x[list->column[i]] = row[i];
+    }
+}
+
+/* The part of a direction that the ties leave: what is continuous gives way. */
+static void ms_gpr__space_project(const ms_gpr__space *s, double *direction)
+{
+    int t, k;
+    for (t = 0; t < s->ties; ++t) {
+        const double *a = s->tie + (size_t)t * ((size_t)s->m + 1);
+        double sum = 0;
+        for (k = 0; k < s->m; ++k) sum += a[k] * direction[k];
+        for (k = 0; k < s->m; ++k)
+            if (ms_gpr__space_continuous(s, k)) direction[k] -= sum * a[k];
+    }
+    for (k = 0; k < s->m && s->ties > 0; ++k) /* rounding would end chords at a wall beside which they run */
+        if (fabs(direction[k]) < 1e-12) direction[k] = 0;
+}
+
+/* Column k forward, the tied ones with it. 0 where the ties do not let it go. */
+static int ms_gpr__space_face(const ms_gpr__space *s, int k, double *direction)
+{
+    memset(direction, 0, (size_t)s->m * sizeof *direction);
+    direction[k] = 1;
+    ms_gpr__space_project(s, direction);
+    return direction[k] > 1e-9;
+}
+
+/* From a row of a list to another, the tied columns with it. */
+static void ms_gpr__space_swap(const ms_gpr__space *s, const ms_gpr__group *g, int from, int to, double *direction)
+{
+    int i;
+    memset(direction, 0, (size_t)s->m * sizeof *direction);
+    for (i = 0; i < g->width; ++i)
+        direction[g->column[i]] = (g->rows[(size_t)to * (size_t)g->width + (size_t)i] - g->rows[(size_t)from * (size_t)g->width + (size_t)i]) * s->per[g->column[i]];
+    ms_gpr__space_project(s, direction);
+}
+
+/* The part t0 <= 0 <= t1 of a line that lies in the box. */
+static void ms_gpr__space_chord(const ms_gpr__space *s, const double *place, const double *direction, double *t0, double *t1)
 {
     int k;
-    for (k = 0; k < gp->m; ++k) {
-        double a, b;
-        ms_gpr__natural_range(gp, k, &a, &b);
-        if (low) a = low[k];
-        if (high) b = high[k];
-        if (!ms__finite(a) || !ms__finite(b) || !(fabs(a) <= MS_GPR__LARGEST) || !(fabs(b) <= MS_GPR__LARGEST) || b < a)
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the box of dimension %d is [%g, %g]: expected low <= high", k, a, b);
-        out_low[k] = a;
-        out_width[k] = b - a;
+    *t0 = -1e300;
+    *t1 = 1e300;
+    for (k = 0; k < s->m; ++k) {
+        double d = direction[k], back, ahead, per;
+        if (!(d < 0 || d > 0)) continue;
+        per = 1 / d;
+        back = (d > 0 ? -place[k] : 1 - place[k]) * per;
+        ahead = (d > 0 ? 1 - place[k] : -place[k]) * per;
+        if (back > *t0) *t0 = back;
+        if (ahead < *t1) *t1 = ahead;
+    }
+}
+
+/* How many steps t0 to t1 there are to other values of column k, which comes in steps, where the chord allows t0 to t1. */
+static void ms_gpr__space_cells(const ms_gpr__space *s, int k, const double *place, double *t0, double *t1)
+{
+    double step = s->step[k] / s->width[k], own = floor(place[k] / step + 0.5);
+    *t0 = fmax(-own, ceil(*t0 / step - 1e-9));
+    *t1 = fmin(s->cells[k] - 1 - own, floor(*t1 / step + 1e-9));
+}
+
+static void ms_gpr__space_go(const ms_gpr__space *s, double *place, const double *direction, double t)
+{
+    int k;
+    for (k = 0; k < s->m; ++k) {
+        double p = place[k] + t * direction[k];
+        place[k] = p < 1e-12 ? 0 : p > 1 - 1e-12 ? 1 : p;
+    }
+}
+
+/* Hit-and-run over the tied columns: each step a uniform point of the chord along one of them, or across all. direction: [m] */
+static void ms_gpr__space_wander(const ms_gpr__space *s, double *place, int steps, double *direction, ms__rng *rng)
+{
+    int i, k;
+    for (; steps > 0; --steps) {
+        int at = s->which[(int)(ms_gpr__uniform(rng) * s->tied_count)];
+        double t0, t1, t = 1;
+        if (s->owner[at] > 0) {
+            const ms_gpr__group *g = &s->group[s->owner[at] - 1];
+            ms_gpr__space_swap(s, g, ms_gpr__group_nearest(s, g, place), (int)(ms_gpr__uniform(rng) * g->count), direction);
+            ms_gpr__space_chord(s, place, direction, &t0, &t1);
+            if (!(t1 >= 1 - 1e-12)) continue;
+        } else if (s->cells[at] > 0) {
+            ms_gpr__space_face(s, at, direction);
+            ms_gpr__space_chord(s, place, direction, &t0, &t1);
+            ms_gpr__space_cells(s, at, place, &t0, &t1);
+            t = floor(t0 + ms_gpr__uniform(rng) * (t1 + 1 - t0)) * s->step[at] / s->width[at];
+        } else {
+            if (steps % 2) {
+                if (!ms_gpr__space_face(s, at, direction)) continue;
+            } else {
+                memset(direction, 0, (size_t)s->m * sizeof *direction);
+                for (i = 0; i < s->tied_count; ++i) {
+                    k = s->which[i];
+                    if (ms_gpr__space_continuous(s, k)) direction[k] = 2 * ms_gpr__uniform(rng) - 1;
+                }
+                ms_gpr__space_project(s, direction);
+            }
+            ms_gpr__space_chord(s, place, direction, &t0, &t1);
+            if (!(t1 < 1e300)) continue;
+            t = t0 + ms_gpr__uniform(rng) * (t1 - t0);
+        }
+        ms_gpr__space_go(s, place, direction, t);
+    }
+}
+
+/* Whether a list or any of its columns is tied. */
+static int ms_gpr__group_tied(const ms_gpr__space *s, const ms_gpr__group *g)
+{
+    int i, any = 0;
+    for (i = 0; i < g->width; ++i) any |= s->tied[g->column[i]];
+    return any;
+}
+
+/* The next of a row of uniform places; tied columns go on from the one before, at first s->inside. direction: [m] */
+static void ms_gpr__space_next(const ms_gpr__space *s, double *place, double *direction, ms__rng *rng)
+{
+    int k, g;
+    for (k = 0; k < s->m; ++k)
+        if (s->owner[k] == 0 && !s->tied[k]) place[k] = ms_gpr__space_draw(s, k, rng);
+    for (g = 0; g < s->groups; ++g)
+        if (!ms_gpr__group_tied(s, &s->group[g])) ms_gpr__group_put(s, &s->group[g], (int)(ms_gpr__uniform(rng) * s->group[g].count), place);
+    ms_gpr__space_wander(s, place, 3 * s->tied_count, direction, rng);
+}
+
+/* The first of such a row. */
+static void ms_gpr__space_first(const ms_gpr__space *s, double *place, double *direction, ms__rng *rng)
+{
+    memcpy(place, s->inside, (size_t)s->m * sizeof *place);
+    ms_gpr__space_wander(s, place, 20 * s->tied_count, direction, rng);
+}
+
+/* Moves what is continuous onto the ties and into the box less a margin, by projections in turn (von Neumann). 0: there is no way. */
+static int ms_gpr__space_pull(const ms_gpr__space *s, double *place, double margin, int tries)
+{
+    double off = 0;
+    int t, k;
+    for (; tries > 0; --tries) {
+        for (t = 0; t < s->ties; ++t) {
+            const double *a = s->tie + (size_t)t * ((size_t)s->m + 1);
+            double sum = a[s->m];
+            for (k = 0; k < s->m; ++k) sum -= a[k] * place[k];
+            for (k = 0; k < s->m; ++k)
+                if (ms_gpr__space_continuous(s, k)) place[k] += sum * a[k];
+        }
+        for (k = 0, off = 0; k < s->m; ++k) {
+            double p;
+            if (!ms_gpr__space_continuous(s, k)) continue;
+            p = ms_gpr__into(place[k], margin, 1 - margin);
+            off = fmax(off, fabs(place[k] - p));
+            place[k] = p;
+        }
+        if (off <= 1e-13) return 1;
+    }
+    return off <= 1e-9;
+}
+
+/* Moves a place, of the unit box or not, to a near one that keeps everything. */
+static void ms_gpr__space_settle(const ms_gpr__space *s, double *place)
+{
+    int k, g;
+    for (k = 0; k < s->m; ++k) {
+        place[k] = s->width[k] > 0 ? ms_gpr__into(place[k], 0, 1) : 0;
+        if (s->cells[k] > 0) place[k] = fmin(floor(place[k] * s->width[k] / s->step[k] + 0.5), s->cells[k] - 1) * s->step[k] / s->width[k];
+    }
+    for (g = 0; g < s->groups; ++g) ms_gpr__group_put(s, &s->group[g], ms_gpr__group_nearest(s, &s->group[g], place), place);
+    if (s->ties == 0 || ms_gpr__space_pull(s, place, 0, 2000)) return;
+    for (k = 0; k < s->m; ++k) /* with other steps and rows of lists */
+        if (s->tied[k] && !ms_gpr__space_continuous(s, k)) place[k] = s->inside[k];
+    if (!ms_gpr__space_pull(s, place, 0, 2000)) memcpy(place, s->inside, (size_t)s->m * sizeof *place);
+    for (g = 0; g < s->groups; ++g) ms_gpr__group_put(s, &s->group[g], ms_gpr__group_nearest(s, &s->group[g], place), place);
+}
+
+static void ms_gpr__space_place(const ms_gpr__space *s, const double *x, double *place)
+{
+    int k;
+    for (k = 0; k < s->m; ++k) place[k] = (x[k] - s->low[k]) * s->per[k];
+}
+
+/* wish[k], where it is given and not infinite. */
+static double ms_gpr__given(const double *wish, int k, double sign, double otherwise)
+{
+    return wish == NULL || (!ms__finite(wish[k]) && sign * wish[k] > 0) ? otherwise : wish[k];
+}
+
+/* The rows of the lists that lie in the box, and the box of those. */
+static ms_status ms_gpr__space_lists(ms_gpr__space *s, const ms_gpr_space *wish, ms_error *error)
+{
+    int g, i, row, k;
+    s->groups = wish->list_count;
+    for (g = 0; g < s->groups; ++g) {
+        const ms_gpr_list *list = &wish->lists[g];
+        ms_gpr__group *to = &s->group[g];
+        size_t width = (size_t)list->width;
+        to->width = list->width;
+        to->count = 0;
+        for (row = 0; row < list->count; ++row) {
+            const double *from = list->rows + (size_t)row * width;
+            int fits = 1;
+            for (i = 0; i < list->width; ++i) {
+                double low, high, slack;
+                k = list->columns[i];
+                low = ms_gpr__given(wish->low, k, -1, -MS_GPR__LARGEST);
+                high = ms_gpr__given(wish->high, k, 1, MS_GPR__LARGEST);
+                slack = 1e-12 * fabs(from[i]);
+                fits &= from[i] >= low - slack && from[i] <= high + slack;
+            }
+            if (fits) memcpy(to->rows + (size_t)to->count++ * width, from, width * sizeof *from);
+        }
+        if (to->count == 0)
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "list %d contradicts the box: none of its %d rows lies there", g + 1, list->count);
+        for (i = 0; i < list->width; ++i) {
+            double low = to->rows[i], high = to->rows[i];
+            k = to->column[i] = list->columns[i];
+            if (s->owner[k] > 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter %d is in list %d and in list %d", k, s->owner[k], g + 1);
+            if (s->step[k] > 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter %d is in list %d and comes in steps", k, g + 1);
+            for (row = 1; row < to->count; ++row) {
+                low = fmin(low, to->rows[(size_t)row * width + (size_t)i]);
+                high = fmax(high, to->rows[(size_t)row * width + (size_t)i]);
+            }
+            s->owner[k] = g + 1;
+            s->low[k] = low;
+            s->width[k] = high - low;
+        }
     }
     return MS_OK;
 }
 
-/* Uniform in (0, 1), 32 bits. */
-static double ms_gpr__uniform(ms__rng *rng) { return (ms__rng_u32(rng) + 0.5) * (1.0 / 4294967296.0); }
+/* The ties as rows over places, orthonormal over what is continuous; what says nothing new is left out. */
+static ms_status ms_gpr__space_ties(ms_gpr__space *s, const ms_gpr_space *wish, ms_error *error)
+{
+    size_t row = (size_t)s->m + 1;
+    int t, k, i, pass;
+    for (t = 0; t < wish->tie_count; ++t) {
+        const double *from = wish->ties + (size_t)t * row;
+        double *a = s->tie + (size_t)s->ties * row, least = 0, most = 0, size = fabs(from[s->m]), norm2 = 0, rest = 0;
+        a[s->m] = from[s->m];
+        for (k = 0; k < s->m; ++k) {
+            a[k] = from[k] * s->width[k];
+            a[s->m] -= from[k] * s->low[k];
+            least += from[k] * (s->low[k] + (from[k] < 0 ? s->width[k] : 0));
+            most += from[k] * (s->low[k] + (from[k] > 0 ? s->width[k] : 0));
+            size += fabs(from[k]) * (fabs(s->low[k]) + s->width[k]);
+        }
+        if (!(from[s->m] >= least - 1e-9 * size && from[s->m] <= most + 1e-9 * size))
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tie %d contradicts the box: its sum lies from %g to %g there, not at %g", t + 1, least, most,
+                            from[s->m]);
+        for (pass = 0; pass < 2; ++pass)
+            for (i = 0; i < s->ties; ++i) {
+                const double *b = s->tie + (size_t)i * row;
+                double sum = 0;
+                for (k = 0; k < s->m; ++k) sum += ms_gpr__space_continuous(s, k) ? a[k] * b[k] : 0;
+                for (k = 0; k <= s->m; ++k) a[k] -= sum * b[k];
+            }
+        for (k = 0; k < s->m; ++k) {
+            if (ms_gpr__space_continuous(s, k)) norm2 += a[k] * a[k];
+            else rest = fmax(rest, fabs(a[k]));
+        }
+        if (!(sqrt(norm2) > 1e-9 * size)) {
+            if (rest > 1e-9 * size)
+                return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tie %d joins only parameters that are fixed, tied already, in steps or in lists", t + 1);
+            if (fabs(a[s->m]) > 1e-9 * size)
+                return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tie %d contradicts what is fixed and the ties before it", t + 1);
+            continue;
+        }
+        for (k = 0; k <= s->m; ++k) a[k] /= sqrt(norm2);
+        ++s->ties;
+    }
+    return MS_OK;
+}
+
+/* Which columns are tied, and a place that keeps everything. */
+static ms_status ms_gpr__space_inside(ms_gpr__space *s, ms_error *error)
+{
+    static const double margin[] = {0.1, 0.02, 1e-3, 1e-6, 0};
+    ms__rng rng = ms__rng_make(1, 0);
+    int k, t, g, i, attempt, choices = 0;
+    for (k = 0; k < s->m; ++k) {
+        for (t = 0; t < s->ties; ++t) s->tied[k] |= fabs(s->tie[(size_t)t * ((size_t)s->m + 1) + (size_t)k]) > 1e-12;
+        s->inside[k] = s->width[k] > 0 ? 0.5 : 0;
+    }
+    for (g = 0; g < s->groups; ++g) /* all columns of a list move together */
+        for (i = 0, t = ms_gpr__group_tied(s, &s->group[g]); i < s->group[g].width; ++i) s->tied[s->group[g].column[i]] = t;
+    for (k = 0; k < s->m; ++k) {
+        if (s->tied[k]) s->which[s->tied_count++] = k;
+        choices |= s->tied[k] && !ms_gpr__space_continuous(s, k);
+    }
+    for (attempt = 0; attempt < (choices ? 1000 : 1); ++attempt) {
+        for (k = 0; k < s->m; ++k)
+            if (s->cells[k] > 0) s->inside[k] = attempt ? ms_gpr__space_draw(s, k, &rng) : floor(0.5 * s->cells[k]) * s->step[k] / s->width[k];
+        for (g = 0; g < s->groups; ++g)
+            ms_gpr__group_put(s, &s->group[g], attempt ? (int)(ms_gpr__uniform(&rng) * s->group[g].count) : s->group[g].count / 2, s->inside);
+        for (i = 0; i < 5; ++i)
+            if (s->ties == 0 || ms_gpr__space_pull(s, s->inside, margin[i], choices ? 300 : 10000)) return MS_OK;
+    }
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the %d ties contradict each other: no material in the box keeps all of them", s->ties);
+}
+
+static void ms_gpr__space_free(ms_gpr__space *s) { ms_gpr__release_doubles(&s->allocator, s->block, s->doubles); }
+
+/* x [n][m]: what the box is made of where wish has none. On success to be freed. */
+static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_space *wish, const ms_allocator *allocator, ms_gpr__space *s,
+                                    ms_error *error)
+{
+    ms_gpr__arena arena = {NULL, 0};
+    ms_status status = MS_OK;
+    int k, g, i;
+    if (wish->tie_count < 0 || wish->list_count < 0 || wish->tie_count > 10000 || wish->list_count > 10000)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tie_count is %d and list_count %d: expected 0 to 10000", wish->tie_count, wish->list_count);
+    if (wish->tie_count > 0 && wish->ties == NULL) return ms_gpr__null("ties", error);
+    if (wish->list_count > 0 && wish->lists == NULL) return ms_gpr__null("lists", error);
+    if (wish->tie_count > 0) status = ms_gpr__check_rows(wish->ties, wish->tie_count, m + 1, MS_GPR__LARGEST, "tie", error);
+    for (g = 0; g < wish->list_count && status == MS_OK; ++g) {
+        const ms_gpr_list *list = &wish->lists[g];
+        if (list->columns == NULL || list->rows == NULL) return ms_gpr__null(list->columns ? "rows of a list" : "columns of a list", error);
+        if (list->width < 1 || list->width > m || list->count < 1 || list->count > 10000000)
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "list %d has %d columns and %d rows: expected 1 to %d, and 1 to 10000000", g + 1, list->width,
+                            list->count, m);
+        for (i = 0; i < list->width; ++i)
+            if (list->columns[i] < 0 || list->columns[i] >= m)
+                return ms__fail(error, MS_INVALID_ARGUMENT, 0, "list %d has column %d: expected 0 to %d", g + 1, list->columns[i], m - 1);
+        status = ms_gpr__check_rows(list->rows, list->count, list->width, MS_GPR__LARGEST, "row of a list", error);
+    }
+    for (k = 0; wish->steps && k < m && status == MS_OK; ++k)
+        if (!ms__finite(wish->steps[k]) || !(wish->steps[k] >= 0 && wish->steps[k] <= MS_GPR__LARGEST))
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "steps[%d] is %g: expected a number of at least 0", k, wish->steps[k]);
+    if (status != MS_OK) return status;
+    memset(s, 0, sizeof *s);
+    s->m = m;
+    s->allocator = *allocator;
+    ms_gpr__space_layout(s, wish, &arena);
+    s->doubles = arena.used;
+    arena.base = ms_gpr__doubles(&s->allocator, s->doubles, &s->block);
+    if (arena.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for what %d parameters keep", m);
+    memset(arena.base, 0, s->doubles * sizeof(double));
+    arena.used = 0;
+    ms_gpr__space_layout(s, wish, &arena);
+    for (k = 0; k < m && status == MS_OK; ++k) {
+        double a, b;
+        ms_gpr__natural_range(x, n, m, k, &a, &b);
+        a = ms_gpr__given(wish->low, k, -1, a);
+        b = ms_gpr__given(wish->high, k, 1, b);
+        if (!ms__finite(a) || !ms__finite(b) || !(fabs(a) <= MS_GPR__LARGEST) || !(fabs(b) <= MS_GPR__LARGEST) || b < a)
+            status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "the box of dimension %d is [%g, %g]: expected low <= high", k, a, b);
+        s->low[k] = a;
+        s->width[k] = b - a;
+        s->step[k] = wish->steps && b > a ? wish->steps[k] : 0;
+    }
+    if (status == MS_OK) status = ms_gpr__space_lists(s, wish, error);
+    for (k = 0; k < m; ++k) {
+        s->cells[k] = s->step[k] > 0 ? floor(s->width[k] / s->step[k] + 1e-9) + 1 : 0;
+        if (s->cells[k] > 0 && s->cells[k] < 2) s->cells[k] = s->width[k] = 0;
+        s->per[k] = s->width[k] > 0 ? 1 / s->width[k] : 0;
+    }
+    if (status == MS_OK) status = ms_gpr__space_ties(s, wish, error);
+    if (status == MS_OK) status = ms_gpr__space_inside(s, error);
+    if (status != MS_OK) ms_gpr__space_free(s);
+    return status;
+}
+
+/* ---- recommendation -------------------------------------------------------------------------------------------- */
 
 /* Candidates come in batches and chains in groups, each batch and each chain with a random stream of its own: the number of
    threads changes nothing. */
@@ -3751,9 +4222,10 @@ typedef struct ms_gpr__hunt {
     double *kept;               /* [count][m] what was found */
     double *group;              /* [16][m] candidates for the next one, */
     int grouped;                /* and how many there are */
-    double *low, *width, *per;  /* [m] the box, in units of x, and 1 / width or 0 */
-    double *cells;              /* [m] values of a parameter that comes in steps; 0: continuous */
+    ms_gpr__space s;
     double *unit;               /* [active] length scales in the box's width */
+    int *mover, movers;         /* what slices go along: a dimension in use; active + a tied column; active + m + a list */
+    double *tied;               /* [ties][m] scratch of the ascents */
     double goal;                /* the threshold, and a margin for the rounding of means that walkers sum up */
     double level;               /* what walkers must not fall below */
     double *candidate;          /* [BATCHES * BATCH][m] of a wave, in units of x */
@@ -3778,20 +4250,6 @@ typedef struct ms_gpr__hunt {
 
 /* --- a walker --- */
 
-/* A uniform value of parameter k, in the unit box. */
-static double ms_gpr__hunt_uniform(const ms_gpr__hunt *h, int k, ms__rng *rng)
-{
-    double u = ms_gpr__uniform(rng);
-    return h->cells[k] > 0 ? floor(u * h->cells[k]) * h->o.steps[k] / h->width[k] : u;
-}
-
-/* A place in the unit box in units of x. */
-static double ms_gpr__hunt_input(const ms_gpr__hunt *h, int k, double place)
-{
-    double offset = h->width[k] * place;
-    return h->low[k] + (h->cells[k] > 0 ? h->o.steps[k] * floor(offset / h->o.steps[k] + 0.5) : offset);
-}
-
 /* Distances anew from the place. */
 static void ms_gpr__walker_arrive(const ms_gpr__hunt *h, const ms_gpr__lines *lines, const void *points, ms_gpr__walker *w)
 {
@@ -3799,7 +4257,7 @@ static void ms_gpr__walker_arrive(const ms_gpr__hunt *h, const ms_gpr__lines *li
     int k, d;
     for (k = 0; k < gp->active; ++k) {
         d = gp->dimension[k];
-        w->scaled[k] = (h->low[d] + h->width[d] * w->place[d] - gp->center[d]) * gp->scale[d];
+        w->scaled[k] = (h->s.low[d] + h->s.width[d] * w->place[d] - gp->center[d]) * gp->scale[d];
     }
     lines->arrive(w->d2, points, gp->stride, w->scaled, gp->active, ms_gpr__padded(gp->n));
 }
@@ -3831,23 +4289,6 @@ static void ms_gpr__walker_step(const ms_gpr__hunt *h, const ms_gpr__lines *line
     lines->go(w->d2, w->slope, t, w->curvature, ms_gpr__padded(gp->n));
 }
 
-/* The part t0 <= 0 <= t1 of the line that lies in the box. */
-static void ms_gpr__walker_chord(const ms_gpr__walker *w, int m, double *t0, double *t1)
-{
-    int k;
-    *t0 = -1e300;
-    *t1 = 1e300;
-    for (k = 0; k < m; ++k) {
-        double d = w->direction[k], back, ahead, per;
-        if (!(d < 0 || d > 0)) continue;
-        per = 1 / d;
-        back = (d > 0 ? -w->place[k] : 1 - w->place[k]) * per;
-        ahead = (d > 0 ? 1 - w->place[k] : -w->place[k]) * per;
-        if (back > *t0) *t0 = back;
-        if (ahead < *t1) *t1 = ahead;
-    }
-}
-
 /* caution * sigma at t along the line. */
 static double ms_gpr__walker_doubt(const ms_gpr__hunt *h, const ms_gpr__lines *lines, ms_gpr__walker *w, double t)
 {
@@ -3867,8 +4308,46 @@ static double ms_gpr__walker_doubt(const ms_gpr__hunt *h, const ms_gpr__lines *l
     return variance > 0 ? h->o.caution * sqrt(variance) : 0;
 }
 
+/* Turns the slopes that the direction holds for tied columns into the steepest way up, in length scales, that keeps the ties and the
+   box: those that would leave it stand still. */
+static void ms_gpr__walker_yield(const ms_gpr__hunt *h, ms_gpr__walker *w)
+{
+    const ms_gpr *gp = h->gp;
+    const ms_gpr__space *s = &h->s;
+    size_t m = (size_t)gp->m;
+    double *reach = h->tied + (size_t)s->ties * m, *way = reach + m;
+    int pass, t, i, k, changed = 1;
+    for (k = 0; k < gp->m; ++k) reach[k] = s->tied[k] && ms_gpr__space_continuous(s, k) ? 10 : 0; /* widths, for what the mean hardly depends on */
+    for (k = 0; k < gp->active; ++k)
+        if (h->unit[k] > 0.1 && reach[gp->dimension[k]] > 0) reach[gp->dimension[k]] = 1 / h->unit[k];
+    for (pass = 0; pass <= gp->m && changed; ++pass) {
+        for (k = 0; k < gp->m; ++k) way[k] = reach[k] * (s->tied[k] ? w->direction[k] : 0);
+        for (t = 0; t < s->ties; ++t) {
+            const double *a = s->tie + (size_t)t * (m + 1);
+            double *row = h->tied + (size_t)t * m, norm2 = 0, sum = 0;
+            for (k = 0; k < gp->m; ++k) row[k] = a[k] * reach[k];
+            for (i = 0; i < t; ++i) {
+                const double *before = h->tied + (size_t)i * m;
+                for (k = 0, sum = 0; k < gp->m; ++k) sum += row[k] * before[k];
+                for (k = 0; k < gp->m; ++k) row[k] -= sum * before[k];
+            }
+            for (k = 0; k < gp->m; ++k) norm2 += row[k] * row[k];
+            for (k = 0, sum = 0; k < gp->m; ++k) sum += (row[k] *= norm2 > 1e-18 ? 1 / sqrt(norm2) : 0) * way[k];
+            for (k = 0; k < gp->m; ++k) way[k] -= sum * row[k];
+        }
+        for (k = 0, changed = 0; k < gp->m; ++k) {
+            way[k] = fabs(way[k] * reach[k]) > 1e-12 ? way[k] * reach[k] : 0;
+            if (!(way[k] < 0 && w->place[k] <= 0) && !(way[k] > 0 && w->place[k] >= 1)) continue;
+            reach[k] = 0;
+            changed = 1;
+        }
+    }
+    for (k = 0; k < gp->m; ++k)
+        if (s->tied[k]) w->direction[k] = changed ? 0 : way[k];
+}
+
 /* Uphill to a maximum of the mean, for at most `steps` steps: along the gradient in length scales, which points like a mean shift
-   to sum_i weight_i k_i (x_i - x), less the components that would leave the box. */
+   to sum_i weight_i k_i (x_i - x), less the components that would leave the box or break a tie. Lists stay as they are. */
 static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int steps)
 {
     const ms_gpr *gp = h->gp;
@@ -3886,17 +4365,22 @@ static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int 
         if (steps == 0) return;
         memset(w->direction, 0, (size_t)gp->m * sizeof *w->direction);
         for (k = 0; k < gp->active; ++k) {
-            double p = w->place[gp->dimension[k]], g;
+            int d = gp->dimension[k];
+            double p = w->place[d], g;
+            if (h->s.owner[d] > 0 || !(h->unit[k] > 0)) continue;
             g = gp->kernels->dot(w->kernel, gp->points + (size_t)k * gp->stride, n) - total * w->scaled[k];
-            if ((g < 0 && p <= 0) || (g > 0 && p >= 1) || !(h->unit[k] > 0)) continue;
-            w->direction[gp->dimension[k]] = g;
-            norm2 += g * g;
+            if (h->s.tied[d]) {
+                w->direction[d] = g * h->unit[k];
+            } else if (!(g < 0 && p <= 0) && !(g > 0 && p >= 1)) {
+                w->direction[d] = g / h->unit[k];
+            }
         }
+        if (h->s.ties > 0) ms_gpr__walker_yield(h, w);
+        for (k = 0; k < gp->active; ++k) norm2 += h->unit[k] * w->direction[gp->dimension[k]] * (h->unit[k] * w->direction[gp->dimension[k]]);
         if (!(norm2 > 0)) return;
-        for (k = 0; k < gp->active; ++k)
-            if (h->unit[k] > 0) w->direction[gp->dimension[k]] /= sqrt(norm2) * h->unit[k];
+        for (k = 0; k < gp->m; ++k) w->direction[k] /= sqrt(norm2);
         ms_gpr__walker_face(h, lines, gp->points, w);
-        ms_gpr__walker_chord(w, gp->m, &t0, &t1);
+        ms_gpr__space_chord(&h->s, w->place, w->direction, &t0, &t1);
         t = reach < t1 ? reach : t1;
         ahead = gp->mean + lines->mean(w->d2, w->slope, t, w->curvature, gp->weight, n);
         while (!(ahead > w->value) && halvings++ < 20)
@@ -3914,23 +4398,23 @@ static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int 
 }
 
 /* Neal's slice step along the line that the walker faces: a uniform point of the chord; while it lies outside the region, the chord
-   shrinks towards the walker. The uniform distribution over the region is left as it is. An axis that comes in steps is a row of
-   cells, and the walker somewhere in its own. */
-static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
+   shrinks towards the walker. The uniform distribution over the region is left as it is. A column k that comes in steps is a row of
+   cells, and the walker somewhere in its own. k < 0: across several. */
+static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, int k, ms__rng *rng)
 {
     const ms_gpr *gp = h->gp;
-    int k = w->axis < 0 ? 0 : gp->dimension[w->axis];
-    double cells = w->axis < 0 ? 0 : h->cells[k], step = cells > 0 ? h->o.steps[k] / h->width[k] : 0, t0, t1, offset = 0;
+    double cells = k < 0 ? 0 : h->s.cells[k], step = cells > 0 ? h->s.step[k] / h->s.width[k] : 0, t0, t1, offset = 0;
     int tries, n = ms_gpr__padded(gp->n);
-    if (cells > 0) { /* at = t + offset; its own cell is [0, 1) */
-        offset = ms_gpr__uniform(rng);
-        t0 = -floor(w->place[k] / step + 0.5);
-        t1 = t0 + cells;
-    } else if (w->axis < 0) {
-        ms_gpr__walker_chord(w, gp->m, &t0, &t1);
+    if (w->axis < 0) {
+        ms_gpr__space_chord(&h->s, w->place, w->direction, &t0, &t1);
     } else {
         t0 = -w->place[k];
         t1 = 1 - w->place[k];
+    }
+    if (cells > 0) { /* at = t + offset; its own cell is [0, 1) */
+        offset = ms_gpr__uniform(rng);
+        ms_gpr__space_cells(&h->s, k, w->place, &t0, &t1);
+        t1 += 1;
     }
     for (tries = 0; tries < 60; ++tries) {
         double at = t0 + ms_gpr__uniform(rng) * (t1 - t0), t = at, mean;
@@ -3947,29 +4431,92 @@ static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__r
     }
 }
 
-/* A slice along axis k of those in use, which renews what the mean hardly depends on. */
-static void ms_gpr__walker_along(const ms_gpr__hunt *h, ms_gpr__walker *w, int k, ms__rng *rng)
+/* A slice over the rows of a list: as over the cells of a column in steps. */
+static void ms_gpr__walker_list(const ms_gpr__hunt *h, ms_gpr__walker *w, const ms_gpr__group *g, ms__rng *rng)
 {
     const ms_gpr *gp = h->gp;
-    w->axis = k;
-    w->step[k] = h->unit[k];
-    w->curvature = h->unit[k] * h->unit[k];
-    h->lines->face(w->slope, (const char *)h->points + (size_t)k * gp->stride * h->lines->size, gp->stride, w->scaled + k, w->step + k, 1,
-                   ms_gpr__padded(gp->n));
-    ms_gpr__walker_slice(h, w, rng);
+    int own = ms_gpr__group_nearest(&h->s, g, w->place), row, n = ms_gpr__padded(gp->n);
+    double offset = own + ms_gpr__uniform(rng), t0 = 0, t1 = g->count, back, ahead;
+    for (;;) {
+        double at = t0 + ms_gpr__uniform(rng) * (t1 - t0), mean;
+        row = (int)at < g->count ? (int)at : g->count - 1;
+        if (row == own) return;
+        ms_gpr__space_swap(&h->s, g, own, row, w->direction);
+        ms_gpr__space_chord(&h->s, w->place, w->direction, &back, &ahead);
+        if (ahead >= 1 - 1e-12) {
+            ms_gpr__walker_face(h, h->lines, h->points, w);
+            mean = gp->mean + h->lines->mean(w->d2, w->slope, 1, w->curvature, h->weight, n);
+            w->slices += 1;
+            if (mean >= h->level && (mean -= ms_gpr__walker_doubt(h, h->lines, w, 1)) >= h->level) {
+                ms_gpr__walker_step(h, h->lines, w, 1);
+                w->value = mean;
+                return;
+            }
+        }
+        if (at < offset) t0 = at;
+        else t1 = at;
+    }
+}
+
+/* The best row of every list, as things stand. 0: it had them already. */
+static int ms_gpr__walker_choose(const ms_gpr__hunt *h, ms_gpr__walker *w)
+{
+    const ms_gpr__lines *lines = &h->gp->kernels->lines;
+    int changed = 0, i, row, n = ms_gpr__padded(h->gp->n);
+    for (i = 0; i < h->s.groups; ++i) {
+        const ms_gpr__group *g = &h->s.group[i];
+        int own = ms_gpr__group_nearest(&h->s, g, w->place), best = own;
+        double back, ahead, largest = w->value;
+        for (row = 0; row < g->count; ++row) {
+            double mean;
+            ms_gpr__space_swap(&h->s, g, own, row, w->direction);
+            ms_gpr__space_chord(&h->s, w->place, w->direction, &back, &ahead);
+            if (row == own || !(ahead >= 1 - 1e-12)) continue;
+            ms_gpr__walker_face(h, lines, h->gp->points, w);
+            mean = h->gp->mean + lines->mean(w->d2, w->slope, 1, w->curvature, h->gp->weight, n);
+            if (mean > largest) largest = mean, best = row;
+        }
+        if (best == own) continue;
+        ms_gpr__space_swap(&h->s, g, own, best, w->direction);
+        ms_gpr__walker_face(h, lines, h->gp->points, w);
+        ms_gpr__walker_step(h, lines, w, 1);
+        w->value = largest;
+        changed = 1;
+    }
+    return changed;
+}
+
+/* A slice along one of the movers, which renews what the mean hardly depends on. */
+static void ms_gpr__walker_along(const ms_gpr__hunt *h, ms_gpr__walker *w, int mover, ms__rng *rng)
+{
+    const ms_gpr *gp = h->gp;
+    int k = h->mover[mover];
+    if (k >= gp->active + gp->m) {
+        ms_gpr__walker_list(h, w, &h->s.group[k - gp->active - gp->m], rng);
+    } else if (k >= gp->active) {
+        if (!ms_gpr__space_face(&h->s, k - gp->active, w->direction)) return;
+        ms_gpr__walker_face(h, h->lines, h->points, w);
+        ms_gpr__walker_slice(h, w, k - gp->active, rng);
+    } else {
+        w->axis = k;
+        w->step[k] = h->unit[k];
+        w->curvature = h->unit[k] * h->unit[k];
+        h->lines->face(w->slope, (const char *)h->points + (size_t)k * gp->stride * h->lines->size, gp->stride, w->scaled + k, w->step + k, 1,
+                       ms_gpr__padded(gp->n));
+        ms_gpr__walker_slice(h, w, gp->dimension[k], rng);
+    }
 }
 
 /* A slice along a random direction of the dimensions that matter, if any does. Any law of directions will do that is symmetric. */
 static void ms_gpr__walker_across(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
 {
     int k, any = 0;
-    for (k = 0; k < h->gp->m; ++k) {
-        w->direction[k] = h->tight[k] > 0 ? h->tight[k] * (2 * ms_gpr__uniform(rng) - 1) : 0;
-        any |= h->tight[k] > 0;
-    }
+    for (k = 0; k < h->gp->m; ++k) w->direction[k] = h->tight[k] > 0 ? h->tight[k] * (2 * ms_gpr__uniform(rng) - 1) : 0;
+    ms_gpr__space_project(&h->s, w->direction);
+    for (k = 0; k < h->gp->m; ++k) any |= w->direction[k] < 0 || w->direction[k] > 0;
     if (!any) return; /* the chord would have no end */
     ms_gpr__walker_face(h, h->lines, h->points, w);
-    ms_gpr__walker_slice(h, w, rng);
+    ms_gpr__walker_slice(h, w, -1, rng);
 }
 
 /* --- tasks --- */
@@ -3996,10 +4543,14 @@ static void ms_gpr__hunt_batch(void *context, int batch)
 {
     ms_gpr__hunt *h = (ms_gpr__hunt *)context;
     ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)batch);
-    size_t first = (size_t)batch * MS_GPR__BATCH, m = (size_t)h->gp->m, i, k;
+    size_t first = (size_t)batch * MS_GPR__BATCH, m = (size_t)h->gp->m, i;
     double *x = h->candidate + first * m;
-    for (i = 0; i < MS_GPR__BATCH; ++i)
-        for (k = 0; k < m; ++k) x[i * m + k] = ms_gpr__hunt_input(h, (int)k, ms_gpr__hunt_uniform(h, (int)k, &rng));
+    ms_gpr__walker *w = &h->walker[batch];
+    ms_gpr__space_first(&h->s, w->place, w->direction, &rng);
+    for (i = 0; i < MS_GPR__BATCH; ++i) {
+        ms_gpr__space_next(&h->s, w->place, w->direction, &rng);
+        ms_gpr__space_material(&h->s, w->place, x + i * m);
+    }
     if (h->lines->size == sizeof(double) || h->o.caution > 0) {
         ms_gpr__hunt_predict(h, batch, x, MS_GPR__BATCH, h->mean + first, h->o.caution > 0 ? h->variance + first : NULL);
     } else {
@@ -4033,7 +4584,7 @@ static void ms_gpr__hunt_level(void *context, int task)
         w->value = h->value[h->seed[chain]];
         ms_gpr__walker_arrive(h, h->lines, h->points, w);
         for (at = from; at < to; ++at) {
-            if (h->gp->active > 0 && at % 2) ms_gpr__walker_along(h, w, (int)(ms_gpr__uniform(&rng) * h->gp->active), &rng);
+            if (h->movers > 0 && at % 2) ms_gpr__walker_along(h, w, (int)(ms_gpr__uniform(&rng) * h->movers), &rng);
             else ms_gpr__walker_across(h, w, &rng);
             memcpy(h->next + (size_t)at * m, w->place, m * sizeof *w->place);
             h->next_value[at] = w->value;
@@ -4059,15 +4610,17 @@ static void ms_gpr__hunt_wander(void *context, int task)
         for (round = 0; round < h->o.rounds; ++round) {
             for (d = 0, k = 0; d < m; ++d) { /* dropped dimensions are uniform anyway */
                 if (k < gp->active && (size_t)gp->dimension[k] == d) ++k;
-                else w->place[d] = ms_gpr__hunt_uniform(h, (int)d, &rng);
+                else if (!h->s.tied[d] && h->s.owner[d] == 0) w->place[d] = ms_gpr__space_draw(&h->s, (int)d, &rng);
             }
+            for (k = 0; k < h->s.groups; ++k)
+                if (h->s.group[k].idle) ms_gpr__group_put(&h->s, &h->s.group[k], (int)(ms_gpr__uniform(&rng) * h->s.group[k].count), w->place);
             ms_gpr__walker_arrive(h, h->lines, h->points, w);
-            for (k = 0; k < gp->active || k < directions; ++k) {
-                if (k < gp->active) ms_gpr__walker_along(h, w, k, &rng);
+            for (k = 0; k < h->movers || k < directions; ++k) {
+                if (k < h->movers) ms_gpr__walker_along(h, w, k, &rng);
                 if (k < directions) ms_gpr__walker_across(h, w, &rng);
             }
         }
-        for (d = 0; d < m; ++d) h->candidate[(size_t)i * m + d] = ms_gpr__hunt_input(h, (int)d, w->place[d]);
+        ms_gpr__space_material(&h->s, w->place, h->candidate + (size_t)i * m);
     }
 }
 
@@ -4078,7 +4631,7 @@ static void ms_gpr__hunt_place(const ms_gpr__hunt *h, const double *x, double *p
 {
     int k;
     for (k = 0; k < h->gp->m; ++k) {
-        double p = h->width[k] > 0 ? (x[k] - h->low[k]) / h->width[k] : 0;
+        double p = h->s.width[k] > 0 ? (x[k] - h->s.low[k]) / h->s.width[k] : 0;
         place[k] = p < 0 ? 0 : p > 1 ? 1 : p;
     }
 }
@@ -4116,7 +4669,7 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
     ms_gpr__walker *w = &h->walker[0];
     double least = ms_gpr_floor(gp), safest = -1e300, best = -1e300, top = least;
     int pilot = MS_GPR__PILOT * MS_GPR__BATCH, i, k;
-    for (k = 0; k < gp->active; ++k) h->unit[k] = h->width[gp->dimension[k]] * gp->scale[gp->dimension[k]];
+    for (k = 0; k < gp->active; ++k) h->unit[k] = h->s.width[gp->dimension[k]] * gp->scale[gp->dimension[k]];
     for (i = 0; i < gp->n; ++i)
         if (gp->value[i] > top) top = gp->value[i];
     if (gp->n > 0 && ms_gpr__hunt_single(h, top - least)) {
@@ -4137,9 +4690,12 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
         double safe;
         ms_gpr__hunt_place(h, index < pilot ? h->candidate + (size_t)index * (size_t)gp->m : gp->x + (size_t)(index - pilot) * (size_t)gp->m,
                            w->place);
-        ms_gpr__walker_ascend(h, w, 100);
-        for (k = 0; k < gp->m; ++k)
-            if (h->cells[k] > 0) w->place[k] = floor(w->place[k] * h->width[k] / h->o.steps[k] + 0.5) * h->o.steps[k] / h->width[k];
+        if (h->s.ties > 0 || h->s.groups > 0) ms_gpr__space_settle(&h->s, w->place);
+        for (k = 0; k < 4; ++k) {
+            ms_gpr__walker_ascend(h, w, 100);
+            if (!ms_gpr__walker_choose(h, w)) break;
+        }
+        ms_gpr__space_settle(&h->s, w->place);
         memcpy(h->summit + i * gp->m, w->place, (size_t)gp->m * sizeof *w->place);
         w->value = ms_gpr__walker_exact(h, w);
         safe = w->value - ms_gpr__walker_doubt(h, &gp->kernels->lines, w, 0);
@@ -4175,7 +4731,7 @@ static double ms_gpr__hunt_nearest2(const ms_gpr__hunt *h, const double *rows, i
     for (i = 0; i < count; ++i, rows += m) {
         double sum = 0;
         for (k = 0; k < m && sum < nearest; ++k) {
-            double d = (rows[k] - x[k]) * h->per[k];
+            double d = (rows[k] - x[k]) * h->s.per[k];
             sum += d * d;
         }
         if (sum < nearest) nearest = sum;
@@ -4249,7 +4805,7 @@ static void ms_gpr__hunt_measure(ms_gpr__hunt *h)
         for (j = 0; j < h->population; ++j) sum += h->place[(size_t)j * m + k] / h->population;
         for (j = 0; j < h->population; ++j) sum2 += (h->place[(size_t)j * m + k] - sum) * (h->place[(size_t)j * m + k] - sum) / h->population;
         spread = sqrt(sum2);
-        if (h->unit[i] > 0.3 && !(h->cells[k] > 0)) h->tight[k] = spread * h->unit[i] > 1 ? 1 / h->unit[i] : spread;
+        if (h->unit[i] > 0.3 && ms_gpr__space_continuous(&h->s, (int)k)) h->tight[k] = spread * h->unit[i] > 1 ? 1 / h->unit[i] : spread;
     }
 }
 
@@ -4342,11 +4898,9 @@ static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
     size_t m = (size_t)h->gp->m, stride = h->gp->stride, candidates = MS_GPR__BATCHES * MS_GPR__BATCH;
     size_t population = MS_GPR__PILOT * MS_GPR__BATCH;
     int i;
-    h->low = ms_gpr__take(arena, m, 1);
-    h->width = ms_gpr__take(arena, m, 1);
     h->unit = ms_gpr__take(arena, m, 1);
-    h->per = ms_gpr__take(arena, m, 1);
-    h->cells = ms_gpr__take(arena, m, 1);
+    h->mover = (int *)(void *)ms_gpr__take(arena, 2 * m + (size_t)h->s.groups, 1);
+    h->tied = ms_gpr__take(arena, (size_t)h->s.ties + 2, m);
     h->tight = ms_gpr__take(arena, m, 1);
     h->group = ms_gpr__take(arena, m, 16);
     h->candidate = ms_gpr__take(arena, candidates, m);
@@ -4378,7 +4932,7 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
 {
     static const char *const name[] = {"tau", "caution", "min_distance", "diversity", "avoid_distance", "max_candidates"};
     double value[6];
-    int i, k;
+    int i;
     if (options != NULL) *o = *options;
     else memset(o, 0, sizeof *o);
     value[0] = o->tau, value[1] = o->caution, value[2] = o->min_distance;
@@ -4400,9 +4954,6 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
     if ((int)o->search < 0 || (int)o->search > (int)MS_GPR_SEARCH_SUBSET)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "search is %d: expected 0 to 2", (int)o->search);
     if (o->avoid_count > 0 && o->avoid == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "avoid is NULL with avoid_count %d", o->avoid_count);
-    for (k = 0; o->steps && k < m; ++k)
-        if (!ms__finite(o->steps[k]) || !(o->steps[k] >= 0 && o->steps[k] <= MS_GPR__LARGEST))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "steps[%d] is %g: expected a number of at least 0", k, o->steps[k]);
     return o->avoid_count > 0 ? ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error) : MS_OK;
 }
 
@@ -4432,7 +4983,7 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     ms_status status;
     size_t doubles, m;
     void *block;
-    int k;
+    int k, i;
     memset(h, 0, sizeof *h);
     if (report) *report = h->report;
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
@@ -4449,26 +5000,35 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     h->points = gp->points;
     h->weight = gp->weight;
     h->scratch_size = MS_GPR__CHUNK * (m + (size_t)(h->o.caution > 0 ? ms_gpr__padded(gp->n) : 0) + MS_GPR__SLAB);
+    status = ms_gpr__space_make(gp->x, gp->n, gp->m, &h->o.space, &gp->allocator, &h->s, error);
+    if (status != MS_OK) return status;
     ms_gpr__hunt_layout(h, &arena);
     doubles = arena.used;
     arena.base = ms_gpr__doubles(&gp->allocator, doubles, &block);
-    if (arena.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search over %d scores", gp->n);
+    if (arena.base == NULL) {
+        ms_gpr__space_free(&h->s);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search over %d scores", gp->n);
+    }
     arena.used = 0;
     ms_gpr__hunt_layout(h, &arena);
-    status = ms_gpr__box(gp, h->o.low, h->o.high, h->low, h->width, error);
-    for (k = 0; status == MS_OK && k < gp->m; ++k) {
-        h->cells[k] = h->o.steps && h->o.steps[k] > 0 && h->width[k] > 0 ? floor(h->width[k] / h->o.steps[k] + 1e-9) + 1 : 0;
-        if (h->cells[k] > 0 && h->cells[k] < 2) h->cells[k] = h->width[k] = 0;
-        h->per[k] = h->width[k] > 0 ? 1 / h->width[k] : 0;
+    for (k = 0; k < gp->active; ++k)
+        if (!h->s.tied[gp->dimension[k]] && h->s.owner[gp->dimension[k]] == 0) h->mover[h->movers++] = k;
+    for (k = 0; k < gp->m; ++k)
+        if (h->s.tied[k] && h->s.owner[k] == 0) h->mover[h->movers++] = gp->active + k;
+    for (k = 0; k < h->s.groups; ++k) {
+        int used = 0;
+        for (i = 0; i < gp->active; ++i) used |= h->s.owner[gp->dimension[i]] == k + 1;
+        h->s.group[k].idle = !used && !ms_gpr__group_tied(&h->s, &h->s.group[k]);
+        if (!h->s.group[k].idle) h->mover[h->movers++] = gp->active + gp->m + k;
     }
-    if (status == MS_OK) status = ms_gpr__hunt_run(h, error);
+    status = ms_gpr__hunt_run(h, error);
     h->report.found = h->taken > h->o.skip ? h->taken - h->o.skip : 0;
     if (h->kept != x) memcpy(x, h->kept + (size_t)h->o.skip * m, (size_t)h->report.found * m * sizeof *x);
     if (h->report.found > 0) h->report.spread = ms_gpr__hunt_spread(h, x);
     ms_gpr__release_doubles(&gp->allocator, block, doubles);
+    ms_gpr__space_free(&h->s);
     if (h->report.found > 0 && (mean || sigma)) {
         ms_status predicted = ms_gpr_predict(gp, x, h->report.found, mean, sigma, error);
-        int i;
         if (predicted != MS_OK) return predicted;
         for (i = 0; sigma && i < h->report.found; ++i) sigma[i] = sqrt(sigma[i]);
     }
@@ -4495,7 +5055,8 @@ typedef struct ms_gpr__pool {
     double *nearest;  /* [NEIGHBOURS][size] smallest squared distances to what was seen, ascending */
     double *luck;     /* [size] logarithm of a uniform number */
     double *taken;    /* [size] 1: chosen */
-    double *low, *width; /* [m] the box */
+    ms_gpr__space s;
+    double *place, *direction; /* [m] */
     double *scratch;  /* [m][4] a choice, four times: a tile of the distance kernel; [4][size] its distances; before, [n] parents */
 } ms_gpr__pool;
 
@@ -4615,8 +5176,8 @@ static void ms_gpr__pool_layout(ms_gpr__pool *p, ms_gpr__arena *arena)
     p->columns = ms_gpr__take(arena, size, (size_t)ms_gpr__padded(p->gp->n));
     p->basis = ms_gpr__take(arena, size, (size_t)p->count);
     p->nearest = ms_gpr__take(arena, size, MS_GPR__NEIGHBOURS);
-    p->low = ms_gpr__take(arena, m, 1);
-    p->width = ms_gpr__take(arena, m, 1);
+    p->place = ms_gpr__take(arena, m, 1);
+    p->direction = ms_gpr__take(arena, m, 1);
     p->scratch = ms_gpr__take(arena, 4, ms__size_add(size, ms__size_add(m, (size_t)p->gp->n)));
 }
 
@@ -4637,14 +5198,14 @@ static double ms_gpr__pool_parents(const ms_gpr__pool *p, double *parent)
     return sum;
 }
 
-/* Candidate j as a variant of scored materials, in place of the uniform one that it is: whatever parameters are not drawn anew come
-   from a parent, or from two. */
-static void ms_gpr__pool_vary(ms_gpr__pool *p, int j, const double *parents, double sum, ms__rng *rng)
+/* The uniform place as a variant of scored materials: whatever parameters are not drawn anew come from a parent, or from two; those of a
+   list together. */
+static void ms_gpr__pool_vary(ms_gpr__pool *p, const double *parents, double sum, ms__rng *rng)
 {
     const ms_gpr *gp = p->gp;
     double share = 0.1 + 0.5 * ms_gpr__uniform(rng);
     int parent[2], crossed = ms_gpr__uniform(rng) < 0.5, anew = (int)(ms_gpr__uniform(rng) * gp->m), i, k;
-    for (k = 0; k < gp->m && !(p->width[anew] > 0); ++k) anew = (anew + 1) % gp->m; /* one at least */
+    for (k = 0; k < gp->m && !(p->s.width[anew] > 0); ++k) anew = (anew + 1) % gp->m; /* one at least */
     for (i = 0; i < 2; ++i) {
         double left = sum * ms_gpr__uniform(rng);
         for (k = 0; k < gp->n; ++k) {
@@ -4654,31 +5215,53 @@ static void ms_gpr__pool_vary(ms_gpr__pool *p, int j, const double *parents, dou
         }
     }
     for (k = 0; k < gp->m; ++k) {
-        double a = p->low[k], b = a + p->width[k], v = gp->x[(size_t)parent[crossed && ms_gpr__uniform(rng) < 0.5] * (size_t)gp->m + (size_t)k];
-        if (ms_gpr__uniform(rng) >= share && k != anew) p->x[(size_t)j * (size_t)gp->m + (size_t)k] = v < a ? a : v > b ? b : v;
+        const double *from = gp->x + (size_t)parent[crossed && ms_gpr__uniform(rng) < 0.5] * (size_t)gp->m;
+        int kept = ms_gpr__uniform(rng) >= share && k != anew;
+        if (kept && p->s.owner[k] == 0) p->place[k] = (from[k] - p->s.low[k]) * p->s.per[k];
+        if (!kept || p->s.owner[k] == 0 || p->s.group[p->s.owner[k] - 1].column[0] != k) continue;
+        for (i = 0; i < p->s.group[p->s.owner[k] - 1].width; ++i) {
+            int column = p->s.group[p->s.owner[k] - 1].column[i];
+            p->place[column] = (from[column] - p->s.low[column]) * p->s.per[column];
+        }
     }
+    ms_gpr__space_settle(&p->s, p->place);
 }
 
-/* The candidates; nothing is taken or seen. Every parameter of the first `spread` of them falls once into each of as many parts of
-   its range. vary: half of the pool are variants. */
+/* The candidates; nothing is taken or seen. Every parameter of the first `spread` of them, and every list, falls once into each of as
+   many parts of its range. vary: half of the pool are variants. */
 static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed, int spread, int vary)
 {
     ms__rng rng = ms__rng_make(seed, (uint64_t)p->gp->n);
+    const ms_gpr__space *s = &p->s;
     size_t m = (size_t)p->gp->m, k;
     double parents = vary ? ms_gpr__pool_parents(p, p->scratch) : 0;
     int i, j;
-    for (k = 0; k < m && spread > 0; ++k) { /* which part, in luck: a shuffle */
+    for (k = 0; k < m + (size_t)s->groups && spread > 0; ++k) { /* which part, in luck: a shuffle */
         for (j = 0; j < spread; ++j) {
             i = (int)(ms_gpr__uniform(&rng) * (j + 1));
             p->luck[j] = p->luck[i];
             p->luck[i] = j;
         }
-        for (j = 0; j < spread; ++j) p->x[(size_t)j * m + k] = p->low[k] + p->width[k] * (p->luck[j] + ms_gpr__uniform(&rng)) / spread;
+        for (j = 0; j < spread; ++j) { /* places for now */
+            double u = (p->luck[j] + ms_gpr__uniform(&rng)) / spread;
+            if (k >= m) ms_gpr__group_put(s, &s->group[k - m], (int)(u * s->group[k - m].count), p->x + (size_t)j * m);
+            else p->x[(size_t)j * m + k] = s->cells[k] > 0 ? floor(u * s->cells[k]) * s->step[k] / s->width[k] : u;
+        }
     }
+    ms_gpr__space_first(s, p->place, p->direction, &rng);
     for (j = 0; j < p->size; ++j) {
         double *x = p->x + (size_t)j * m;
-        for (k = 0; k < m && j >= spread; ++k) x[k] = p->low[k] + p->width[k] * ms_gpr__uniform(&rng);
-        if (parents > 0 && j % 2) ms_gpr__pool_vary(p, j, p->scratch, parents, &rng);
+        if (j >= spread) {
+            ms_gpr__space_next(s, p->place, p->direction, &rng);
+        } else {
+            ms_gpr__space_wander(s, p->place, 3 * s->tied_count, p->direction, &rng);
+            for (k = 0; k < m; ++k)
+                if (!s->tied[k]) p->place[k] = x[k];
+        }
+        memcpy(p->direction, p->place, m * sizeof *p->place); /* where the row of uniform places stands */
+        if (parents > 0 && j % 2) ms_gpr__pool_vary(p, p->scratch, parents, &rng);
+        ms_gpr__space_material(s, p->place, x);
+        memcpy(p->place, p->direction, m * sizeof *p->place);
         ms_gpr__place(p->gp, x, p->points + j, (size_t)p->size);
         p->luck[j] = log(ms_gpr__uniform(&rng));
         p->taken[j] = 0;
@@ -4717,25 +5300,28 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     p->size = drawn ? count : o.pool > 0 ? o.pool : 10 * count > 4000 ? 10 * count : 4000;
     if (p->size < count) p->size = count;
     p->size = (p->size + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
+    status = ms_gpr__space_make(gp->x, gp->n, gp->m, &o.space, &gp->allocator, &p->s, error);
+    if (status != MS_OK) return status;
     ms_gpr__pool_layout(p, &arena);
     doubles = arena.used;
     arena.base = ms_gpr__doubles(&gp->allocator, doubles, &block);
-    if (arena.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->size);
+    if (arena.base == NULL) {
+        ms_gpr__space_free(&p->s);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->size);
+    }
     arena.used = 0;
     ms_gpr__pool_layout(p, &arena);
-    status = ms_gpr__box(gp, o.low, o.high, p->low, p->width, error);
-    if (status == MS_OK) {
-        ms_gpr__pool_fill(p, o.seed, p->kind == MS_GPR_GALLERY_SPREAD ? count : 0, !drawn && !o.uniform);
-        if (!drawn) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
-        for (q = 0; q < count; ++q) {
-            int best = drawn ? q : ms_gpr__pool_best(p, q);
-            memcpy(x + (size_t)q * (size_t)gp->m, p->x + (size_t)best * (size_t)gp->m, (size_t)gp->m * sizeof *x);
-            p->taken[best] = 1;
-            if (!drawn && p->kind != MS_GPR_GALLERY_INTERMEDIATE) ms_gpr__pool_choose(p, q, best);
-        }
+    ms_gpr__pool_fill(p, o.seed, p->kind == MS_GPR_GALLERY_SPREAD ? count : 0, !drawn && !o.uniform);
+    if (!drawn) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
+    for (q = 0; q < count; ++q) {
+        int best = drawn ? q : ms_gpr__pool_best(p, q);
+        memcpy(x + (size_t)q * (size_t)gp->m, p->x + (size_t)best * (size_t)gp->m, (size_t)gp->m * sizeof *x);
+        p->taken[best] = 1;
+        if (!drawn && p->kind != MS_GPR_GALLERY_INTERMEDIATE) ms_gpr__pool_choose(p, q, best);
     }
     ms_gpr__release_doubles(&gp->allocator, block, doubles);
-    return status;
+    ms_gpr__space_free(&p->s);
+    return MS_OK;
 }
 
 #ifndef MS_GPR_NO_PLANE
@@ -4753,6 +5339,8 @@ struct ms_gpr_latent {
     void *block;
     size_t doubles;
     double jitter;
+    int kept;               /* materials keep what is in s */
+    ms_gpr__space s;
     double *latent;         /* [z][l] */
     double *theta;          /* [l + 2] */
     double *center;         /* [m] subtracted from the materials */
@@ -4911,8 +5499,12 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered
         p->center[k] = centered ? sum : 0;
         for (i = 0; i < z; ++i) p->x[(size_t)i * p->columns + (size_t)k] = x[(size_t)i * (size_t)m + (size_t)k] - p->center[k];
     }
-    *out = p;
-    return MS_OK;
+    p->kept = o->space.low || o->space.high || o->space.steps || o->space.tie_count || o->space.list_count;
+    status = p->kept ? ms_gpr__space_make(x, z, m, &o->space, &p->allocator, &p->s, error) : MS_OK;
+    p->kept = p->kept && status == MS_OK;
+    if (status != MS_OK) ms_gpr_latent_destroy(p);
+    else *out = p;
+    return status;
 }
 
 /* Everything that follows from latents and theta; jitter as in ms_gpr__condition. */
@@ -4948,6 +5540,7 @@ MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
     ms_allocator allocator;
     if (plane == NULL) return;
     allocator = plane->allocator;
+    if (plane->kept) ms_gpr__space_free(&plane->s);
     ms_gpr__release_doubles(&allocator, plane->block, plane->doubles);
     ms__release(&allocator, plane, sizeof *plane);
 }
@@ -5037,6 +5630,15 @@ static void ms_gpr__latent_material(const ms_gpr_latent *p, const double *kernel
     for (i = 0; i < p->z; ++i) p->kernels->axpy(x, kernel[i], p->weight + (size_t)i * p->columns, (int)p->columns);
 }
 
+/* Moved to where it keeps what the plane keeps: x [m]; place: [m] */
+static void ms_gpr__latent_keep(const ms_gpr_latent *p, double *x, double *place)
+{
+    if (!p->kept) return;
+    ms_gpr__space_place(&p->s, x, place);
+    ms_gpr__space_settle(&p->s, place);
+    ms_gpr__space_material(&p->s, place, x);
+}
+
 /* sf^2 - k' K'^-1 k; the kernel is used up. */
 static double ms_gpr__latent_variance(const ms_gpr_latent *p, double *kernel)
 {
@@ -5069,6 +5671,7 @@ MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *lat
         if (x) {
             ms_gpr__latent_material(plane, kernel, material);
             memcpy(x + (size_t)i * m, material, m * sizeof *x);
+            ms_gpr__latent_keep(plane, x + (size_t)i * m, material);
         }
         if (variance) variance[i] = ms_gpr__latent_variance(plane, kernel);
     }
@@ -5446,6 +6049,7 @@ static void ms_gpr__grid_materials(const ms_gpr_latent *p, const ms_gpr_grid *gr
             for (i = 0; i < n; ++i) kernel[i] = c[i] * down[i];
             ms_gpr__latent_material(p, kernel, material);
             memcpy(x, material, (size_t)p->m * sizeof *x);
+            ms_gpr__latent_keep(p, x, material);
             x += p->m;
         }
     }
@@ -5639,8 +6243,6 @@ static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lamb
     }
     return chosen;
 }
-
-static double ms_gpr__into(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
 /* Pattern search from the best so far, inside the grid: the four neighbours at a step, which is halved where none is better. */
 static ms_status ms_gpr__looks_refine(ms_gpr__looks *looks, const ms_gpr_grid *grid, double lambda, ms_error *error)

@@ -2,19 +2,24 @@
 
      cc -O2 -I. examples/recommend.c -o build/recommend -lm
      build/recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--out FILE]
+                     [--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv]
 
    SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. PAIRS.csv: comparisons, the number of the preferred material and
    that of the other one in a line, counted from 1 in the order of SCORES.csv; materials that were only compared have nothing behind their
    last comma. The recommendations go to FILE, or to standard output,
    as x0 .. x{m-1}, mean, sigma: predicted score and standard deviation. Parameters stay in [0, 1], or in the range of the
-   scored materials, rounded outwards, where those leave it; columns of one value keep it. Scores may be on any scale. */
+   scored materials, rounded outwards, where those leave it; columns of one value keep it. Scores may be on any scale.
+   --keep x3=0.5 fixes a parameter, x3=0.2:0.4 is a range, x3=0:1:0.25 one in steps; x3=x4 and 2x3-0.5x4=1 are ties. A list has the values that
+   some parameters take together, such as metals; its first line names them, x3,x4,x5. What is avoided may be a file of recommendations. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "scores.h"
+#include "keep.h"
 
-static const char usage[] = "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--out FILE]\n"
+static const char usage[] = "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv] [--out FILE]\n"
                             "  PAIRS.csv: lines of two numbers of materials in SCORES.csv, from 1, the preferred one first;\n"
-                            "  count: 1 to 1000000; skip: so many of the same seed are left out; tau: above 0, at most 1; diversity: 0 to 1\n";
+                            "  count: 1 to 1000000; skip: so many of the same seed are left out; tau: above 0, at most 1; diversity: 0 to 1;\n"
+                            "  WISH: x3=0.5, x3=0.2:0.4, x3=0:1:0.25 (in steps), x3=x4, 2x3-0.5x4=1; LIST.csv: rows to choose from below a line x3,x4,x5\n";
 
 /* The value behind an option; ends the program where it is no number from low to high. */
 static double number(const char *text, double low, double high)
@@ -57,11 +62,35 @@ static int read_pairs(const char *path, int n, int **pairs, const char **problem
     return count;
 }
 
+/* The first m columns of a file, [*count][m]. */
+static const char *read_materials(const char *path, int m, double **x, int *count, int *line)
+{
+    scores s;
+    const char *problem = scores_read_table(path, &s);
+    int i;
+    *line = s.line;
+    if (problem == NULL && s.m < m) problem = "has fewer columns than the scores have parameters";
+    for (i = 0; i < s.n && problem == NULL; ++i) memmove(s.x + (size_t)i * (size_t)m, s.x + (size_t)i * (size_t)s.m, (size_t)m * sizeof *s.x);
+    *x = s.x;
+    *count = s.n;
+    s.x = NULL;
+    scores_free(&s);
+    return problem;
+}
+
+static int failed(const char *where, const char *problem, int line)
+{
+    if (line > 0) fprintf(stderr, "recommend: %s: %s (line %d)\n", where, problem, line);
+    else fprintf(stderr, "recommend: %s: %s\n", where, problem);
+    return 1;
+}
+
 int main(int argc, char **argv)
 {
+    static keep kept;
     static const char *const search[] = {"", "rejection", "subset simulation"};
-    const char *in = NULL, *out = NULL, *compared = NULL, *problem;
-    double count = 300, *x, *mean, *sigma;
+    const char *in = NULL, *out = NULL, *compared = NULL, *avoided = NULL, *problem;
+    double count = 300, *x, *mean, *sigma, *avoid = NULL;
     ms_gpr_fit_options learn;
     ms_gpr_recommend_options options;
     ms_gpr_recommend_report report;
@@ -86,18 +115,26 @@ int main(int argc, char **argv)
         else if (strcmp(argv[i], "--tau") == 0) options.tau = number(argv[++i], 1e-6, 1);
         else if (strcmp(argv[i], "--seed") == 0) options.seed = (uint64_t)number(argv[++i], 0, 9007199254740992.0);
         else if (strcmp(argv[i], "--out") == 0) out = argv[++i];
+        else if (strcmp(argv[i], "--avoid") == 0) avoided = argv[++i];
+        else if (strcmp(argv[i], "--keep") == 0 || strcmp(argv[i], "--list") == 0) ++i; /* once there are parameters */
         else return file_usage(usage);
     }
     if (in == NULL || count > floor(count)) return file_usage(usage);
     problem = compared ? scores_read_some(in, &s) : scores_read(in, &s);
-    if (problem) {
-        fprintf(stderr, "recommend: %s: %s (line %d)\n", in, problem, s.line);
-        return 1;
+    if (problem) return failed(in, problem, s.line);
+    if (compared && (learn.pair_count = read_pairs(compared, s.n, &pairs, &problem, &line)) < 0) return failed(compared, problem, line);
+    if ((problem = keep_open(&kept, s.m)) != NULL) return failed(in, problem, 0);
+    for (i = 1; i + 1 < argc; ++i) {
+        if (argv[i][0] != '-') continue;
+        line = 0;
+        if (strcmp(argv[i], "--keep") == 0) problem = keep_wish(&kept, argv[i + 1]);
+        else if (strcmp(argv[i], "--list") == 0) problem = keep_list(&kept, argv[i + 1], &line);
+        if (problem) return failed(argv[i + 1], problem, line);
+        ++i;
     }
-    if (compared && (learn.pair_count = read_pairs(compared, s.n, &pairs, &problem, &line)) < 0) {
-        fprintf(stderr, "recommend: %s: %s (line %d)\n", compared, problem, line);
-        return 1;
-    }
+    options.space = keep_space(&kept);
+    if (avoided && (problem = read_materials(avoided, s.m, &avoid, &options.avoid_count, &line)) != NULL) return failed(avoided, problem, line);
+    options.avoid = avoid;
     learn.pairs = pairs;
     for (i = 0; i < s.n; ++i) scored += s.y[i] > SCORES_NONE;
     n = (int)count;
@@ -128,6 +165,7 @@ int main(int argc, char **argv)
             report.acceptance > 0 ? 1 / report.acceptance : (double)INFINITY, report.spread);
     ms_gpr_destroy(gp);
     scores_free(&s);
-    free(x), free(mean), free(sigma), free(pairs);
+    keep_close(&kept);
+    free(x), free(mean), free(sigma), free(pairs), free(avoid);
     return 0;
 }

@@ -7,7 +7,7 @@
 
    Commas, or semicolons or tabs and then decimal commas as well; lines that begin with # are skipped.
    scores_read_some("gallery.csv", &s) also takes lines with nothing behind the last separator: materials without a score, y = SCORES_NONE,
-   which is MS_GPR_UNSCORED. */
+   which is MS_GPR_UNSCORED. scores_read_table("metals.csv", &s) reads numbers alone, s.x [n][m], and keeps the header line. */
 #ifndef EXAMPLES_SCORES_H
 #define EXAMPLES_SCORES_H
 #include <math.h>
@@ -21,13 +21,15 @@
 typedef struct scores {
     int n, m, line; /* line: where reading stopped */
     double *x;      /* [n][m] */
-    double *y;      /* [n] */
+    double *y;      /* [n]; NULL in a table */
+    char *header;   /* of a table; NULL: it has none */
 } scores;
 
 static inline void scores_free(scores *s)
 {
     free(s->x);
     free(s->y);
+    free(s->header);
     memset(s, 0, sizeof *s);
 }
 
@@ -51,6 +53,7 @@ static int scores__line(const char *text, csv_dialect d, double *value, int limi
     }
 }
 
+/* some: 1: as scores_read_some, -1: a table */
 static inline const char *scores__read(const char *path, scores *s, int some)
 {
     enum { LIMIT = 1001, TEXT = 32768 };
@@ -72,25 +75,27 @@ static inline const char *scores__read(const char *path, scores *s, int some)
         ++seen;
         dialect = csv_dialect_of(text);
         if (strlen(text) == TEXT - 1) problem = "a line is too long";
-        else if ((count = scores__line(text, dialect, value, LIMIT, some)) < 2) {
+        else if ((count = scores__line(text, dialect, value, LIMIT, some > 0)) < (some < 0 ? 1 : 2)) {
             char *end;
             (void)number_read(text, dialect.decimal, &end);
-            if (seen > 1 || end != text) problem = "a line is not a list of at least two finite numbers";
-        } else if (s->n > 0 && count != s->m + 1) {
+            if (seen > 1 || end != text) problem = some < 0 ? "a line is not a list of finite numbers" : "a line is not a list of at least two finite numbers";
+            else if (some < 0 && (s->header = (char *)malloc(strlen(text) + 1)) != NULL) strcpy(s->header, text);
+        } else if (s->n > 0 && count != s->m + (some >= 0)) {
             problem = "a line has another number of columns than the first";
         } else {
-            s->m = count - 1;
+            s->m = count - (some >= 0);
             if (s->n == room) {
                 double *x, *y;
                 room = room ? 2 * room : 256;
                 x = (double *)realloc(s->x, (size_t)room * (size_t)s->m * sizeof *x);
                 if (x) s->x = x;
-                y = (double *)realloc(s->y, (size_t)room * sizeof *y);
+                y = some < 0 ? NULL : (double *)realloc(s->y, (size_t)room * sizeof *y);
                 if (y) s->y = y;
-                if (x == NULL || y == NULL) { problem = "too large for memory"; continue; }
+                if (x == NULL || (y == NULL && some >= 0)) { problem = "too large for memory"; continue; }
             }
             memcpy(s->x + (size_t)s->n * (size_t)s->m, value, (size_t)s->m * sizeof *value);
-            s->y[s->n++] = value[s->m];
+            if (some >= 0) s->y[s->n] = value[s->m];
+            ++s->n;
         }
     }
     if (problem == NULL && ferror(f)) problem = "cannot be read";
@@ -101,4 +106,5 @@ static inline const char *scores__read(const char *path, scores *s, int some)
 
 static inline const char *scores_read(const char *path, scores *s) { return scores__read(path, s, 0); }
 static inline const char *scores_read_some(const char *path, scores *s) { return scores__read(path, s, 1); }
+static inline const char *scores_read_table(const char *path, scores *s) { return scores__read(path, s, -1); }
 #endif

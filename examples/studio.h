@@ -55,6 +55,7 @@ typedef struct studio {
     double *theta, reached;    /* [m + 2] how far that start has come, and its objective */
     double *x;                 /* [m] a material, */
     float *row, *planes;       /* [m] the same, and its picture */
+    ms_gpr_space space;        /* what galleries, recommendations and the plane keep; may be set after studio_open, of arrays that last */
     double least;              /* what "none of these" scores; may be set after studio_open where scores do not begin at 0 */
     double *others, *avoid;    /* [STUDIO_OTHERS][m] what likes are compared with; [avoids][m] what recommendations keep away from */
     int avoids;
@@ -362,6 +363,7 @@ static inline ms_status studio_gallery(studio *s, int count, double *x, float *p
     int i;
     memset(&options, 0, sizeof options);
     options.seed = s->seed++;
+    options.space = s->space;
     status = ms_gpr_gallery(s->gp, &options, count, x, error);
     for (i = 0; i < count && planes && status == MS_OK; ++i) studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
     return status;
@@ -376,6 +378,7 @@ static inline ms_status studio_recommend(studio *s, int count, double *x, float 
     if (s->state < STUDIO_LEARNED) return studio__refuse(error, MS_INVALID_ARGUMENT, "no taste was learned yet");
     memset(&options, 0, sizeof options);
     options.seed = s->seed++;
+    options.space = s->space;
     options.avoid = s->avoid;
     options.avoid_count = s->avoids;
     status = ms_gpr_recommend(s->gp, &options, count, x, NULL, NULL, NULL, error);
@@ -417,6 +420,7 @@ static inline ms_status studio_choose(studio *s, const double *x, ms_error *erro
     memcpy(liked + (size_t)count * (size_t)m, x, (size_t)m * sizeof *liked);
     memset(&options, 0, sizeof options);
     options.prior = 0.1; /* keeps the plane compact */
+    options.space = s->space;
     status = count > 0 ? ms_gpr_latent_fit(liked, count + 1, m, &options, &plane, NULL, error)
                        : studio__refuse(error, MS_INVALID_ARGUMENT, "nothing else is liked yet: a plane needs another material that was scored above the lowest score");
     free(liked);
@@ -426,6 +430,11 @@ static inline ms_status studio_choose(studio *s, const double *x, ms_error *erro
     memcpy(s->at, ms_gpr_latent_points(plane) + 2 * count, sizeof s->at);
     s->state = STUDIO_EXPLORING;
     return MS_OK;
+}
+
+static inline int studio__keeps(const studio *s)
+{
+    return s->space.low || s->space.high || s->space.steps || s->space.tie_count || s->space.list_count;
 }
 
 /* A step in the plane, in length scales, and what is seen there. */
@@ -438,7 +447,7 @@ static inline ms_status studio_move(studio *s, double dx, double dy, studio_view
     to[0] = s->at[0] + dx;
     to[1] = s->at[1] + dy;
     status = ms_gpr_latent_map(s->plane, to, 1, s->x, NULL, error);
-    for (k = 0; k < m && status == MS_OK; ++k) s->x[k] = s->x[k] > 0 ? s->x[k] < 1 ? s->x[k] : 1 : 0;
+    for (k = 0; k < m && status == MS_OK && !studio__keeps(s); ++k) s->x[k] = s->x[k] > 0 ? s->x[k] < 1 ? s->x[k] : 1 : 0;
     if (status == MS_OK) status = ms_gpr_predict(s->gp, s->x, 1, &view->score, &variance, error);
     if (status != MS_OK) return status;
     view->sigma = sqrt(variance);

@@ -326,8 +326,8 @@ static void test_box(void)
     for (search = MS_GPR_SEARCH_REJECTION; search <= MS_GPR_SEARCH_SUBSET; ++search) {
         ms_gpr_recommend_options o = recommend_options();
         o.search = (ms_gpr_search)search;
-        o.low = low;
-        o.high = high;
+        o.space.low = low;
+        o.space.high = high;
         CHECK_INT(ms_gpr_recommend(t.gp, &o, N, x, NULL, NULL, NULL, NULL), MS_OK);
         for (i = 0; i < N; ++i)
             for (k = 0; k < 10; ++k) {
@@ -345,8 +345,8 @@ static void test_box(void)
     }
     {
         ms_gpr_recommend_options o = recommend_options();
-        o.low = low;
-        o.high = high;
+        o.space.low = low;
+        o.space.high = high;
         low[7] = 2;
         CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
         CHECK(strstr(error.message, "dimension 7") != NULL);
@@ -440,7 +440,7 @@ static void test_wishes(void)
         ms_gpr_recommend_options o = recommend_options();
         int seen[11] = {0};
         o.search = (ms_gpr_search)search;
-        o.steps = steps;
+        o.space.steps = steps;
         CHECK_INT(ms_gpr_recommend(t.gp, &o, COUNT, x, NULL, NULL, &report, &error), MS_OK);
         for (i = 0; i < COUNT; ++i) {
             for (k = 0; k < M; ++k) {
@@ -484,7 +484,7 @@ static void test_wishes(void)
     {
         ms_gpr_recommend_options o = recommend_options();
         steps[2] = -1;
-        o.steps = steps;
+        o.space.steps = steps;
         CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
         CHECK(strstr(error.message, "steps[2] is -1") != NULL);
         o = recommend_options();
@@ -510,7 +510,7 @@ static void test_steps(void)
     for (search = 0; search < 2; ++search) {
         ms_gpr_recommend_options o = recommend_options();
         o.search = search ? MS_GPR_SEARCH_SUBSET : MS_GPR_SEARCH_REJECTION;
-        o.steps = steps;
+        o.space.steps = steps;
         CHECK_INT(ms_gpr_recommend(t.gp, &o, COUNT, x[search], NULL, NULL, NULL, NULL), MS_OK);
     }
     for (k = 0; k < M; ++k) {
@@ -597,6 +597,305 @@ static void test_every_tau(void)
         }
         taste_free(&t);
     }
+}
+
+/* --- what is kept: ties, steps, lists, a box --- */
+
+/* A taste in ten parameters and everything that can be kept of it: 0 and 1 equal; 2, 3 and 4 with a sum of 1.5; 5 and 6 from a list of
+   metals, one of which is outside the box; 7 in steps of 0.25 and 8 tied to it and to a metal; 9 fixed. */
+enum { KEPT = 10, METALS = 5, TIES = 3 };
+static const int metal_columns[2] = {5, 6};
+static const double metals[METALS][2] = {{0.1, 0.9}, {0.5, 0.3}, {0.9, 0.2}, {0.4, 0.95}, {0.3, 0.7}};
+static const double kept_ties[TIES][KEPT + 1] = {{1, -1}, {0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 1.5}, {0, 0, 0, 0, 0, -0.5, 0, -0.4, 1, 0, 0}};
+static const double kept_low[KEPT] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0.3}, kept_high[KEPT] = {1, 1, 1, 1, 1, 1, 0.92, 1, 0.7, 0.3};
+static const double kept_steps[KEPT] = {0, 0, 0, 0, 0, 0, 0, 0.25, 0, 0};
+
+static ms_gpr_space kept_space(void)
+{
+    static ms_gpr_list list;
+    ms_gpr_space s;
+    memset(&s, 0, sizeof s);
+    list.columns = metal_columns;
+    list.width = 2;
+    list.rows = metals[0];
+    list.count = METALS;
+    s.low = kept_low;
+    s.high = kept_high;
+    s.steps = kept_steps;
+    s.ties = kept_ties[0];
+    s.tie_count = TIES;
+    s.lists = &list;
+    s.list_count = 1;
+    return s;
+}
+
+/* Which metal x is of; -1 where x does not keep what it should. */
+static int kept_metal(const double *x)
+{
+    int k, metal = -1;
+    for (k = 0; k < METALS; ++k)
+        if (memcmp(&x[5], &metals[k][0], sizeof *x) == 0 && memcmp(&x[6], &metals[k][1], sizeof *x) == 0) metal = k;
+    for (k = 0; k < KEPT; ++k)
+        if (x[k] < kept_low[k] || x[k] > kept_high[k]) return -1;
+    if (fabs(x[0] - x[1]) > 1e-9 || fabs(x[2] + x[3] + x[4] - 1.5) > 2e-9 || fabs(x[8] - 0.5 * x[5] - 0.4 * x[7]) > 1e-9) return -1; /* as promised */
+    if (memcmp(&x[9], &kept_low[9], sizeof *x) != 0 || fabs(4 * x[7] - floor(4 * x[7] + 0.5)) > 0) return -1;
+    return metal == 3 ? -1 : metal;
+}
+
+/* One of those materials, uniform, made by hand. */
+static void kept_draw(double *x, uint64_t *state)
+{
+    int metal;
+    do {
+        x[0] = x[1] = test_uniform(state);
+        x[2] = test_uniform(state);
+        x[3] = test_uniform(state);
+        x[4] = 1.5 - x[2] - x[3];
+        do metal = (int)(METALS * test_uniform(state));
+        while (metal == 3);
+        x[5] = metals[metal][0];
+        x[6] = metals[metal][1];
+        x[7] = 0.25 * floor(5 * test_uniform(state));
+        x[8] = 0.5 * x[5] + 0.4 * x[7];
+        x[9] = 0.3;
+    } while (!(x[4] >= 0 && x[4] <= 1 && x[8] <= 0.7));
+}
+
+/* A taste that knows all but parameter 3: near a point for most, metals by their colour. */
+static ms_gpr *kept_taste(double narrow)
+{
+    enum { N = 150 };
+    static double x[N * KEPT], y[N];
+    double theta[KEPT + 2];
+    uint64_t state = 77;
+    ms_gpr *gp = NULL;
+    int i, k;
+    for (k = 0; k < KEPT + 2; ++k) theta[k] = k == 3 ? log(50.0) : k < KEPT ? log(0.9) : k == KEPT ? log(4.0) : log(0.2);
+    for (i = 0; i < N; ++i) {
+        double d2 = 0;
+        for (k = 0; k < KEPT; ++k) x[i * KEPT + k] = test_uniform(&state);
+        for (k = 0; k < KEPT; ++k) d2 += k == 3 ? 0 : (x[i * KEPT + k] - 0.5) * (x[i * KEPT + k] - 0.5);
+        y[i] = 10 * exp(-0.5 * d2 * narrow);
+    }
+    CHECK_INT(ms_gpr_create(x, y, N, KEPT, theta, NULL, &gp, NULL), MS_OK);
+    return gp;
+}
+
+/* Both searches give what is kept in proportion to what there is of it, as materials made by hand and predicted say; and the best of
+   it is found by the ascents. */
+static void test_kept_shares(void)
+{
+    enum { MANY = 200000, COUNT = 1500 };
+    static double x[COUNT * KEPT], y[KEPT], liked[40000][KEPT], a[40000], b[COUNT];
+    ms_gpr *gp = kept_taste(4);
+    uint64_t state = 5 + test_seed;
+    double tau, *mean = (double *)malloc(MANY * sizeof *mean), *all = (double *)malloc(MANY * KEPT * sizeof *all);
+    int i, k, search, many;
+    for (i = 0; i < MANY; ++i) {
+        kept_draw(y, &state);
+        memcpy(all + i * KEPT, y, sizeof y);
+    }
+    CHECK_INT(ms_gpr_predict(gp, all, MANY, mean, NULL, NULL), MS_OK);
+    for (tau = 0.7; tau < 0.95; tau += 0.2)
+        for (search = 1; search <= 2; ++search) {
+            ms_gpr_recommend_options o = recommend_options();
+            ms_gpr_recommend_report report;
+            double share[METALS] = {0}, got[METALS] = {0}, top = 0;
+            o.space = kept_space();
+            o.tau = tau;
+            o.search = (ms_gpr_search)search;
+            o.rounds = 4; /* nearly independent, as the limit below wants them */
+            CHECK_INT(ms_gpr_recommend(gp, &o, COUNT, x, NULL, NULL, &report, NULL), MS_OK);
+            for (i = 0, many = 0; i < MANY; ++i) {
+                top = fmax(top, mean[i]);
+                if (mean[i] < report.threshold) continue;
+                if (many < 40000) memcpy(liked[many++], all + i * KEPT, sizeof y);
+            }
+            CHECK(many > 1000);
+            CHECK(report.best >= top - 1e-3); /* and not the other way: ascents end on top of what 200,000 draws come near to */
+            CHECK_LE(report.best, top + 0.05 * top);
+            for (i = 0; i < COUNT; ++i) {
+                int metal = kept_metal(x + i * KEPT);
+                CHECK(metal >= 0);
+                if (metal >= 0) got[metal] += 1.0 / (int)COUNT;
+            }
+            for (i = 0; i < many; ++i) share[kept_metal(liked[i])] += 1.0 / many;
+            for (k = 0; k < METALS; ++k) CHECK_NEAR(got[k], share[k], 0.06); /* a half of 1500: 0.013, and a level's 0.02 */
+            for (k = 0; k < KEPT; ++k) {
+                for (i = 0; i < many; ++i) a[i] = liked[i][k] + 1e-6 * i / many; /* equal ones broken alike */
+                for (i = 0; i < COUNT; ++i) b[i] = x[i * KEPT + k] + 1e-6 * i / (int)COUNT;
+                CHECK_LE(two_sample(a, many, b, COUNT), 0.07); /* chance: 0.06 of 1500 and 1000 or more */
+            }
+            TEST_NOTE("tau %.1f: %.4f of 200000, best %.4f of %.4f", tau, (double)many / (int)MANY, report.best, top);
+        }
+    ms_gpr_destroy(gp);
+    free(mean), free(all);
+}
+
+/* All together: pages, what is to be avoided, distances, caution, seeds, threads; galleries of every kind; a plane's walk and its variants. */
+static void test_kept_everywhere(void)
+{
+    enum { COUNT = 60, Z = 12 };
+    static double x[3][COUNT * KEPT], mean[COUNT];
+    double latent[2] = {0, 0}, far[KEPT], lambda[3] = {0, 0.5, 1}, map[81], before[KEPT];
+    ms_gpr *gp = kept_taste(4);
+    ms_gpr_recommend_options o = recommend_options();
+    ms_gpr_gallery_options g;
+    ms_gpr_latent_options l;
+    ms_gpr_latent *plane = NULL;
+    ms_gpr_similarity like;
+    ms_gpr_variant variant[3];
+    ms_gpr_grid grid;
+    double spread[METALS] = {0}, jump = 0;
+    int i, k, kind, step;
+    o.space = kept_space();
+    o.tau = 0.8;
+    CHECK_INT(ms_gpr_recommend(gp, &o, COUNT, x[0], NULL, NULL, NULL, NULL), MS_OK);
+    o.skip = 20;
+    CHECK_INT(ms_gpr_recommend(gp, &o, COUNT - 20, x[1], NULL, NULL, NULL, NULL), MS_OK);
+    CHECK_INT(memcmp(x[0] + 20 * KEPT, x[1], sizeof(double) * (COUNT - 20) * KEPT), 0);
+    o.avoid = x[0];
+    o.avoid_count = 3;
+    o.avoid_distance = 0.12;
+    o.diversity = 0.5;
+    o.min_distance = 0.02;
+    o.caution = 0.5;
+    for (i = 0; i < 2; ++i) {
+        o.skip = i ? 10 : 0;
+        CHECK_INT(ms_gpr_recommend(gp, &o, COUNT - o.skip, x[i + 1], i ? NULL : mean, NULL, NULL, NULL), MS_OK);
+    }
+    CHECK_INT(memcmp(x[1] + 10 * KEPT, x[2], sizeof(double) * (COUNT - 10) * KEPT), 0);
+    for (i = 0; i < COUNT; ++i) {
+        CHECK(kept_metal(x[0] + i * KEPT) >= 0 && kept_metal(x[1] + i * KEPT) >= 0);
+        for (k = 0; k < 3; ++k) { /* widths: of the metals 0.1 to 0.9 and 0.2 to 0.9, of 8 up to 0.7 */
+            double d2 = 0;
+            static const double width[KEPT] = {1, 1, 1, 1, 1, 0.8, 0.7, 1, 0.7, 1e300};
+            int c;
+            for (c = 0; c < KEPT; ++c) d2 += pow((x[1][i * KEPT + c] - x[0][k * KEPT + c]) / width[c], 2);
+            CHECK(sqrt(d2 / (int)KEPT) >= 0.12 - 1e-9);
+        }
+    }
+    memset(&g, 0, sizeof g);
+    g.space = o.space;
+    for (kind = 0; kind <= (int)MS_GPR_GALLERY_SPREAD; ++kind) {
+        g.kind = (ms_gpr_gallery_kind)kind;
+        CHECK_INT(ms_gpr_gallery(gp, &g, 40, x[0], NULL), MS_OK);
+        for (i = 0; i < 40; ++i) CHECK(kept_metal(x[0] + i * KEPT) >= 0);
+    }
+    g.space.tie_count = 2; /* then metals are free: each as often as any other */
+    CHECK_INT(ms_gpr_gallery(gp, &g, 40, x[0], NULL), MS_OK);
+    for (i = 0; i < 40; ++i)
+        for (k = 0; k < METALS; ++k) spread[k] += memcmp(&x[0][i * KEPT + 5], &metals[k][0], sizeof(double)) == 0;
+    for (k = 0; k < METALS; ++k) CHECK_INT((int)spread[k], k == 3 ? 0 : 10);
+    /* a plane of materials that keep nothing: its own do */
+    for (i = 0; i < Z * KEPT; ++i) x[0][i] = 0.5 + 0.4 * sin(1.7 * i);
+    memset(&l, 0, sizeof l);
+    l.space = kept_space();
+    CHECK_INT(ms_gpr_latent_fit(x[0], Z, KEPT, &l, &plane, NULL, NULL), MS_OK);
+    for (step = 0; step <= 400; ++step) { /* a walk through it and far beyond: continuous but for metals and steps */
+        int same;
+        latent[0] = -4 + 0.02 * step;
+        latent[1] = 0.3 * latent[0];
+        CHECK_INT(ms_gpr_latent_map(plane, latent, 1, far, NULL, NULL), MS_OK);
+        CHECK(kept_metal(far) >= 0);
+        same = step > 0 && !(far[5] < before[5] || far[5] > before[5]) && !(far[7] < before[7] || far[7] > before[7]);
+        for (k = 0; k < KEPT && same; ++k) jump = fmax(jump, fabs(far[k] - before[k]));
+        memcpy(before, far, sizeof far);
+    }
+    CHECK_LE(jump, 0.05); /* 0.02 length scales a step, and the materials span 0.8 */
+    grid = ms_gpr_grid_around(plane, 9);
+    memset(&like, 0, sizeof like);
+    like.x = x[0];
+    like.scale = 0.3;
+    CHECK_INT(ms_gpr_variants(plane, gp, &like, &grid, lambda, 3, 0, variant, x[1], NULL), MS_OK);
+    CHECK_INT(ms_gpr_map_preference(plane, gp, &grid, map, NULL, NULL), MS_OK);
+    ms_gpr_grid_point(&grid, 3, 2, latent);
+    CHECK_INT(ms_gpr_latent_map(plane, latent, 1, far, NULL, NULL), MS_OK);
+    CHECK_INT(ms_gpr_predict(gp, far, 1, mean, NULL, NULL), MS_OK);
+    CHECK_NEAR(map[2 * 9 + 3], mean[0], 1e-6); /* a product of exponentials against one, then settled: rounding */
+    CHECK_INT(ms_gpr_predict(gp, x[1], 3, mean, NULL, NULL), MS_OK);
+    for (i = 0; i < 3; ++i) {
+        CHECK(kept_metal(x[1] + i * KEPT) >= 0);
+        CHECK_NEAR(variant[i].score, mean[i], 1e-9); /* what is said is of the material that is given */
+    }
+    ms_gpr_latent_destroy(plane);
+    ms_gpr_destroy(gp);
+}
+
+/* What contradicts itself is refused by every call that takes it, by name; what only says things twice is not. */
+static void test_kept_refusals(void)
+{
+    static const double inf = (double)INFINITY;
+    static const double apart[2][KEPT + 1] = {{1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0.5}, {2, 2, 0, 0, 0, 0, 0, 0, 0, 0, 1.4}};
+    static const double twice[3][KEPT + 1] = {{1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0.5}, {2, 2, 0, 0, 0, 0, 0, 0, 0, 0, 1}, {0}};
+    static const double circle[3][KEPT + 1] = {{1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1.8}, {0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1.8}, {1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0.3}};
+    static const double corner[KEPT + 1] = {1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 2};
+    static const double beyond[KEPT + 1] = {1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 3};
+    static const double fixed[KEPT + 1] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0.4}, stepped[KEPT + 1] = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0.4};
+    static const double listed[KEPT + 1] = {0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.5}, nothing[KEPT + 1] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+    static const int outside[2] = {5, 10}, same[2] = {5, 5};
+    ms_gpr *gp = kept_taste(4);
+    ms_gpr_latent *plane;
+    ms_error error;
+    double x[20 * KEPT], nan_tie[KEPT + 1] = {0}, low[KEPT], high[KEPT], steps[KEPT];
+    int i, k, call;
+    nan_tie[2] = inf - inf;
+    for (i = 0; i < 20; ++i) {
+        const char *says = NULL;
+        ms_gpr_space s = kept_space();
+        ms_gpr_list list[2];
+        list[0] = list[1] = s.lists[0];
+        memcpy(low, kept_low, sizeof low);
+        memcpy(high, kept_high, sizeof high);
+        memcpy(steps, kept_steps, sizeof steps);
+        s.low = low, s.high = high, s.steps = steps, s.lists = list;
+        switch (i) {
+        case 0: s.ties = apart[0], s.tie_count = 2, says = "tie 2 contradicts what is fixed and the ties before it"; break;
+        case 1: s.ties = circle[0], s.tie_count = 3, says = "contradict each other"; break;
+        case 2: s.ties = beyond, s.tie_count = 1, says = "tie 1 contradicts the box: its sum lies from -1 to 1 there, not at 3"; break;
+        case 3: s.ties = fixed, s.tie_count = 1, says = "tie 1 contradicts the box"; break;
+        case 4: s.ties = stepped, s.tie_count = 1, says = "tie 1 joins only"; break;
+        case 5: s.ties = listed, s.tie_count = 1, says = "tie 1 joins only"; break;
+        case 6: s.ties = nothing, s.tie_count = 1, says = "tie 1 contradicts the box"; break;
+        case 7: s.ties = nan_tie, s.tie_count = 1, says = "tie 1, column 3"; break;
+        case 8: s.ties = NULL, says = "ties is NULL"; break;
+        case 9: s.tie_count = -1, says = "tie_count is -1"; break;
+        case 10: low[5] = high[5] = 0.45, says = "list 1 contradicts the box: none of its 5 rows"; break;
+        case 11: s.list_count = 2, says = "parameter 5 is in list 1 and in list 2"; break;
+        case 12: steps[6] = 0.1, says = "parameter 6 is in list 1 and comes in steps"; break;
+        case 13: list[0].columns = outside, says = "list 1 has column 10: expected 0 to 9"; break;
+        case 14: list[0].columns = same, says = "parameter 5 is in list 1 and in list 1"; break;
+        case 15: list[0].count = 0, says = "list 1 has 2 columns and 0 rows"; break;
+        case 16: list[0].rows = NULL, says = "rows of a list is NULL"; break;
+        case 17: low[2] = 0.9, high[2] = 0.2, says = "the box of dimension 2 is [0.9, 0.2]"; break;
+        case 18: low[8] = 0.69, steps[7] = 1, low[5] = 0.85, says = "contradict each other"; break; /* 0.45 or 0.85 */
+        default: steps[3] = -1, says = "steps[3] is -1";
+        }
+        for (call = 0; call < 3; ++call) {
+            ms_gpr_recommend_options o = recommend_options();
+            ms_gpr_gallery_options g;
+            ms_gpr_latent_options l;
+            ms_status status;
+            memset(&g, 0, sizeof g);
+            memset(&l, 0, sizeof l);
+            o.space = g.space = l.space = s;
+            error.message[0] = 0;
+            if (call == 0) status = ms_gpr_recommend(gp, &o, 20, x, NULL, NULL, NULL, &error);
+            else if (call == 1) status = ms_gpr_gallery(gp, &g, 20, x, &error);
+            else status = ms_gpr_latent_fit(ms_gpr_inputs(gp), 20, KEPT, &l, &plane, NULL, &error);
+            CHECK_INT(status, i == 7 ? MS_BAD_DATA : MS_INVALID_ARGUMENT);
+            if (strstr(error.message, says) == NULL) TEST_FAIL("case %d, call %d says '%s'", i, call, error.message);
+        }
+    }
+    for (i = 0; i < 2; ++i) { /* the same twice, a tie of nothing, and a single corner */
+        ms_gpr_recommend_options o = recommend_options();
+        o.tau = 0.05;
+        o.space.ties = i ? corner : twice[0];
+        o.space.tie_count = i ? 1 : 3;
+        CHECK_INT(ms_gpr_recommend(gp, &o, 20, x, NULL, NULL, NULL, &error), MS_OK);
+        for (k = 0; k < 20; ++k) CHECK_NEAR(x[k * KEPT] + x[k * KEPT + 1], i ? 2 : 0.5, 2e-9);
+    }
+    ms_gpr_destroy(gp);
 }
 
 static int stop_at(void *limit, double fraction)
@@ -705,8 +1004,8 @@ static void test_recommend_hard(void)
             ms_error error;
             ms_status status;
             o.search = (ms_gpr_search)search;
-            o.low = low;
-            o.high = high;
+            o.space.low = low;
+            o.space.high = high;
             o.max_candidates = 2e5;
             error.message[0] = 0;
             status = ms_gpr_recommend(gp, &o, 30, r, mean, NULL, &report, &error);
@@ -954,8 +1253,8 @@ static void test_gallery_kinds(void)
             ms_gpr_gallery_options g;
             memset(&g, 0, sizeof g);
             g.kind = (ms_gpr_gallery_kind)kind;
-            g.low = low;
-            g.high = high;
+            g.space.low = low;
+            g.space.high = high;
             g.seed = test_seed;
             CHECK_INT(ms_gpr_gallery(gp, &g, Q, x, NULL), MS_OK);
             nearest[kind] = 0;
@@ -1597,6 +1896,9 @@ static const test_case cases[] = {
     {"recommend wishes", test_wishes},
     {"recommend steps", test_steps},
     {"recommend shares", test_shares},
+    {"kept shares", test_kept_shares},
+    {"kept everywhere", test_kept_everywhere},
+    {"kept refusals", test_kept_refusals},
     {"recommend every tau", test_every_tau},
     {"recommend threads", test_threads},
     {"recommend refusals", test_recommend_refusals},

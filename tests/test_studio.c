@@ -477,7 +477,63 @@ static void test_materialx(void)
     TEST_NOTE("shares differ by %.1e at most, light through a ball by %.1e", worst, furthest);
 }
 
-static const test_case cases[] = {{"states", test_states}, {"picks", test_picks},       {"session", test_session},     {"orders", test_orders},
+/* A session whose metals come from a list and whose two roughnesses are equal: whatever it shows keeps to that. */
+static void test_space(void)
+{
+    enum { METALS = 4, STEPS = 300 };
+    static const int columns[3] = {3, 4, 5};
+    static const double metal[METALS][3] = {{0.95, 0.64, 0.54}, {1, 0.71, 0.29}, {0.91, 0.92, 0.92}, {0.56, 0.57, 0.58}};
+    ms_gpr_list list;
+    double tie[M + 1] = {0}, x[20 * M];
+    neural net;
+    studio s;
+    studio_renderer renderer = renderer_of(&net);
+    studio_view view;
+    ms_error error;
+    int round, i, k, kept = 1;
+    list.columns = columns;
+    list.width = 3;
+    list.rows = metal[0];
+    list.count = METALS;
+    tie[11] = 1;
+    tie[12] = -1;
+    CHECK(neural_load(network, &net) == NULL);
+    CHECK_INT(studio_open(&s, &renderer, &error), MS_OK);
+    s.space.lists = &list;
+    s.space.list_count = 1;
+    s.space.ties = tie;
+    s.space.tie_count = 1;
+    for (round = 0; round < 4; ++round) {
+        CHECK_INT(studio_gallery(&s, 20, x, NULL, &error), MS_OK);
+        for (i = 0; i < 20; ++i) {
+            for (k = 0; k < METALS && memcmp(x + i * M + 3, metal[k], sizeof metal[k]) != 0; ++k) {}
+            kept &= k < METALS && fabs(x[i * M + 11] - x[i * M + 12]) < 1e-9;
+            CHECK_INT(studio_score(&s, x + i * M, taste(x + i * M), &error), MS_OK);
+        }
+    }
+    settle(&s);
+    CHECK_INT(studio_recommend(&s, 20, x, NULL, &error), MS_OK);
+    CHECK_INT(studio_choose(&s, x, &error), MS_OK);
+    for (i = 0; i < 20 + STEPS; ++i) {
+        const double *at = x + i * M;
+        if (i >= 20) { /* to one side and on, out of all that the plane knows */
+            CHECK_INT(studio_move(&s, 0.02, 0.01 * sin(0.1 * i), &view, &error), MS_OK);
+            at = view.x;
+        }
+        for (k = 0; k < METALS && memcmp(at + 3, metal[k], sizeof metal[k]) != 0; ++k) {}
+        kept &= k < METALS && fabs(at[11] - at[12]) < 1e-9;
+        for (k = 0; k < M; ++k) kept &= at[k] >= 0 && at[k] <= 1;
+    }
+    CHECK(kept);
+    tie[M] = 2; /* no two parameters are so far apart */
+    CHECK_INT(studio_recommend(&s, 20, x, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "tie 1 contradicts the box") != NULL);
+    CHECK_INT(s.state, STUDIO_EXPLORING);
+    studio_close(&s);
+    neural_free(&net);
+}
+
+static const test_case cases[] = {{"states", test_states}, {"space", test_space}, {"picks", test_picks},       {"session", test_session},     {"orders", test_orders},
                                   {"nothing liked", test_nothing_liked},     {"neural", test_neural},
                                   {"materials", test_materials}, {"materialx", test_materialx}};
 TEST_MAIN(cases)

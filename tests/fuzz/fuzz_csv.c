@@ -36,6 +36,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         for (i = 0; i < s.n * s.m; ++i)
             if (!(s.x[i] - s.x[i] == 0) || !(s.y[i / s.m] - s.y[i / s.m] == 0)) abort();
     scores_free(&s);
+    if (scores_read_table("x", &s) == NULL)
+        for (i = 0; i < s.n * s.m; ++i)
+            if (!(s.x[i] - s.x[i] == 0)) abort();
+    scores_free(&s);
     problem = materials_read("x", parameters, &m);
     if (problem != NULL && problem[0] == 0) abort();
     for (i = 0; problem == NULL && i < m.count * parameters; ++i)
