@@ -439,6 +439,69 @@ MS_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const flo
    Workspace MS_NN_JACOBIAN, count 1. The weights are read once. */
 MS_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace);
 
+/* ---- GPU text: a network as fragment shaders ------------------------------------------------------------------- */
+
+#define MS_NN_SHADER_WIDTH 2048      /* texels of a row of the weights' texture */
+#define MS_NN_SHADER_ROWS_MAX 16384  /* rows that it may have: 134 million weights */
+
+/* Metal: translate the Vulkan text (glslangValidator -V, spirv-cross --msl). */
+typedef enum ms_nn_language {
+    MS_NN_GLSL_330 = 0,    /* desktop OpenGL 3.3; constants: uniform vec4 ms_nn */
+    MS_NN_GLSL_ES_300 = 1, /* OpenGL ES 3.0, WebGL 2; the same. Targets of floats need EXT_color_buffer_float */
+    MS_NN_GLSL_VULKAN = 2, /* GLSL 450 for SPIR-V; set 0; constants: uniform block, binding 0 */
+    MS_NN_HLSL = 3,        /* shader model 4 and later; constants: cbuffer b0 */
+    MS_NN_WGSL = 4         /* WebGPU; group 0; constants: uniform buffer, binding 0 */
+} ms_nn_language;
+
+/* One draw of a full-screen triangle. Networks are dense layers with activations and added skips, also once a channel
+   (shared_channels). The dense layers are cut into steps: the last `steps` - 1 of them are steps of their own, those before are
+   the first step, which keeps their values in registers. A gallery is two draws: features of all pictures, then all pixels.
+   Wide layers run faster in a step each (they are then computed once, not once for every four outputs of the step).
+   All zero but step: steps 2, GLSL 330, values out. */
+typedef struct ms_nn_shader {
+    int step;               /* 0 to steps - 1 */
+    int steps;              /* 1 to the number of dense layers; 0: 2, or 1 where there is one layer only */
+    int width, height;      /* of a picture, if the last step draws pictures; 0: it writes values as the others do */
+    ms_nn_language language;
+} ms_nn_shader;
+
+/* Sizes of the textures, all RGBA and read by texel (OpenGL: GL_NEAREST for both filters):
+     ms_nn_weights  HLSL t0, Vulkan and WGSL binding 1: MS_NN_SHADER_WIDTH x weight_rows, 16 or 32 bits, the same for each step
+     ms_nn_values   HLSL t1, Vulkan and WGSL binding 2: input_width x rows a picture, 32-bit floats: of the first step what
+                    ms_nn_shader_inputs makes, of the others the target of the step before
+   The target is target_width x rows a picture for values (32-bit floats; 16 bits lose up to 1/2000 of each value): four values a
+   texel, and row r x rows + c is channel c of picture r. With width and height it is a sheet of pictures in any format: the
+   outputs are planes of width x height, one to four: grey, two channels, RGB, RGBA (alpha 1 without a fourth). Picture i
+   stands in column i mod ms_nn.x, row i / ms_nn.x, pictures from ms_nn.y on are 0. The constants of this step alone:
+     ms_nn  {pictures in a row of the sheet, pictures, flip, 0}; flip 0: row 0 of the sheet is row 0 of the target, which OpenGL
+            shows at the bottom; the height of the target: it is the last row
+   Values agree with ms_nn_forward within some 1e-6 of the largest with 32-bit weights; 16 bits round each by up to 2^-12. */
+typedef struct ms_nn_shader_sizes {
+    int steps, rows, input_width, target_width, weight_rows;
+} ms_nn_shader_sizes;
+
+/* MS_UNSUPPORTED, naming the layer: convolutions, resizing, pooling, concatenation; an addition whose other value an earlier
+   step made; a network without dense layers, or too large. MS_INVALID_ARGUMENT: step, steps, language; width x height does
+   not divide the outputs into one to four planes. */
+MS_API ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_shader *shader, ms_nn_shader_sizes *sizes, ms_error *error);
+
+/* The text of a step, with entry point main.
+   text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
+   Returns the length; 0 with error filled as by ms_nn_shader_layout. */
+MS_API size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, char *text, size_t capacity, ms_error *error);
+
+/* The weights' texture: for each dense layer, blocks of 4 outputs x 4 inputs (a texel holds 4 inputs of an output, 4 texels follow
+   for the outputs; zeros beyond the ends), inputs fastest; then its biases, 4 a texel.
+   dtype   MS_NN_F16 or MS_NN_F32, in the host's order of bytes; I8 weights are multiplied by their scales
+   out     [weight_rows][MS_NN_SHADER_WIDTH][4] elements
+   MS_UNSUPPORTED as above, and a weight over 65504 in F16. */
+MS_API ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype dtype, void *out, ms_error *error);
+
+/* The first step's values, all that changes with the materials.
+   x       [count][input size]
+   out     [count][rows][input_width][4] */
+MS_API ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, const float *x, float *out);
+
 #ifndef MS_NN_NO_COLLAPSE
 /* ---- collapse: a network with a linear last layer as an objective ---------------------------------------------- */
 
@@ -1044,7 +1107,7 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #endif
 
 /* The implementation, in the order of the data:
-   bytes, sorting, JSON, file, writer, layer list, plan, run, products, queries, stdio, collapse, low rank, levels, kernels */
+   bytes, sorting, JSON, file, writer, layer list, plan, run, products, queries, GPU text, stdio, collapse, low rank, levels, kernels */
 
 /* Reading, writing and planning are compiled for size. */
 #if defined(__GNUC__) || defined(__clang__)
@@ -4048,6 +4111,343 @@ MS_API MS_NN__COLD void ms_nn_destroy(ms_nn *nn)
     }
     ms_nn_file_close(nn->file);
     ms__release(&allocator, nn, sizeof *nn);
+}
+
+/* ---- GPU text -------------------------------------------------------------------------------------------------- */
+
+/* A text as it is written; out is NULL while only counting. */
+typedef struct ms_nn__text {
+    char *out;
+    size_t length;
+    ms_nn_language language;
+} ms_nn__text;
+
+/* Appends format: $v and $i begin a declaration of four floats or an integer, $4 makes four floats, $I an integer, $L is what
+   HLSL wants before a loop, $d the next number of n. */
+static MS_NN__COLD void ms_nn__say(ms_nn__text *t, const char *format, const size_t *n)
+{
+    static const char *const word[][5] = {{"v", "vec4 ", "float4 ", "var "}, {"i", "int ", "int ", "var "}, {"4", "vec4", "float4", "vec4<f32>"},
+                                          {"I", "int", "int", "i32"}, {"L", "", "[loop] ", ""}};
+    int column = t->language == MS_NN_WGSL ? 3 : t->language == MS_NN_HLSL ? 2 : 1, k;
+    for (; *format; ++format) {
+        char digits[24];
+        const char *s = digits;
+        size_t length = 0, value;
+        if (*format != '$') {
+            s = format;
+            length = 1;
+        } else if (*++format == 'd') {
+            for (value = *n++; length == 0 || value; value /= 10) digits[sizeof digits - ++length] = (char)('0' + value % 10);
+            s = digits + sizeof digits - length;
+        } else {
+            for (k = 0; word[k][0][0] != *format;) ++k;
+            s = word[k][column];
+            length = strlen(s);
+        }
+        if (t->out) memcpy(t->out + t->length, s, length);
+        t->length += length;
+    }
+}
+
+static MS_NN__COLD int ms_nn__plain(const ms_nn__op *op) { return op->step == MS_NN__DO_ACTIVATE || op->step == MS_NN__DO_ADD; }
+
+/* Four values, and their rows: what a dense layer has of texels. */
+static MS_NN__COLD size_t ms_nn__fours(size_t n) { return n / 4 + (n % 4 != 0); }
+static MS_NN__COLD size_t ms_nn__texels(const ms_nn__matrix *m)
+{
+    return ms__size_mul(ms_nn__fours(m->rows), ms__size_add(4 * ms_nn__fours(m->cols), 1));
+}
+
+/* The operations [first, end) of a step, sizes, and where its weights begin; NULL as shader: of the whole network. */
+typedef struct ms_nn__shader_step {
+    ms_nn_shader_sizes sizes;
+    int first, end, planes; /* planes: a picture's of one row; 0: values */
+    size_t base;
+} ms_nn__shader_step;
+
+static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_shader *s, ms_nn__shader_step *p, ms_error *error)
+{
+    int i, k, dense = 0, seen = 0, last;
+    size_t texels = 0, pixels, outputs;
+    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn is NULL");
+    memset(p, 0, sizeof *p);
+    for (i = 0; i < nn->ops; ++i) {
+        const ms_nn__op *op = &nn->op[i];
+        const ms_nn_layer *layer = &nn->layer[op->layer];
+        if (op->step == MS_NN__DO_DENSE) {
+            ++dense;
+            texels = ms__size_add(texels, ms_nn__texels(&op->matrix));
+        } else if (!ms_nn__plain(op) || dense == 0 || op->in.h * op->in.w > 1 || !(op->alpha < 1000.0f)) {
+            return ms__fail(error, MS_UNSUPPORTED, 0, "layer %d, %s '%s', has no shader: only dense layers and, after them, activations and additions have", op->layer,
+                            layer->type, layer->name);
+        }
+    }
+    p->sizes.weight_rows = (int)(ms_nn__min(texels, (size_t)MS_NN_SHADER_WIDTH * MS_NN_SHADER_ROWS_MAX + 1) / MS_NN_SHADER_WIDTH + 1);
+    if (dense == 0 || p->sizes.weight_rows > MS_NN_SHADER_ROWS_MAX || nn->channels > MS_NN_SHADER_ROWS_MAX || ms_nn__value_size(nn, 0) > INT_MAX / 4)
+        return ms__fail(error, MS_UNSUPPORTED, 0, dense ? "the network is too large for a texture" : "the network has no dense layer");
+    p->sizes.rows = (int)nn->channels;
+    p->sizes.input_width = (int)ms_nn__fours(ms_nn__value_size(nn, 0));
+    p->sizes.steps = s && s->steps ? s->steps : dense > 1 ? 2 : 1;
+    if (s == NULL) return MS_OK;
+    if ((int)s->language < 0 || (int)s->language > (int)MS_NN_WGSL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "language %d is unknown", (int)s->language);
+    if (p->sizes.steps < 1 || p->sizes.steps > dense || s->step < 0 || s->step >= p->sizes.steps)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d of %d: the network has %d dense layers", s->step, p->sizes.steps, dense);
+    last = dense - p->sizes.steps + s->step; /* the dense layer that the step ends with */
+    for (i = 0; i < nn->ops && seen <= last + 1; ++i) {
+        seen += nn->op[i].step == MS_NN__DO_DENSE;
+        if (s->step > 0 && seen <= last) p->first = i + 1;
+        if (s->step > 0 && seen <= last && nn->op[i].step == MS_NN__DO_DENSE) p->base += ms_nn__texels(&nn->op[i].matrix);
+        if (seen <= last + 1) p->end = i + 1;
+    }
+    for (k = p->first; k < p->end; ++k)
+        if (nn->op[k].step == MS_NN__DO_ADD && nn->op[k].skip < p->first)
+            return ms__fail(error, MS_UNSUPPORTED, 0, "layer %d adds what a step before this one made: %d steps are too many", nn->op[k].layer, p->sizes.steps);
+    p->sizes.input_width = (int)ms_nn__fours(ms_nn__value_size(nn, p->first));
+    outputs = ms_nn__value_size(nn, p->end);
+    p->sizes.target_width = (int)ms_nn__fours(outputs);
+    if (s->step < p->sizes.steps - 1 || (s->width == 0 && s->height == 0)) return MS_OK;
+    pixels = s->width > 0 && s->height > 0 ? ms__size_mul((size_t)s->width, (size_t)s->height) : 0;
+    if (pixels == 0 || outputs % pixels || outputs / pixels * nn->channels > 4)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d x %d pixels: %z outputs are not one to four such planes", s->width, s->height, outputs * nn->channels);
+    if (p->sizes.steps == 1 && dense > 1) return ms__fail(error, MS_UNSUPPORTED, 0, "pictures of %d dense layers need two steps", dense);
+    for (k = p->first; k < p->end; ++k)
+        if (nn->op[k].step == MS_NN__DO_ADD) return ms__fail(error, MS_UNSUPPORTED, 0, "layer %d, an addition, stands behind the last dense layer: pictures have none", nn->op[k].layer);
+    p->planes = (int)(outputs / pixels);
+    p->sizes.target_width = s->width;
+    return MS_OK;
+}
+
+/* What stands around main, a column a language, and a line of main's. */
+static const char *const ms_nn__shader_head[5] = {
+    "#version 330\n", "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n", "#version 450\n", "", ""};
+#define MS_NN__GLSL_READ                                                                                                    \
+    "vec4 four(float a) { return vec4(a); }\nvec4 weight(int i) { return texelFetch(ms_nn_weights, ivec2(i & 2047, i >> 11), 0); }\n" \
+    "vec4 value(int i, int row) { return texelFetch(ms_nn_values, ivec2(i, row), 0); }\n"
+static const char *const ms_nn__shader_read[5] = {
+    "uniform sampler2D ms_nn_weights;\nuniform sampler2D ms_nn_values;\n" MS_NN__GLSL_READ, NULL,
+    "layout(set = 0, binding = 1) uniform sampler2D ms_nn_weights;\nlayout(set = 0, binding = 2) uniform sampler2D ms_nn_values;\n" MS_NN__GLSL_READ,
+    "Texture2D<float4> ms_nn_weights : register(t0);\nTexture2D<float4> ms_nn_values : register(t1);\nfloat4 four(float a) { return float4(a, a, a, a); }\n"
+    "float4 weight(int i) { return ms_nn_weights.Load(int3(i & 2047, i >> 11, 0)); }\nfloat4 value(int i, int row) { return ms_nn_values.Load(int3(i, row, 0)); }\n",
+    "@group(0) @binding(1) var ms_nn_weights: texture_2d<f32>;\n@group(0) @binding(2) var ms_nn_values: texture_2d<f32>;\n"
+    "fn four(a: f32) -> vec4<f32> { return vec4<f32>(a, a, a, a); }\n"
+    "fn weight(i: i32) -> vec4<f32> { return textureLoad(ms_nn_weights, vec2<i32>(i & 2047, i >> 11u), 0); }\n"
+    "fn value(i: i32, row: i32) -> vec4<f32> { return textureLoad(ms_nn_values, vec2<i32>(i, row), 0); }\n"};
+#undef MS_NN__GLSL_READ
+static const char *const ms_nn__shader_constants[5] = {
+    "uniform vec4 ms_nn;\n", "uniform vec4 ms_nn;\n", "layout(set = 0, binding = 0) uniform ms_nn_block { vec4 ms_nn; };\n",
+    "cbuffer ms_nn_block : register(b0) { float4 ms_nn; };\n", "@group(0) @binding(0) var<uniform> ms_nn: vec4<f32>;\n"};
+static const char *const ms_nn__shader_main[5] = {
+    "out vec4 ms_nn_target;\nvec4 shade(vec4 position);\nvoid main() { ms_nn_target = shade(gl_FragCoord); }\nvec4 shade(vec4 position)\n{\n", NULL,
+    "layout(location = 0) out vec4 ms_nn_target;\nvec4 shade(vec4 position);\nvoid main() { ms_nn_target = shade(gl_FragCoord); }\nvec4 shade(vec4 position)\n{\n",
+    "float4 main(float4 position : SV_Position) : SV_Target\n{\n",
+    "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32>\n{\n"};
+
+/* x becomes its activation. erf: Abramowitz and Stegun 7.1.26, within 1.5e-7. $d.$d: alpha, in millionths. */
+static const char *const ms_nn__shader_activation[] = {
+    "", "x = max(x, four(0.0));", "x = max(x, four(0.0)) + $d.$d$d$d$d$d$d * min(x, four(0.0));",
+    "x = max(x, four(0.0)) + $d.$d$d$d$d$d$d * (exp(min(x, four(0.0))) - four(1.0));", "x = tanh(max(min(x, four(15.0)), four(-15.0)));",
+    "x = four(1.0) / (four(1.0) + exp(-max(x, four(-80.0))));", "x = max(x, four(0.0)) + log(four(1.0) + exp(-abs(x)));",
+    "x = x / (four(1.0) + exp(-max(x, four(-80.0))));",
+    "$v z = abs(x); $v t = four(1.0) / (four(1.0) + 0.2316418882 * z); x = max(x, four(0.0)) - z * exp(-0.5 * z * z) * t * "
+    "(0.127414796 * four(1.0) + t * (-0.142248368 * four(1.0) + t * (0.7107068705 * four(1.0) + t * (-0.7265760135 * four(1.0) + t * 0.5307027145))));"};
+
+static MS_NN__COLD void ms_nn__say_activation(ms_nn__text *t, const ms_nn__op *op)
+{
+    size_t n[7], millionths = (size_t)((double)op->alpha * 1e6 + 0.5), i;
+    for (i = 6; i > 0; --i, millionths /= 10) n[i] = millionths % 10;
+    n[0] = millionths;
+    ms_nn__say(t, "{ ", n);
+    ms_nn__say(t, ms_nn__shader_activation[op->activation], n);
+    ms_nn__say(t, " }\n", n);
+}
+
+/* Operations [k, end): a dense layer and what follows it, of the four outputs u; from: the value that it reads, as [j], or the
+   step's first. inner: the values that it makes are kept for all u. */
+static MS_NN__COLD void ms_nn__say_dense(ms_nn__text *t, const ms_nn *nn, int first, int k, int end, size_t base, int inner)
+{
+    const ms_nn__matrix *m = &nn->op[k].matrix;
+    size_t n[3], cols = ms_nn__fours(m->cols), rows = ms_nn__fours(m->rows);
+    int start = k;
+    n[0] = (size_t)k;
+    n[1] = base + 4 * rows * cols;
+    n[2] = cols;
+    ms_nn__say(t, "$v x = weight(u + ", n);
+    ms_nn__say(t, "$d);\n$Lfor ($i j = 0; j < $d; j++) {\n", n + 1);
+    ms_nn__say(t, k == first ? "$v a = value(j, row);\n" : "$v a = v$d[j];\n", n);
+    n[0] = cols;
+    n[1] = base;
+    ms_nn__say(t, "$i i = (u * $d + j) * 4 + $d;\nx = x + $4(dot(weight(i), a), dot(weight(i + 1), a), dot(weight(i + 2), a), dot(weight(i + 3), a));\n}\n", n);
+    for (; k < end; ++k) {
+        const ms_nn__op *op = &nn->op[k];
+        n[0] = (size_t)op->skip;
+        if (op->step == MS_NN__DO_ADD) ms_nn__say(t, op->skip == first ? "x = x + value(u, row);\n" : inner || op->skip <= start ? "x = x + v$d[u];\n" : "x = x + v$d;\n", n);
+        if (op->activation != MS_NN__LINEAR) ms_nn__say_activation(t, op);
+        n[0] = (size_t)k + 1;
+        ms_nn__say(t, inner ? "v$d[u] = x;\n" : "$v v$d = x;\n", n);
+    }
+}
+
+/* The channels of a pixel. row: of the first; at: the pixel in its plane. */
+static MS_NN__COLD void ms_nn__say_pixel(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p, const ms_nn_shader *s)
+{
+    const ms_nn__matrix *m = &nn->op[p->first].matrix;
+    size_t n[6], cols = ms_nn__fours(m->cols), q, c, planes = (size_t)p->planes, outs = planes * nn->channels;
+    int k;
+    n[0] = n[4] = n[5] = (size_t)s->width;
+    n[1] = n[3] = (size_t)s->height;
+    n[2] = nn->channels;
+    ms_nn__say(t, "$i left = $I(position.x);\n$i top = $I(position.y);\nif (ms_nn.z > 0.0) { top = $I(ms_nn.z) - 1 - top; }\n"
+                  "$i column = left / $d;\n$i across = top / $d;\n$i picture = across * $I(ms_nn.x) + column;\n"
+                  "if (column >= $I(ms_nn.x) || picture >= $I(ms_nn.y)) { return four(0.0); }\n"
+                  "$i row = picture * $d;\n$i pixel = (top - across * $d) * $d + left - column * $d;\n$v x = four(0.0);\n", n);
+    for (q = 0; q < planes; ++q) {
+        n[0] = n[1] = n[3] = n[5] = q;
+        n[2] = q * (size_t)s->width * (size_t)s->height;
+        ms_nn__say(t, "$i u$d = pixel + ", n);
+        ms_nn__say(t, "$d;\n", n + 2);
+        n[2] = p->base + 4 * ms_nn__fours(m->rows) * cols;
+        n[1] = q;
+        ms_nn__say(t, "$v b$d = weight((u$d >> 2) + ", n);
+        n[0] = n[2];
+        ms_nn__say(t, "$d);\n", n);
+        for (c = 0; c < nn->channels; ++c) {
+            n[0] = c * planes + q;
+            n[1] = n[2] = q;
+            ms_nn__say(t, "x[$d] = b$d[u$d & 3];\n", n);
+        }
+    }
+    n[0] = cols;
+    ms_nn__say(t, "$Lfor ($i j = 0; j < $d; j++) {\n", n);
+    for (c = 0; c < nn->channels; ++c) {
+        n[0] = n[1] = c;
+        ms_nn__say(t, "$v a$d = value(j, row + $d);\n", n);
+    }
+    for (q = 0; q < planes; ++q) {
+        n[0] = n[1] = n[3] = q;
+        n[2] = cols;
+        n[4] = p->base;
+        ms_nn__say(t, "$v w$d = weight(((u$d >> 2) * $d + j) * 4 + (u$d & 3) + $d);\n", n);
+        for (c = 0; c < nn->channels; ++c) {
+            n[0] = n[1] = c * planes + q;
+            n[2] = q;
+            n[3] = c;
+            ms_nn__say(t, "x[$d] = x[$d] + dot(w$d, a$d);\n", n);
+        }
+    }
+    ms_nn__say(t, "}\n", n);
+    for (k = p->first; k < p->end; ++k)
+        if (nn->op[k].activation != MS_NN__LINEAR) ms_nn__say_activation(t, &nn->op[k]);
+    ms_nn__say(t, outs == 1 ? "return $4(x.x, x.x, x.x, 1.0);\n}\n" : outs == 2 ? "return $4(x.x, x.y, 0.0, 1.0);\n}\n" : outs == 3 ? "return $4(x.x, x.y, x.z, 1.0);\n}\n" : "return x;\n}\n", n);
+}
+
+static MS_NN__COLD void ms_nn__say_shader(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p, const ms_nn_shader *s)
+{
+    int k, end;
+    size_t base = p->base, n[2];
+    int column = (int)s->language, plain = s->language == MS_NN_GLSL_ES_300 ? 0 : column;
+    ms_nn__say(t, ms_nn__shader_head[column], NULL);
+    if (p->planes) ms_nn__say(t, ms_nn__shader_constants[column], NULL);
+    ms_nn__say(t, ms_nn__shader_read[plain], NULL);
+    ms_nn__say(t, ms_nn__shader_main[plain], NULL);
+    if (p->planes) {
+        ms_nn__say_pixel(t, nn, p, s);
+        return;
+    }
+    ms_nn__say(t, "$i row = $I(position.y);\n", NULL);
+    for (k = p->first; k < p->end; k = end) {
+        for (end = k + 1; end < p->end && nn->op[end].step != MS_NN__DO_DENSE;) ++end;
+        if (end < p->end) {
+            int v;
+            for (v = k + 1; v <= end; ++v) {
+                n[0] = (size_t)v;
+                n[1] = ms_nn__fours(ms_nn__value_size(nn, v));
+                if (t->language == MS_NN_WGSL) ms_nn__say(t, "var v$d: array<vec4<f32>, $d>;\n", n);
+                else ms_nn__say(t, "$4 v$d[$d];\n", n);
+            }
+            n[0] = ms_nn__fours(nn->op[k].matrix.rows);
+            ms_nn__say(t, "$Lfor ($i u = 0; u < $d; u++) {\n", n);
+        } else {
+            ms_nn__say(t, "$i u = $I(position.x);\n", NULL);
+        }
+        ms_nn__say_dense(t, nn, p->first, k, end, base, end < p->end);
+        ms_nn__say(t, end < p->end ? "}\n" : "return x;\n}\n", NULL);
+        base += ms_nn__texels(&nn->op[k].matrix);
+    }
+}
+
+MS_API MS_NN__COLD ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_shader *shader, ms_nn_shader_sizes *sizes, ms_error *error)
+{
+    ms_nn__shader_step p;
+    ms_status status;
+    if (shader == NULL || sizes == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "shader or sizes is NULL");
+    if ((status = ms_nn__shader_plan(nn, shader, &p, error)) == MS_OK) *sizes = p.sizes;
+    return status;
+}
+
+MS_API MS_NN__COLD size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, char *text, size_t capacity, ms_error *error)
+{
+    ms_nn__shader_step p;
+    ms_nn__text t;
+    if (shader == NULL) ms__fail(error, MS_INVALID_ARGUMENT, 0, "shader is NULL");
+    if (shader == NULL || ms_nn__shader_plan(nn, shader, &p, error) != MS_OK) return 0;
+    memset(&t, 0, sizeof t);
+    t.language = shader->language;
+    ms_nn__say_shader(&t, nn, &p, shader);
+    if (text && capacity > t.length) {
+        t.out = text;
+        t.length = 0;
+        ms_nn__say_shader(&t, nn, &p, shader);
+        text[t.length] = 0;
+    }
+    return t.length;
+}
+
+MS_API MS_NN__COLD ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype dtype, void *out, ms_error *error)
+{
+    ms_nn__shader_step p;
+    ms_status status = ms_nn__shader_plan(nn, NULL, &p, error);
+    unsigned char *to = (unsigned char *)out;
+    size_t size = dtype == MS_NN_F16 ? 2 : 4, r, c;
+    int k, pass;
+    if (status != MS_OK) return status;
+    if (out == NULL || (dtype != MS_NN_F16 && dtype != MS_NN_F32)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL, or dtype is neither F16 nor F32");
+    for (pass = 0; pass < 2; ++pass) { /* checks, then writes */
+        if (pass) memset(out, 0, (size_t)p.sizes.weight_rows * MS_NN_SHADER_WIDTH * 4 * size);
+        for (k = 0; k < nn->ops; ++k) {
+            const ms_nn__matrix *m = &nn->op[k].matrix;
+            size_t cols = ms_nn__fours(m->cols), q;
+            if (nn->op[k].step != MS_NN__DO_DENSE) continue;
+            for (r = 0; r < m->rows; ++r)
+                for (c = 0; c <= m->cols; ++c) { /* behind the last column the bias */
+                    size_t at = r * m->cols + c;
+                    float v = c == m->cols ? m->bias ? ms_nn__float_at(m->bias, r) : 0.0f
+                                           : m->dtype == MS_NN_F32 ? ms_nn__float_at(m->w, at) : (float)ms_nn__element(m->w, m->dtype, at);
+                    uint16_t half;
+                    if (c < m->cols && m->scale) v *= ms_nn__float_at(m->scale, r);
+                    if (size == 2 && fabsf(v) > 65504.0f)
+                        return ms__fail(error, MS_UNSUPPORTED, 0, "a weight of '%s' is %g, more than F16 holds", nn->layer[nn->op[k].layer].name, (double)v);
+                    if (!pass) continue;
+                    q = c < m->cols ? (r / 4 * cols + c / 4) * 16 + r % 4 * 4 + c % 4 : ms_nn__fours(m->rows) * cols * 16 + r;
+                    half = ms__half_from_float(v);
+                    if (size == 2) memcpy(to + 2 * q, &half, 2);
+                    else memcpy(to + 4 * q, &v, 4);
+                }
+            if (pass) to += ms_nn__texels(m) * 4 * size;
+        }
+    }
+    return MS_OK;
+}
+
+MS_API MS_NN__COLD ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, const float *x, float *out)
+{
+    size_t inputs = ms_nn_input_size(nn), one, width, r, i;
+    if (nn == NULL || count < 1 || x == NULL || out == NULL) return MS_INVALID_ARGUMENT;
+    one = ms_nn__value_size(nn, 0);
+    width = 4 * ms_nn__fours(one);
+    for (r = 0; r < (size_t)count * nn->channels; ++r, out += width)
+        for (i = 0; i < width; ++i)
+            out[i] = i < one ? x[r / nn->channels * inputs + (nn->channel_input ? nn->channel_input[r % nn->channels * nn->channel_inputs + i] : i)] : 0.0f;
+    return MS_OK;
 }
 
 /* ---- stdio ----------------------------------------------------------------------------------------------------- */
