@@ -135,6 +135,8 @@ bench: all sizes
 # Of OpenGL through EGL; not among the examples that need a C compiler only.
 build/engine: examples/gl/engine.c examples/gl/egl.h $(IMAGE) ms_sss.h
 	@mkdir -p build && $(COMPILE) -Iexamples -o $@ examples/gl/engine.c -lEGL $(LDLIBS)
+build/previews: examples/gl/previews.c examples/gl/egl.h examples/neural.h $(IMAGE) ms_nn.h
+	@mkdir -p build && $(COMPILE) -Iexamples -o $@ examples/gl/previews.c -lEGL $(LDLIBS)
 build/bench_gpu: tests/bench/gpu_sss.c examples/gl/egl.h tests/bench/bench.h ms_sss.h
 	@mkdir -p build && $(COMPILE) -D_POSIX_C_SOURCE=200809L -Iexamples -Itests/bench -o $@ tests/bench/gpu_sss.c -lEGL $(LDLIBS)
 bench-gpu: build/bench_gpu

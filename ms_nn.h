@@ -9,8 +9,8 @@
 
    Runs small trained networks - a neural renderer (parameters to picture), inversion networks (picture to parameters) - from
    safetensors files at the speed at which memory delivers the weights: forward, vector-Jacobian product, Jacobian-vector
-   product, Jacobian. Reads and writes safetensors strictly. Never trains. Link with -lm. Here a network of one layer,
-   which the program writes first:
+   product, Jacobian; and as GLSL, HLSL or WGSL, where they are dense. Reads and writes safetensors strictly. Never trains.
+   Link with -lm. Here a network of one layer, which the program writes first:
 
    Example:
       #define MS_NN_IMPLEMENTATION
@@ -72,8 +72,8 @@
       shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
 
    <name>.bias [outputs] belongs to every dense and convolution layer unless "bias":false stands in the list. Weights are
-   F64, F32, F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]): weight = scale of its output x integer. Convolutions
-   are correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2 zeros in front, rounded down, and as many
+   F64, F32, F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]; of a transposed convolution [channels], its weights' first
+   dimension): weight = scale x integer. Convolutions are correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2 zeros in front, rounded down, and as many
    behind as make ceil(size / stride) outputs. "extra" is PyTorch's output_padding. "activation": linear (default), relu,
    leaky_relu (slope alpha, 0.01), elu (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels evaluates
    the rest of the list once for each of its lists of input indices and puts the outputs one after the other: one small
@@ -3198,6 +3198,7 @@ typedef struct ms_nn__kernels {
 static int ms_nn__large(const ms_nn__dense *job) { return job->m->rows * job->m->cols > 2000000; }
 
 #define MS_NN__WIDE 64
+#define MS_NN__COLS 512
 static const float ms_nn__zeros[MS_NN__WIDE] = {0}; /* stands for rows behind the last, where rows are taken by fours */
 
 static size_t ms_nn__bytes_of(ms_nn_dtype dtype) { return dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2; }
@@ -4126,9 +4127,7 @@ typedef struct ms_nn__text {
    HLSL wants before a loop, $d the next number of n. */
 static MS_NN__COLD void ms_nn__say(ms_nn__text *t, const char *format, const size_t *n)
 {
-    static const char *const word[][5] = {{"v", "vec4 ", "float4 ", "var "}, {"i", "int ", "int ", "var "}, {"4", "vec4", "float4", "vec4<f32>"},
-                                          {"I", "int", "int", "i32"}, {"L", "", "[loop] ", ""}};
-    int column = t->language == MS_NN_WGSL ? 3 : t->language == MS_NN_HLSL ? 2 : 1, k;
+    static const char key[] = "vi4IL", word[3][5][11] = {{"vec4 ", "int ", "vec4", "int", ""}, {"float4 ", "int ", "float4", "int", "[loop] "}, {"var ", "var ", "vec4<f32>", "i32", ""}};
     for (; *format; ++format) {
         char digits[24];
         const char *s = digits;
@@ -4140,8 +4139,7 @@ static MS_NN__COLD void ms_nn__say(ms_nn__text *t, const char *format, const siz
             for (value = *n++; length == 0 || value; value /= 10) digits[sizeof digits - ++length] = (char)('0' + value % 10);
             s = digits + sizeof digits - length;
         } else {
-            for (k = 0; word[k][0][0] != *format;) ++k;
-            s = word[k][column];
+            s = word[t->language < MS_NN_HLSL ? 0 : (int)t->language - 2][strchr(key, *format) - key];
             length = strlen(s);
         }
         if (t->out) memcpy(t->out + t->length, s, length);
@@ -4217,48 +4215,41 @@ static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_sha
     return MS_OK;
 }
 
-/* What stands around main, a column a language, and a line of main's. */
-static const char *const ms_nn__shader_head[5] = {
-    "#version 330\n", "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n", "#version 450\n", "", ""};
-#define MS_NN__GLSL_READ                                                                                                    \
-    "vec4 four(float a) { return vec4(a); }\nvec4 weight(int i) { return texelFetch(ms_nn_weights, ivec2(i & 2047, i >> 11), 0); }\n" \
+/* What stands before main: a language's first lines and its names for what is read; then for GLSL, HLSL and WGSL how. */
+static const char *const ms_nn__shader_names[5][2] = {
+    {"#version 330\nuniform sampler2D ms_nn_weights, ms_nn_values;\n", "uniform vec4 ms_nn;\n"},
+    {"#version 300 es\nprecision highp float;\nprecision highp int;\nuniform highp sampler2D ms_nn_weights, ms_nn_values;\n", "uniform vec4 ms_nn;\n"},
+    {"#version 450\nlayout(set = 0, binding = 1) uniform sampler2D ms_nn_weights;\nlayout(set = 0, binding = 2) uniform sampler2D ms_nn_values;\n",
+     "layout(set = 0, binding = 0) uniform ms_nn_block { vec4 ms_nn; };\n"},
+    {"Texture2D<float4> ms_nn_weights : register(t0), ms_nn_values : register(t1);\n", "cbuffer ms_nn_block : register(b0) { float4 ms_nn; };\n"},
+    {"@group(0) @binding(1) var ms_nn_weights: texture_2d<f32>;\n@group(0) @binding(2) var ms_nn_values: texture_2d<f32>;\n",
+     "@group(0) @binding(0) var<uniform> ms_nn: vec4<f32>;\n"}};
+static const char *const ms_nn__shader_main[3] = {
+    "vec4 weight(int i) { return texelFetch(ms_nn_weights, ivec2(i & 2047, i >> 11), 0); }\n"
     "vec4 value(int i, int row) { return texelFetch(ms_nn_values, ivec2(i, row), 0); }\n"
-static const char *const ms_nn__shader_read[5] = {
-    "uniform sampler2D ms_nn_weights;\nuniform sampler2D ms_nn_values;\n" MS_NN__GLSL_READ, NULL,
-    "layout(set = 0, binding = 1) uniform sampler2D ms_nn_weights;\nlayout(set = 0, binding = 2) uniform sampler2D ms_nn_values;\n" MS_NN__GLSL_READ,
-    "Texture2D<float4> ms_nn_weights : register(t0);\nTexture2D<float4> ms_nn_values : register(t1);\nfloat4 four(float a) { return float4(a, a, a, a); }\n"
-    "float4 weight(int i) { return ms_nn_weights.Load(int3(i & 2047, i >> 11, 0)); }\nfloat4 value(int i, int row) { return ms_nn_values.Load(int3(i, row, 0)); }\n",
-    "@group(0) @binding(1) var ms_nn_weights: texture_2d<f32>;\n@group(0) @binding(2) var ms_nn_values: texture_2d<f32>;\n"
-    "fn four(a: f32) -> vec4<f32> { return vec4<f32>(a, a, a, a); }\n"
-    "fn weight(i: i32) -> vec4<f32> { return textureLoad(ms_nn_weights, vec2<i32>(i & 2047, i >> 11u), 0); }\n"
-    "fn value(i: i32, row: i32) -> vec4<f32> { return textureLoad(ms_nn_values, vec2<i32>(i, row), 0); }\n"};
-#undef MS_NN__GLSL_READ
-static const char *const ms_nn__shader_constants[5] = {
-    "uniform vec4 ms_nn;\n", "uniform vec4 ms_nn;\n", "layout(set = 0, binding = 0) uniform ms_nn_block { vec4 ms_nn; };\n",
-    "cbuffer ms_nn_block : register(b0) { float4 ms_nn; };\n", "@group(0) @binding(0) var<uniform> ms_nn: vec4<f32>;\n"};
-static const char *const ms_nn__shader_main[5] = {
-    "out vec4 ms_nn_target;\nvec4 shade(vec4 position);\nvoid main() { ms_nn_target = shade(gl_FragCoord); }\nvec4 shade(vec4 position)\n{\n", NULL,
     "layout(location = 0) out vec4 ms_nn_target;\nvec4 shade(vec4 position);\nvoid main() { ms_nn_target = shade(gl_FragCoord); }\nvec4 shade(vec4 position)\n{\n",
-    "float4 main(float4 position : SV_Position) : SV_Target\n{\n",
+    "float4 weight(int i) { return ms_nn_weights.Load(int3(i & 2047, i >> 11, 0)); }\n"
+    "float4 value(int i, int row) { return ms_nn_values.Load(int3(i, row, 0)); }\nfloat4 main(float4 position : SV_Position) : SV_Target\n{\n",
+    "fn weight(i: i32) -> vec4<f32> { return textureLoad(ms_nn_weights, vec2<i32>(i & 2047, i >> 11u), 0); }\n"
+    "fn value(i: i32, row: i32) -> vec4<f32> { return textureLoad(ms_nn_values, vec2<i32>(i, row), 0); }\n"
     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32>\n{\n"};
 
-/* x becomes its activation. erf: Abramowitz and Stegun 7.1.26, within 1.5e-7. $d.$d: alpha, in millionths. */
+/* x becomes its activation; z is |x|, so that (x + z) / 2 is its positive part in every language. $d.$d: alpha, in millionths.
+   The normal distribution: Abramowitz and Stegun 7.1.26, within 1.5e-7. */
 static const char *const ms_nn__shader_activation[] = {
-    "", "x = max(x, four(0.0));", "x = max(x, four(0.0)) + $d.$d$d$d$d$d$d * min(x, four(0.0));",
-    "x = max(x, four(0.0)) + $d.$d$d$d$d$d$d * (exp(min(x, four(0.0))) - four(1.0));", "x = tanh(max(min(x, four(15.0)), four(-15.0)));",
-    "x = four(1.0) / (four(1.0) + exp(-max(x, four(-80.0))));", "x = max(x, four(0.0)) + log(four(1.0) + exp(-abs(x)));",
-    "x = x / (four(1.0) + exp(-max(x, four(-80.0))));",
-    "$v z = abs(x); $v t = four(1.0) / (four(1.0) + 0.2316418882 * z); x = max(x, four(0.0)) - z * exp(-0.5 * z * z) * t * "
-    "(0.127414796 * four(1.0) + t * (-0.142248368 * four(1.0) + t * (0.7107068705 * four(1.0) + t * (-0.7265760135 * four(1.0) + t * 0.5307027145))));"};
+    "", "0.5 * (x + z)", "0.5 * (x + z) + $d.$d$d$d$d$d$d * 0.5 * (x - z)", "0.5 * (x + z) + $d.$d$d$d$d$d$d * (exp(0.5 * (x - z)) - 1.0)",
+    "sign(x) * (1.0 - exp(-2.0 * z)) / (1.0 + exp(-2.0 * z))", "0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z))",
+    "0.5 * (x + z) + log(1.0 + exp(-z))", "x * (0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z)))",
+    "0.5 * (x + z) - z * exp(-0.5 * z * z) * t * (0.127414796 + t * (-0.142248368 + t * (0.7107068705 + t * (-0.7265760135 + t * 0.5307027145))))"};
 
 static MS_NN__COLD void ms_nn__say_activation(ms_nn__text *t, const ms_nn__op *op)
 {
     size_t n[7], millionths = (size_t)((double)op->alpha * 1e6 + 0.5), i;
     for (i = 6; i > 0; --i, millionths /= 10) n[i] = millionths % 10;
     n[0] = millionths;
-    ms_nn__say(t, "{ ", n);
+    ms_nn__say(t, op->activation == MS_NN__GELU ? "{ $v z = abs(x); $v t = 1.0 / (1.0 + 0.2316418882 * z); x = " : "{ $v z = abs(x); x = ", n);
     ms_nn__say(t, ms_nn__shader_activation[op->activation], n);
-    ms_nn__say(t, " }\n", n);
+    ms_nn__say(t, "; }\n", n);
 }
 
 /* Operations [k, end): a dense layer and what follows it, of the four outputs u; from: the value that it reads, as [j], or the
@@ -4298,8 +4289,8 @@ static MS_NN__COLD void ms_nn__say_pixel(ms_nn__text *t, const ms_nn *nn, const 
     n[2] = nn->channels;
     ms_nn__say(t, "$i left = $I(position.x);\n$i top = $I(position.y);\nif (ms_nn.z > 0.0) { top = $I(ms_nn.z) - 1 - top; }\n"
                   "$i column = left / $d;\n$i across = top / $d;\n$i picture = across * $I(ms_nn.x) + column;\n"
-                  "if (column >= $I(ms_nn.x) || picture >= $I(ms_nn.y)) { return four(0.0); }\n"
-                  "$i row = picture * $d;\n$i pixel = (top - across * $d) * $d + left - column * $d;\n$v x = four(0.0);\n", n);
+                  "if (column >= $I(ms_nn.x) || picture >= $I(ms_nn.y)) { return $4(0.0, 0.0, 0.0, 0.0); }\n"
+                  "$i row = picture * $d;\n$i pixel = (top - across * $d) * $d + left - column * $d;\n$v x = $4(0.0, 0.0, 0.0, 0.0);\n", n);
     for (q = 0; q < planes; ++q) {
         n[0] = n[1] = n[3] = n[5] = q;
         n[2] = q * (size_t)s->width * (size_t)s->height;
@@ -4337,18 +4328,17 @@ static MS_NN__COLD void ms_nn__say_pixel(ms_nn__text *t, const ms_nn *nn, const 
     ms_nn__say(t, "}\n", n);
     for (k = p->first; k < p->end; ++k)
         if (nn->op[k].activation != MS_NN__LINEAR) ms_nn__say_activation(t, &nn->op[k]);
-    ms_nn__say(t, outs == 1 ? "return $4(x.x, x.x, x.x, 1.0);\n}\n" : outs == 2 ? "return $4(x.x, x.y, 0.0, 1.0);\n}\n" : outs == 3 ? "return $4(x.x, x.y, x.z, 1.0);\n}\n" : "return x;\n}\n", n);
+    ms_nn__say(t, outs == 1 ? "x[1] = x[0];\nx[2] = x[0];\n" : outs == 2 ? "x[2] = 0.0;\n" : "", n);
+    ms_nn__say(t, outs < 4 ? "x[3] = 1.0;\nreturn x;\n}\n" : "return x;\n}\n", n);
 }
 
 static MS_NN__COLD void ms_nn__say_shader(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p, const ms_nn_shader *s)
 {
     int k, end;
     size_t base = p->base, n[2];
-    int column = (int)s->language, plain = s->language == MS_NN_GLSL_ES_300 ? 0 : column;
-    ms_nn__say(t, ms_nn__shader_head[column], NULL);
-    if (p->planes) ms_nn__say(t, ms_nn__shader_constants[column], NULL);
-    ms_nn__say(t, ms_nn__shader_read[plain], NULL);
-    ms_nn__say(t, ms_nn__shader_main[plain], NULL);
+    ms_nn__say(t, ms_nn__shader_names[s->language][0], NULL);
+    if (p->planes) ms_nn__say(t, ms_nn__shader_names[s->language][1], NULL);
+    ms_nn__say(t, ms_nn__shader_main[s->language < MS_NN_HLSL ? 0 : (int)s->language - 2], NULL);
     if (p->planes) {
         ms_nn__say_pixel(t, nn, p, s);
         return;
@@ -5654,6 +5644,7 @@ static int ms_nn__row_tiles(void)
 #undef MS_NN__APART
 #undef MS_NN__COLD
 #undef MS_NN__WIDE
+#undef MS_NN__COLS
 #undef MS_NN__FN
 #undef MS_NN__JOIN
 #undef MS_NN__JOIN2
@@ -6392,9 +6383,16 @@ MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float
     for (b = 0; k < n && b < batch; ++b) MS_NN__FN(axpy_rest)(w, dtype, g[b], out + (size_t)b * stride, k, n);
 }
 
+/* Where narrow weights are slow to widen, those of a batch are, once for all of it; elsewhere they are in registers, a form a type. */
+#if MS_NN__ISA == 1 || (MS_NN__ISA == 2 && defined(MS__X64))
+#define MS_NN__B_WIDEN 1
+#else
+#define MS_NN__B_WIDEN 0
+#endif
+
 MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const float (*g)[4], float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
-    if (batch == 3) MS_NN__FN(axpy_of)(w, g, out, stride, n, dtype, 3);
+    if (batch == 3 && (dtype == MS_NN_F32 || !MS_NN__B_WIDEN)) MS_NN__FN(axpy_of)(w, g, out, stride, n, dtype, 3);
     else MS_NN__FN(axpy_of)(w, g, out, stride, n, dtype, 1);
 }
 
@@ -6406,33 +6404,67 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, c
     else MS_NN__FN(axpy_typed)(w, g, out, stride, n, MS_NN_I8, batch);
 }
 
-/* Four rows times the samples [b0, b1). Rows behind the last are zeros, whose n is at most MS_NN__WIDE. */
+#if MS_NN__B_WIDEN || !defined(MS_NN_NO_COLLAPSE)
+/* n weights as floats. */
+MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
+{
+    size_t k = 0;
+    for (; k + MS_NN__V_LANES <= n; k += MS_NN__V_LANES) MS_NN__V_STORE(out + k, MS_NN__FN(weight)(p + k * ms_nn__bytes_of(dtype), dtype));
+    if (k < n) {
+        MS_NN__V_FLOATS u;
+        float last[MS_NN__V_LANES];
+        MS_NN__W_PART(u, p + k * ms_nn__bytes_of(dtype), dtype, n - k);
+        MS_NN__V_STORE(last, u);
+        memcpy(out + k, last, (n - k) * sizeof(float));
+    }
+}
+
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
+{
+    if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_F16);
+    else if (dtype == MS_NN_BF16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_BF16);
+    else MS_NN__FN(widen_typed)(p, n, out, MS_NN_I8);
+}
+#endif
+
+/* Four rows times the samples [b0, b1). Rows behind the last are zeros, whose n is at most MS_NN__WIDE. Of a batch n is at most
+   MS_NN__COLS. */
 MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, size_t row, size_t last, size_t at, size_t n, size_t b0, size_t b1, float *out)
 {
     const ms_nn__matrix *m = job->m;
     size_t cols = m->cols, b;
     float g[3][4], scale[4];
+#if MS_NN__B_WIDEN
+    float wide[4][MS_NN__COLS];
+#endif
     const unsigned char *w[4];
+    ms_nn_dtype dtype = MS_NN__B_WIDEN && b1 - b0 >= 3 ? MS_NN_F32 : m->dtype;
     int r, i, together;
     for (r = 0; r < 4; ++r) {
         int real = row + (size_t)r < last;
         w[r] = real ? m->w + ((row + (size_t)r) * cols + at) * ms_nn__bytes_of(m->dtype) : (const unsigned char *)ms_nn__zeros;
         scale[r] = real && m->dtype == MS_NN_I8 ? ms_nn__float_at(m->scale, row + (size_t)r) : 1.0f;
+#if MS_NN__B_WIDEN
+        if (real && dtype != m->dtype) {
+            MS_NN__FN(widen)(w[r], n, wide[r], m->dtype);
+            w[r] = (const unsigned char *)wide[r];
+        }
+#endif
     }
     for (b = b0; b < b1; b += (size_t)together) {
         together = b1 - b >= 3 ? 3 : 1;
         for (i = 0; i < together; ++i)
             for (r = 0; r < 4; ++r) g[i][r] = row + (size_t)r < last ? job->x[(b + (size_t)i) * m->rows + row + (size_t)r] * scale[r] : 0.0f;
-        MS_NN__FN(axpy)(w, (const float(*)[4])g, out + b * cols + at, cols, n, m->dtype, together);
+        MS_NN__FN(axpy)(w, (const float(*)[4])g, out + b * cols + at, cols, n, dtype, together);
     }
 }
 
-/* For a batch 64 rows of 512 columns stay in the second cache, 12 samples' sums over them in the first. */
+/* For a batch 64 rows of MS_NN__COLS columns stay in the second cache, 12 samples' sums over them in the first. */
 MS_NN__KERNEL void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out)
 {
     size_t batch = (size_t)job->batch, row, b0, b1, from, to, first, last, at, n;
     for (from = col0; from < col1; from = to) {
-        to = batch > 1 ? ms_nn__min(from + 512, col1) : col1;
+        to = batch > 1 ? ms_nn__min(from + MS_NN__COLS, col1) : col1;
         for (first = row0; first < row1; first = last) {
             last = batch > 1 ? ms_nn__min(first + 64, row1) : row1;
             for (b0 = 0; b0 < batch; b0 = b1) {
@@ -6867,27 +6899,6 @@ MS_NN__KERNEL void MS_NN__FN(rotate)(double *a, double *b, size_t n, double c, d
     }
 }
 
-/* n weights as floats. */
-MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
-{
-    size_t k = 0;
-    for (; k + MS_NN__V_LANES <= n; k += MS_NN__V_LANES) MS_NN__V_STORE(out + k, MS_NN__FN(weight)(p + k * ms_nn__bytes_of(dtype), dtype));
-    if (k < n) {
-        MS_NN__V_FLOATS u;
-        float last[MS_NN__V_LANES];
-        MS_NN__W_PART(u, p + k * ms_nn__bytes_of(dtype), dtype, n - k);
-        MS_NN__V_STORE(last, u);
-        memcpy(out + k, last, (n - k) * sizeof(float));
-    }
-}
-
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
-{
-    if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_F16);
-    else if (dtype == MS_NN_BF16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_BF16);
-    else MS_NN__FN(widen_typed)(p, n, out, MS_NN_I8);
-}
-
 /* One row of a matrix in double, times a factor and the scale of I8. */
 MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double factor, double *out)
 {
@@ -6948,6 +6959,7 @@ static const ms_nn__kernels MS_NN__FN(table) = {
 #undef MS_NN__B_SUM4
 #undef MS_NN__B_DOT
 #undef MS_NN__B_PART
+#undef MS_NN__B_WIDEN
 #undef MS_NN__B_ROWS
 #undef MS_NN__B_ASK
 #undef MS_NN__V_MAX_NAN

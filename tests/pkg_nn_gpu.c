@@ -180,6 +180,11 @@ static ms_nn *network(int i, unsigned char **file, int *width, int *height)
     return made(&r, file);
 }
 
+/* Sums of up to 72 products of values up to about 3 in another order, exp and tanh of a rasteriser: some 1e-6. Weights rounded to
+   11 bits: 2^-12 of each, a few times that after three layers. */
+#define TOLERANCE_F32 2e-5
+#define TOLERANCE_F16 (1.0 / 255)
+
 /* --- one gallery --- */
 
 enum { COUNT = 7, ACROSS = 3, TEXT = 30000 };
@@ -231,38 +236,69 @@ static GLuint program_of(ms_nn_language language, const float constants[4])
     return program;
 }
 
-static float at(const float *pixels, int width, int x, int y, int c) { return pixels[4 * (y * width + x) + c]; }
-
-/* What the last target must hold: the sheet or the values of ms_nn_forward's y [COUNT][outputs]. Largest difference. */
-static double difference(const ms_nn *nn, const ms_nn_shader *s, const ms_nn_shader_sizes *z, const float *y, const float *pixels, int width, int height, int flip)
+/* What the last target must hold, the sheet or the values of ms_nn_forward's y [COUNT][outputs]; NaN: anything. */
+static void expect(const ms_nn *nn, const ms_nn_shader *s, const ms_nn_shader_sizes *z, const float *y, int width, int height, int flip, float *out)
 {
     int outputs = (int)ms_nn_output_size(nn), row = outputs / z->rows, i, c, px, py;
-    double worst = 0;
-    if (s->width == 0) {
-        for (i = 0; i < COUNT * z->rows; ++i)
-            for (c = 0; c < row; ++c) {
-                double e = fabs((double)pixels[4 * z->target_width * i + c] - (double)y[i * row + c]);
-                worst = e <= worst ? worst : e;
-            }
-        return worst;
+    for (i = 0; s->width == 0 && i < 4 * width * height; ++i) {
+        c = i % (4 * width);
+        out[i] = c < row ? y[i / (4 * width) * row + c] : NAN;
     }
-    for (py = 0; py < height; ++py)
-        for (px = 0; px < width; ++px) {
-            int planes = outputs / (s->width * s->height), sy = flip ? height - 1 - py : py, picture = sy / s->height * ACROSS + px / s->width;
-            for (c = 0; c < 4; ++c) {
-                double want = planes == 2 && c == 2 ? 0 : 1, e;
-                if (picture >= COUNT) want = 0;
-                else if (c < planes || (planes == 1 && c < 3))
-                    want = (double)y[picture * outputs + ((planes == 1 ? 0 : c) * s->height + sy % s->height) * s->width + px % s->width];
-                e = fabs((double)at(pixels, width, px, py, c) - want);
-                worst = e <= worst ? worst : e;
-            }
-        }
+    for (i = 0; s->width && i < 4 * width * height; ++i) {
+        int planes = outputs / (s->width * s->height), picture;
+        c = i % 4;
+        px = i / 4 % width;
+        py = i / 4 / width;
+        if (flip) py = height - 1 - py;
+        picture = py / s->height * ACROSS + px / s->width;
+        if (px >= ACROSS * s->width || picture >= COUNT) out[i] = 0;
+        else if (c < planes || (planes == 1 && c < 3)) out[i] = y[picture * outputs + ((planes == 1 ? 0 : c) * s->height + py % s->height) * s->width + px % s->width];
+        else out[i] = planes == 2 && c == 2 ? 0.0f : 1.0f;
+    }
+}
+
+static double difference(const float *pixels, const float *expected, int count)
+{
+    double worst = 0;
+    int i;
+    for (i = 0; i < count; ++i) {
+        double e = expected[i] != expected[i] ? 0 : fabs((double)pixels[i] - (double)expected[i]);
+        worst = e <= worst ? worst : e;
+    }
     return worst;
 }
 
-/* A gallery through all its steps. */
-static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtype type, int flip)
+/* --- the same for a browser: a page of cases, run by tests/nn_gpu.js --- */
+
+static void put_base64(FILE *f, const char *name, const float *values, size_t count)
+{
+    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const unsigned char *b = (const unsigned char *)values;
+    size_t i, n = count * sizeof *values;
+    fprintf(f, "%s: '", name);
+    for (i = 0; i < n; i += 3) {
+        const unsigned long v = (unsigned long)b[i] << 16 | (unsigned long)(i + 1 < n ? b[i + 1] : 0) << 8 | (i + 2 < n ? b[i + 2] : 0);
+        fputc(digit[v >> 18], f);
+        fputc(digit[v >> 12 & 63], f);
+        fputc(i + 1 < n ? digit[v >> 6 & 63] : '=', f);
+        fputc(i + 2 < n ? digit[v & 63] : '=', f);
+    }
+    fputs("', ", f);
+}
+
+static void put_step(FILE *f, const float constants[4], int width, int height)
+{
+    const char *c;
+    fprintf(f, "{width: %d, height: %d, constants: [%g, %g, %g, 0], text: '", width, height, (double)constants[0], (double)constants[1], (double)constants[2]);
+    for (c = text; *c; ++c) {
+        if (*c == '\n') fputs("\\n", f);
+        else fputc(*c, f);
+    }
+    fputs("'},\n", f);
+}
+
+/* A gallery through all its steps: the largest difference; or into a page. */
+static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtype type, int flip, FILE *page)
 {
     unsigned char *file;
     int width, height, k, i, sheet_w = 0, sheet_h = 0;
@@ -271,9 +307,9 @@ static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtyp
     ms_nn_shader_sizes z;
     ms_error error;
     GLuint texture[10], textures = 0;
-    float *x, *y, *inputs, *pixels;
+    float *x, *y, *inputs, *pixels, *expected;
     void *weights;
-    double e;
+    double e = 0;
     uint64_t seed = test_seed;
     if (!nn) return 1e9;
     memset(&s, 0, sizeof s);
@@ -290,10 +326,17 @@ static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtyp
     CHECK(ms_nn_forward(nn, COUNT, x, y, NULL) == MS_OK);
     CHECK(ms_nn_shader_inputs(nn, COUNT, x, inputs) == MS_OK);
     CHECK(ms_nn_shader_weights(nn, type, weights, &error) == MS_OK);
-    texture[textures++] = gl_texture(0, GL_RGBA32F, 1, 1, NULL);
-    gl_TexImage2D(GL_TEXTURE_2D, 0, type == MS_NN_F16 ? GL_RGBA16F : GL_RGBA32F, MS_NN_SHADER_WIDTH, z.weight_rows, 0, GL_RGBA,
-                  type == MS_NN_F16 ? GL_HALF_FLOAT : GL_FLOAT, weights);
-    texture[textures++] = gl_texture(1, GL_RGBA32F, z.input_width, COUNT * z.rows, inputs);
+    if (page) {
+        fprintf(page, "{api: '%s', tolerance: %g, rows: %d, inputs: [%d, %d], ", language == MS_NN_WGSL ? "webgpu" : "webgl", TOLERANCE_F32, z.weight_rows, z.input_width, COUNT * z.rows);
+        put_base64(page, "weights", (const float *)weights, (size_t)z.weight_rows * MS_NN_SHADER_WIDTH * 4);
+        put_base64(page, "values", inputs, (size_t)(4 * COUNT * z.rows * z.input_width));
+        fputs("steps: [", page);
+    } else {
+        texture[textures++] = gl_texture(0, GL_RGBA32F, 1, 1, NULL);
+        gl_TexImage2D(GL_TEXTURE_2D, 0, type == MS_NN_F16 ? GL_RGBA16F : GL_RGBA32F, MS_NN_SHADER_WIDTH, z.weight_rows, 0, GL_RGBA,
+                      type == MS_NN_F16 ? GL_HALF_FLOAT : GL_FLOAT, weights);
+        texture[textures++] = gl_texture(1, GL_RGBA32F, z.input_width, COUNT * z.rows, inputs);
+    }
     for (k = 0; k < z.steps; ++k) {
         float constants[4] = {ACROSS, COUNT, 0, 0};
         GLuint program;
@@ -307,6 +350,10 @@ static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtyp
             sheet_h = ((COUNT + ACROSS - 1) / ACROSS + 1) * height - 1;
             constants[2] = (float)(flip ? sheet_h : 0);
         }
+        if (page) {
+            put_step(page, constants, sheet_w, sheet_h);
+            continue;
+        }
         program = program_of(language, constants);
         texture[textures] = gl_texture(2, GL_RGBA32F, sheet_w, sheet_h, NULL);
         gl_ActiveTexture(GL_TEXTURE0);
@@ -317,15 +364,18 @@ static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtyp
         gl_DeleteProgram(program);
     }
     pixels = (float *)malloc((size_t)(sheet_w * sheet_h) * 16);
-    gl_ReadPixels(0, 0, sheet_w, sheet_h, GL_RGBA, GL_FLOAT, pixels);
-    /* the columns beyond ACROSS are 0 as well */
-    for (i = 0; width && i < sheet_h; ++i) CHECK(at(pixels, sheet_w, sheet_w - 1, i, 1) == 0);
-    if (width) {
-        for (i = 0; i < sheet_h; ++i) memmove(pixels + 4 * i * ACROSS * width, pixels + 4 * i * sheet_w, (size_t)(ACROSS * width) * 16);
-        sheet_w = ACROSS * width;
+    expected = (float *)malloc((size_t)(sheet_w * sheet_h) * 16);
+    expect(nn, &s, &z, y, sheet_w, sheet_h, flip, expected);
+    if (page) {
+        fputs("], ", page);
+        put_base64(page, "expected", expected, (size_t)(4 * sheet_w * sheet_h));
+        fputs("},\n", page);
+    } else {
+        gl_ReadPixels(0, 0, sheet_w, sheet_h, GL_RGBA, GL_FLOAT, pixels);
+        e = difference(pixels, expected, 4 * sheet_w * sheet_h);
+        gl_DeleteTextures((GLsizei)textures, texture);
     }
-    e = difference(nn, &s, &z, y, pixels, sheet_w, sheet_h, flip);
-    gl_DeleteTextures((GLsizei)textures, texture);
+    free(expected);
     free(pixels);
     free(x);
     free(y);
@@ -335,11 +385,6 @@ static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtyp
     free(file);
     return e;
 }
-
-/* Sums of up to 72 products of values up to about 3 in another order, exp and tanh of a rasteriser: some 1e-6. Weights rounded to
-   11 bits: 2^-12 of each, a few times that after three layers. */
-#define TOLERANCE_F32 2e-5
-#define TOLERANCE_F16 (1.0 / 255)
 
 static int layers_of(int number)
 {
@@ -361,7 +406,7 @@ static void run_all(gl_api api, ms_nn_language language, int each)
                 if (i == 11 && steps > 1) continue; /* its skips cross steps, see the refusals; alone it is one step */
                 if (steps == 0 && i == 11) continue;
                 if (steps == 1 && layers_of(i) > 1 && i != 11 && i != 13) continue; /* pictures need two */
-                e = gallery(i, steps, language, half ? MS_NN_F16 : MS_NN_F32, (i + steps) % 2);
+                e = gallery(i, steps, language, half ? MS_NN_F16 : MS_NN_F32, (i + steps) % 2, NULL);
                 if (!(e <= (half ? TOLERANCE_F16 : TOLERANCE_F32))) TEST_FAIL("network %d, %d steps, %s: %g", i, steps, half ? "F16" : "F32", e);
                 if (e > worst[half]) worst[half] = e;
             }
@@ -369,9 +414,147 @@ static void run_all(gl_api api, ms_nn_language language, int each)
 }
 
 static void case_desktop(void) { run_all(GL_API_33, MS_NN_GLSL_330, 1); }
-static void case_es(void) { run_all(GL_API_ES_30, MS_NN_GLSL_ES_300, 1); }
+static void case_es(void) { run_all(GL_API_ES_30, MS_NN_GLSL_ES_300, test_full ? 1 : 3); }
 static void case_vulkan(void) { run_all(GL_API_33, MS_NN_GLSL_VULKAN, test_full ? 1 : 3); }
 static void case_hlsl(void) { run_all(GL_API_33, MS_NN_HLSL, test_full ? 1 : 3); }
 
-static const test_case cases[] = {{"OpenGL 3.3", case_desktop}, {"OpenGL ES 3.0", case_es}, {"Vulkan's text", case_vulkan}, {"HLSL", case_hlsl}};
+/* What has no shader is refused by the name of the layer or field, and nothing is written. */
+static void refused(recipe *r, const ms_nn_shader *s, ms_status status, const char *name)
+{
+    unsigned char *file, before[16];
+    char small[8] = "before";
+    ms_nn *nn = made(r, &file);
+    ms_nn_shader_sizes z = {9, 9, 9, 9, 9};
+    ms_error error;
+    memset(&error, 0, sizeof error);
+    CHECK_INT(ms_nn_shader_text(nn, s, small, sizeof small, &error), 0);
+    CHECK_INT(error.status, status);
+    if (!strstr(error.message, name)) TEST_FAIL("'%s' does not name %s", error.message, name);
+    CHECK_INT(ms_nn_shader_layout(nn, s, &z, NULL), status);
+    CHECK(strcmp(small, "before") == 0 && z.steps == 9);
+    memset(before, 7, sizeof before);
+    if (status == MS_UNSUPPORTED && s->steps == 0) CHECK_INT(ms_nn_shader_weights(nn, MS_NN_F32, before, &error), status);
+    CHECK(before[0] == 7);
+    ms_nn_destroy(nn);
+    free(file);
+}
+
+static void case_refused(void)
+{
+    static const char *const alone[] = {"", "upsample1d", "avgpool1d", "globalpool"};
+    ms_nn_shader good, s;
+    ms_nn_shader_sizes z;
+    ms_error error;
+    unsigned char *file;
+    char small[100] = "before";
+    float x[7] = {0}, out[8];
+    uint16_t *half;
+    recipe r;
+    ms_nn *nn;
+    int i, w, h;
+    memset(&good, 0, sizeof good);
+    for (i = 1; i < 4; ++i) {
+        char json[100];
+        begin(&r, "[2,8]");
+        snprintf(json, sizeof json, "{\"type\":\"%s\",\"name\":\"here\"}", alone[i]);
+        layer(&r, json);
+        layer(&r, "{\"type\":\"flatten\",\"order\":\"channels_last\"}");
+        dense(&r, "d", 4, i == 1 ? 32 : i == 2 ? 8 : 2, MS_NN_F16, "");
+        refused(&r, &good, MS_UNSUPPORTED, alone[i]);
+    }
+    begin(&r, "[4]");
+    dense(&r, "a", 3, 4, MS_NN_F32, "");
+    layer(&r, "{\"type\":\"concat\",\"from\":\"input\"}");
+    refused(&r, &good, MS_UNSUPPORTED, "concat");
+    begin(&r, "[4]");
+    layer(&r, "{\"type\":\"activation\",\"activation\":\"tanh\"}");
+    dense(&r, "a", 3, 4, MS_NN_F32, "");
+    refused(&r, &good, MS_UNSUPPORTED, "activation");
+    begin(&r, "[4]"); /* the input is added in the second step */
+    dense(&r, "a", 5, 4, MS_NN_F32, "");
+    dense(&r, "b", 4, 5, MS_NN_F32, "");
+    layer(&r, "{\"type\":\"add\",\"from\":\"input\"}");
+    s = good, s.step = 1, s.steps = 2;
+    refused(&r, &s, MS_UNSUPPORTED, "layer 2 adds");
+    begin(&r, "[4]"); /* an addition of pixels */
+    dense(&r, "a", 4, 4, MS_NN_F32, "");
+    dense(&r, "b", 4, 4, MS_NN_F32, "");
+    layer(&r, "{\"type\":\"add\",\"from\":\"a\"}");
+    s = good, s.step = 1, s.steps = 2, s.width = s.height = 2;
+    refused(&r, &s, MS_UNSUPPORTED, "pictures have none");
+    for (i = 0; i < 7; ++i) {
+        begin(&r, "[4]");
+        dense(&r, "a", 4, 4, MS_NN_F32, "");
+        dense(&r, "b", 20, 4, MS_NN_F32, "");
+        s = good, s.step = 1;
+        if (i == 0) s.steps = 3;
+        else if (i == 1) s.step = 2;
+        else if (i == 2) s.step = -1;
+        else if (i == 3) s.language = (ms_nn_language)5;
+        else if (i == 4) s.width = 3, s.height = 2;
+        else if (i == 5) s.width = 2, s.height = 2; /* five planes */
+        else s.width = 20;
+        refused(&r, &s, MS_INVALID_ARGUMENT, i == 0 ? "of 3" : i == 1 ? "step 2" : i == 2 ? "step -1" : i == 3 ? "language 5" : i == 4 ? "3 x 2" : i == 5 ? "2 x 2" : "20 x 0");
+    }
+    begin(&r, "[4]");
+    dense(&r, "a", 4, 4, MS_NN_F32, "");
+    {
+        float large = -70000;
+        memcpy(r.room + 20, &large, 4);
+    }
+    nn = made(&r, &file);
+    half = (uint16_t *)calloc((size_t)MS_NN_SHADER_WIDTH * 4, 2);
+    half[0] = 7;
+    CHECK_INT(ms_nn_shader_weights(nn, MS_NN_F16, half, &error), MS_UNSUPPORTED);
+    CHECK(strstr(error.message, "'a'") != NULL && half[0] == 7);
+    CHECK_INT(ms_nn_shader_weights(nn, MS_NN_BF16, half, &error), MS_INVALID_ARGUMENT);
+    free(half);
+    ms_nn_destroy(nn);
+    free(file);
+    nn = network(0, &file, &w, &h);
+    CHECK(ms_nn_shader_text(nn, &good, small, sizeof small, NULL) > 1000); /* it does not fit: the length alone */
+    CHECK(strcmp(small, "before") == 0);
+    CHECK_INT(ms_nn_shader_text(nn, &good, NULL, 0, NULL), ms_nn_shader_text(nn, &good, text, sizeof text, NULL));
+    CHECK_INT(strlen(text), ms_nn_shader_text(nn, &good, NULL, 0, NULL));
+    CHECK_INT(ms_nn_shader_text(NULL, &good, NULL, 0, &error), 0);
+    CHECK_INT(ms_nn_shader_text(nn, NULL, NULL, 0, &error), 0);
+    CHECK_INT(ms_nn_shader_layout(nn, &good, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_shader_layout(nn, &good, &z, &error), MS_OK);
+    CHECK_INT(ms_nn_shader_inputs(nn, 0, x, out), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_shader_inputs(nn, 1, x, out), MS_OK);
+    ms_nn_destroy(nn);
+    free(file);
+}
+
+/* Networks of every kind in WebGL 2 and WebGPU. */
+static void case_browser(void)
+{
+    static const int picks[] = {0, 1, 5, 6, 7, 8, 9, 10, 11, 12};
+    char *script = test_read_file("tests/nn_gpu.js", NULL), *log, *found;
+    FILE *f;
+    int i, language;
+    if (system("chromium --version >build/nn_chromium.txt 2>&1") != 0) SKIP("no chromium on this machine");
+    f = fopen("build/nn_gpu.html", "w");
+    if (!f || !script) SKIP("cannot write build/nn_gpu.html or read tests/nn_gpu.js");
+    fputs("<!doctype html><meta charset=utf-8><body><script>const cases = [\n", f);
+    for (language = (int)MS_NN_GLSL_ES_300; language <= (int)MS_NN_WGSL; language += (int)MS_NN_WGSL - (int)MS_NN_GLSL_ES_300)
+        for (i = 0; i < (int)(sizeof picks / sizeof picks[0]); ++i)
+            gallery(picks[i], picks[i] == 11 ? 1 : i % 2 ? layers_of(picks[i]) : 0, (ms_nn_language)language, MS_NN_F32, i / 2 % 2, f);
+    fprintf(f, "];\n%s</script>", script);
+    fclose(f);
+    free(script);
+    /* until the page has logged its result */
+    i = system("cd build && { timeout 100 chromium --headless=new --no-sandbox --user-data-dir=nn_chromium "
+               "--enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --use-angle=swiftshader --enable-unsafe-swiftshader "
+               "--enable-logging=stderr \"file://$PWD/nn_gpu.html\" >nn_chromium.txt 2>&1 & i=0; "
+               "while [ $i -lt 400 ] && ! grep -q 'nn worst.*nn' nn_chromium.txt; do sleep 0.25; i=$((i + 1)); done; kill $!; wait; }");
+    log = test_read_file("build/nn_chromium.txt", NULL);
+    found = log ? strstr(log, "nn worst ") : NULL;
+    if (!found) TEST_FAIL("chromium gave no result: build/nn_chromium.txt");
+    else if (strstr(log, "off by") || strstr(log, "error: ")) TEST_FAIL("%.900s", strstr(log, "CONSOLE"));
+    else TEST_NOTE("largest difference %.*s", (int)(strstr(found + 9, " nn") - found - 9), found + 9);
+    free(log);
+}
+
+static const test_case cases[] = {{"refused", case_refused}, {"browser", case_browser}, {"OpenGL 3.3", case_desktop}, {"OpenGL ES 3.0", case_es}, {"Vulkan's text", case_vulkan}, {"HLSL", case_hlsl}};
 TEST_MAIN(cases)
