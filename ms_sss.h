@@ -615,8 +615,8 @@ typedef struct ms_sss_filter_options {
 
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
-/* Bytes that ms_sss_filter needs for frames of this size: about 45 a pixel (flat 1: 25; half resolution: 25), 12 more with kernels
-   of several terms, flat 1 with rotation or jitter; with pyramids at least 52. Depends on width, height, kernels and options only;
+/* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation or jitter: 31),
+   12 more with kernels of several terms; with pyramids at least 52. Depends on width, height, kernels and options only;
    SIZE_MAX: more than this machine can address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                           const ms_sss_filter_options *options);
@@ -3551,18 +3551,17 @@ enum {
     MS_SSS__LEFT = 16,  /* floats before a row's first pixel: one vector of any level */
     MS_SSS__RIGHT = 32, /* floats behind a row's last block */
     MS_SSS__BLOCK = 32, /* columns that are left out together where none takes part */
-    MS_SSS__TILE = 512, /* columns of a tile: of one, the rows that taps along y read stay in the L2 cache */
-    MS_SSS__SLAB = 128, /* rows that all steps finish before the next: what is between the steps stays in the cache */
     MS_SSS__TASKS = 16, /* bands of rows at most */
     MS_SSS__ROWS = 42,  /* row buffers of a task */
-    MS_SSS__PAIRS = 8,  /* of taps that a sweep takes */
-    MS_SSS__MARGIN = 144, /* rows and columns around the picture that its taps may reach, and a group */
+    MS_SSS__PAIRS = 16, /* of taps that are made as pairs */
+    MS_SSS__FAR = 120,  /* pixels that pairs may reach */
+    MS_SSS__MARGIN = 144, /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
     MS_SSS__STEP = 8,   /* rows that the second pass takes together */
-    MS_SSS__NONE = 0,   /* plans of a group: takes no part; kernels under half a pixel; lane by lane; */
-    MS_SSS__LEAVE = 1,
-    MS_SSS__ANY = 2,
-    MS_SSS__EVENLY = 3, /* the same two pixels beside each tap in all lanes; */
-    MS_SSS__ODDLY = 4,  /* the same three */
+    MS_SSS__LEAVE = 0,  /* plans of a group: no lane has a kernel; lane by lane; pairs, where some lanes have kernels; where all have */
+    MS_SSS__ANY = 1,
+    MS_SSS__SOME = 2,
+    MS_SSS__ALL = 3,
+    MS_SSS__BESIDE = 128, /* added to a pair's whole part: it or one more */
     MS_SSS__SIDE_MAX = 65536,
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
 };
@@ -3579,29 +3578,18 @@ typedef struct ms_sss__fixed {
     int mixed[3];
 } ms_sss__fixed;
 
-/* Taps of one pass at positions that each pixel's size and direction give. Depths are scaled so that a pixel dz away
-   counts 2^-dz^2, or 1 - |dz| with follow. Planes point at pixel (0, 0), except for axes 1: at pixel 0 of the row. */
+/* Taps of one pass at positions that each pixel's size gives. Depths are scaled so that a pixel dz away counts 2^-dz^2,
+   (1 - dz^2)^4, or 1 - |dz| with follow. */
 typedef struct ms_sss__pass {
     int tap_count;
     const float *offset_mm;
     const float (*weight)[3];
     float total[3];
     int mixed[3]; /* weights of both signs: what is missing goes to the pixel's own colour */
-    const float *colour[3], *depth;
-    ptrdiff_t stride;
-    int width, height;
-    const int *first, *last; /* columns of each row that hold pixels which take part */
     float size, size_max, size_min, aspect[2]; /* pixels a mm: size, or min(size / depth, size_max); at most size_min: off */
-    int perspective, follow, second;
+    int perspective, follow, exact; /* exact: the Gaussian of dz^2 */
     float cut; /* dz^2 from which on nothing counts */
-    const float (*direction)[2];
-    int exact; /* the Gaussian of dz^2; 0: (1 - dz^2)^4 */
     /* With slopes: depths are taken against the tangent plane, and light from below it counts more. */
-    const float *slope[2]; /* planes as colour's */
-    const float *own[3];   /* of the row at hand: pixels a mm of the tangent plane, depth that it gains a pixel (relative in perspective), cosine of the normal to the ray */
-    /* In the sweep: row[i], groups of the row i below; group, where the group lies in its row; first_pixel: where planes point. */
-    const float *const *row, *first_pixel;
-    ptrdiff_t group;
     float focal[2];     /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the farther pixel */
     float reach;        /* dz^2 of the kernel's radius: between neighbours a step in depth beyond is an edge */
     float upright;      /* 1 - flat */
@@ -3612,19 +3600,36 @@ typedef struct ms_sss__pass {
     float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
 } ms_sss__pass;
 
-/* Kernels of equal pairs in one sweep: the second pass follows the first in slabs of rows, which lie in a ring, in groups of
-   one vector each of red, green, blue and depth. Numbers that all lanes share stand 16 times. */
+/* Both passes of a kernel: the second follows the first in slabs of rows, which lie in a ring, in groups of one vector each of
+   red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share stand 16 times. */
 typedef struct ms_sss__sweep {
     struct ms_sss__job *job;
-    int pairs, shaped, reach, bands, band, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
+    int pairs;         /* of taps that weigh the same; 0: any taps */
+    int shaped, reach, bands, band, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
     float offset[2][MS_SSS__PAIRS][16]; /* mm; of the axes in their own pixels */
     float nearness[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* 1 / offset; centre, pairs */
-    float *ring, *own, *window;
+    float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
+    int rows;          /* of a window: 5 with slopes, else 1 */
+    ptrdiff_t plan_row, window_row, window_size;
     unsigned char *plan;
-    ptrdiff_t plan_row, window_stride;
-    int *slot;         /* of each row in the ring; 0: nothing takes part */
-    const float **row; /* the same as pointers, from MARGIN rows above the picture on */
+    int *slot, *held;  /* of each row in the ring, 0: nothing takes part; of each slot the columns that hold something */
+    ptrdiff_t *row, *column; /* the same in floats, from MARGIN rows above the picture on; 0 1 2 ..., from -MARGIN on */
 } ms_sss__sweep;
+
+/* A row that a pass makes. What lies i steps along the axis from a group is at from + group + step[i]: red, and `plane` floats on
+   green, blue and depth. */
+typedef struct ms_sss__line {
+    const float *from;
+    const ptrdiff_t *step;
+    ptrdiff_t group, plane;    /* floats from a group to the next, from red to green */
+    const float *own[3];       /* with slopes: pixels a mm of the tangent plane, depth that it gains a pixel (relative in perspective), cosine of the normal to the ray */
+    const unsigned char *plan;
+    int axis, at, count;       /* 0: x, count columns; 1: y, row at of count */
+    int first, last;           /* columns to make */
+    float *to[3];
+    ptrdiff_t to_group;
+    int stream;
+} ms_sss__line;
 
 /* A row of a pyramid level, even and odd columns apart: colour, d, share, changes of d. */
 typedef struct ms_sss__split {
@@ -3670,20 +3675,12 @@ typedef struct ms_sss__kernels {
     void (*convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
                            const float *const *depth, const int *tap, int taps, int count, const float *own_depth,
                            float *const out[3]);
-    void (*taps_x)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
-    void (*taps_y)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
-    void (*taps_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
-    void (*shaped_x)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
-    void (*shaped_y)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
-    void (*shaped_turned)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3]);
     void (*shape)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y, int begin, int end,
                   float *const slope[2]);
     void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, int axis, float *const out[3]);
-    void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, float *depth, const float *size, int count, unsigned char *plan);
-    /* [with slopes][of three pairs], as functions of their own: together they would take four times the stack */
-    void (*sweep_row[2][2])(const ms_sss__sweep *s, const ms_sss__pass *p, const float *window, ptrdiff_t plane, const float *const own[3],
-                      const unsigned char *plan, int y, int count, float *to);
-    void (*sweep_slab[2][2])(const ms_sss__sweep *s, const ms_sss__pass *p, int begin, int end, int count, float *const (*to)[3], const int *stream);
+    void (*limit)(float *depth, int count);
+    void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size, int first, int last, unsigned char *plan);
+    void (*sweep[2])(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first, int last); /* [with slopes] */
     float (*least)(const float *depth, int count);
     int lanes;
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
@@ -3704,21 +3701,6 @@ typedef struct ms_sss__kernels {
 } ms_sss__kernels;
 
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
-
-/* Where lanes from pixel x on are read: outside the row they find pixels that take no part. */
-static MS_SSS__INLINE ptrdiff_t ms_sss__column(const ms_sss__pass *p, int x)
-{
-    return ms_sss__clamp(x, -MS_SSS__LEFT, p->width);
-}
-
-/* Column x of the row i below y; of the empty row above the first where there is none or nothing near x takes part. */
-static MS_SSS__INLINE ptrdiff_t ms_sss__row(const ms_sss__pass *p, int y, int i, int x)
-{
-    if (p->row) return p->row[i] + p->group - p->first_pixel;
-    y += i;
-    if (y < 0 || y >= p->height || x < p->first[y] || x >= p->last[y]) return x - p->stride;
-    return (ptrdiff_t)y * p->stride + x;
-}
 
 /* Which of 64 directions a pixel has: the R2 sequence (Roberts 2018) in 16-bit fixed point, the same on any machine. */
 static MS_SSS__INLINE int ms_sss__turn(int x, int y)
@@ -3980,31 +3962,28 @@ typedef struct ms_sss__job {
     float coarse;
     int rough;            /* its depth is binary16 */
     int begin, end, band; /* rows of the run at hand, rows a task */
-    int ring;             /* rows of the planes between the passes; row y lies at y % ring */
     int fixed, turned, shaped, idle; /* idle: a kernel under half a pixel */
-    int whole_first;      /* turned or shaped: all rows are prepared before the passes */
+    int whole_first;      /* rows are prepared for the whole picture: with 0 where nothing takes part */
     ptrdiff_t stride;
     float depth_scale, gain;
     int unwritten;        /* pixels that take no part still have to be copied to the output */
     int raw;              /* and their elements can be copied as they are */
-    float *middle[3], *source[3], *depth, *sum[3], *slope[2], *rows;
+    float *middle[3], *source[3], *depth, *sum[3], *rows;
     float *fresh; /* a row of depths where all pixels take part */
     int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
     int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
     int *whole;                    /* no strength of a pixel that takes part is under 1 */
     int direct;                    /* the second pass writes straight to the output where all pixels take part */
-    ms_sss__fixed *taps;           /* if fixed: two, where a sweep has its workspace */
+    ms_sss__fixed *taps;           /* two */
     ms_sss__pass pass;
     float direction[64][2];
     float *planes;        /* the first */
-    int plane_count, stale; /* stale: the empty rows around the planes were written over */
+    int plane_count;
     float nearest, least[MS_SSS__TASKS]; /* the picture's least depth, 0: not known; of each task's rows */
-    unsigned char *sweep; /* workspace of a sweep */
+    float *window;        /* of a sweep, and behind it what else it keeps */
 } ms_sss__job;
 
 static int ms_sss__round_up(int x, int step) { return (x + step - 1) / step * step; }
-
-static ptrdiff_t ms_sss__ring(const ms_sss__job *job, int y) { return (ptrdiff_t)(y % job->ring) * job->stride; }
 
 static float *ms_sss__buffer(const ms_sss__job *job, int task, int row)
 {
@@ -4086,6 +4065,18 @@ static void ms_sss__find_solid(const ms_sss__job *job, int y, const float *depth
     if (job->solid_last[y] == job->frame.width) job->solid_last[y] = job->padded;
 }
 
+/* Copies what takes no part in row y. depth: from its first column that holds anything on. */
+static void ms_sss__copy_row(const ms_sss__job *job, int y, const float *depth)
+{
+    const int width = job->frame.width, first = job->first[y], last = job->last[y], solid = job->solid_first[y] < job->solid_last[y];
+    const int inside = last < width ? last : width;
+    if (job->term > 0) return;
+    ms_sss__copy(job, y, 0, first, NULL);
+    ms_sss__copy(job, y, first, solid ? job->solid_first[y] : inside, depth);
+    if (solid) ms_sss__copy(job, y, job->solid_last[y], inside, depth);
+    ms_sss__copy(job, y, last, width, NULL);
+}
+
 static void ms_sss__clear(const ms_sss__job *job, float *row, float value)
 {
     int x;
@@ -4163,100 +4154,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
             ms_sss__find_solid(job, y, depth);
         }
     }
-    if (job->term == 0) {
-        const int solid = job->solid_first[y] < job->solid_last[y];
-        const int inside = last < width ? last : width;
-        ms_sss__copy(job, y, 0, first, NULL);
-        ms_sss__copy(job, y, first, solid ? job->solid_first[y] : inside, depth);
-        if (solid) ms_sss__copy(job, y, job->solid_last[y], inside, depth);
-        ms_sss__copy(job, y, last, width, NULL);
-    }
-}
-
-/* Fixed taps along x for columns [begin, end) of a prepared row; a border's columns 16 at a time. */
-static void ms_sss__fixed_x(const ms_sss__job *job, const float *const in[3], const float *depth, int begin, int end,
-                            float *const out[3])
-{
-    const ms_sss__fixed *f = &job->taps[0];
-    ptrdiff_t at[MS_SSS__FIXED_MAX];
-    const float *from[MS_SSS__FIXED_MAX], *own[3];
-    float *to[3];
-    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
-    for (j = 0; j < f->count; ++j) {
-        if (end + f->offset[j] <= 0 || begin + f->offset[j] >= job->frame.width) continue;
-        at[taps] = f->offset[j];
-        from[taps] = depth + begin + f->offset[j];
-        tap[taps++] = j;
-    }
-    for (c = 0; c < 3; ++c) {
-        own[c] = in[c] + begin;
-        to[c] = out[c] + begin;
-    }
-    job->simd->convolve_valid(f, own, at, from, tap, taps, end - begin, depth + begin, to);
-}
-
-/* What a pass along an axis needs of the surface in columns [first, last) of row y. */
-static void ms_sss__own(const ms_sss__job *job, ms_sss__pass *pass, int axis, int y, int first, int last, int task)
-{
-    const ptrdiff_t row = (ptrdiff_t)y * job->stride;
-    const float *slope[2];
-    float *own[3];
-    int i;
-    for (i = 0; i < 2; ++i) slope[i] = job->slope[i] + row;
-    for (i = 0; i < 3; ++i) pass->own[i] = own[i] = ms_sss__buffer(job, task, 17 + i);
-    job->simd->tangents(pass, job->depth + row, slope, y, first, last, axis, own);
-}
-
-/* First pass: band of rows `task` into the middle planes. */
-static void ms_sss__first_pass(void *context, int task)
-{
-    const ms_sss__job *job = (const ms_sss__job *)context;
-    const ms_sss__fixed *f = &job->taps[0];
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    float *colour[3], *depth = ms_sss__buffer(job, task, 3), *out[3];
-    const float *in[3];
-    ms_sss__pass pass = job->pass;
-    int y, x, c, j;
-    for (c = 0; c < 3; ++c) {
-        in[c] = colour[c] = ms_sss__buffer(job, task, c);
-        pass.colour[c] = job->whole_first ? job->source[c] : colour[c];
-    }
-    pass.depth = job->whole_first ? job->depth : depth;
-    for (c = 0; c < 3 && !job->whole_first; ++c) ms_sss__clear(job, colour[c], 0.0f);
-    for (y = begin; y < end; ++y) {
-        const ptrdiff_t row = ms_sss__ring(job, y);
-        int first, last, a, b; /* [a, b): all taps are inside and take part */
-        if (!job->whole_first) ms_sss__prepare(job, y, task, colour, depth);
-        first = job->first[y];
-        last = job->last[y];
-        if (first == last) continue;
-        for (c = 0; c < 3; ++c) out[c] = job->middle[c] + row;
-        if (!job->whole_first && !(job->fixed && ms_sss__solid(job, y, first, last)))
-            memcpy(job->depth + row + first, depth + first, (size_t)(last - first) * sizeof(float));
-        if (!job->fixed) {
-            for (c = 0; c < 3; ++c) out[c] += first;
-            if (job->turned) (job->shaped ? job->simd->shaped_turned : job->simd->taps_turned)(&pass, y, first, last, out);
-            else if (!job->shaped) job->simd->taps_x(&pass, y, first, last, out);
-            else {
-                for (c = 0; c < 3; ++c) pass.colour[c] = job->source[c] + row;
-                pass.depth = job->depth + row;
-                ms_sss__own(job, &pass, 0, y, first, last, task);
-                job->simd->shaped_x(&pass, y, first, last, out);
-            }
-            continue;
-        }
-        a = ms_sss__round_up(job->solid_first[y] - f->lowest, 16);
-        b = ((job->solid_last[y] < job->frame.width ? job->solid_last[y] : job->frame.width) - f->highest) / 16 * 16;
-        if (a >= b) a = b = last;
-        for (x = first; x < a; x += 16) ms_sss__fixed_x(job, in, depth, x, x + 16, out);
-        if (a < b) {
-            ptrdiff_t at[MS_SSS__FIXED_MAX];
-            for (j = 0; j < f->count; ++j) at[j] = f->offset[j];
-            for (c = 0; c < 3; ++c) job->simd->convolve(in[c] + a, at, f->weight[c], f->count, b - a, out[c] + a);
-        }
-        for (x = b; x < last; x += 16) ms_sss__fixed_x(job, in, depth, x, x + 16, out);
-    }
+    ms_sss__copy_row(job, y, depth);
 }
 
 /* What is left to do for columns [x, x + count) of row y once blur holds the filtered light: fades it to own (NULL: there is
@@ -4334,110 +4232,6 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
     ms_sss__compose(job, task, y, x, count, blur, need_own ? in : NULL, depth);
 }
 
-/* Fixed taps along y for columns [x, x + count) of row y, of which not all taps need to be inside or take part. */
-static void ms_sss__fixed_y(const ms_sss__job *job, int y, int x, int count, float *const out[3])
-{
-    const ms_sss__fixed *f = &job->taps[1];
-    const ptrdiff_t own_row = ms_sss__ring(job, y);
-    ptrdiff_t at[MS_SSS__FIXED_MAX];
-    const float *from[MS_SSS__FIXED_MAX], *own[3], *own_depth = job->depth + own_row + x;
-    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
-    if (ms_sss__solid(job, y, x, x + count)) own_depth = job->fresh;
-    for (j = 0; j < f->count; ++j) {
-        const int row = y + f->offset[j];
-        if (row < 0 || row >= job->frame.height || x < job->first[row] || x >= job->last[row]) continue;
-        at[taps] = ms_sss__ring(job, row) - own_row;
-        from[taps] = ms_sss__solid(job, row, x, x + count) ? job->fresh : job->depth + ms_sss__ring(job, row) + x;
-        tap[taps++] = j;
-    }
-    for (c = 0; c < 3; ++c) own[c] = job->middle[c] + own_row + x;
-    job->simd->convolve_valid(f, own, at, from, tap, taps, count, own_depth, out);
-}
-
-/* Fixed taps along y for all columns of row y that hold anything: at once where every tap counts, else by blocks. */
-static void ms_sss__fixed_row(const ms_sss__job *job, int y, float *const out[3])
-{
-    const ms_sss__fixed *f = &job->taps[1];
-    const int first = job->first[y], last = job->last[y];
-    const ptrdiff_t own_row = ms_sss__ring(job, y);
-    ptrdiff_t at[MS_SSS__FIXED_MAX];
-    int a = first, b = last, j, c, x; /* [a, b): every tap counts */
-    if (y + f->lowest < 0 || y + f->highest >= job->frame.height) b = a;
-    for (j = 0; j < f->count && a < b; ++j) {
-        const int row = y + f->offset[j];
-        if (job->solid_first[row] > a) a = job->solid_first[row];
-        if (job->solid_last[row] < b) b = job->solid_last[row];
-        at[j] = ms_sss__ring(job, row) - own_row;
-    }
-    a = ms_sss__round_up(a, 16);
-    b -= b % 16;
-    if (a >= b) a = b = last;
-    for (x = first; x < last;) {
-        float *to[3];
-        int end = (x / job->block + 1) * job->block;
-        if (x == a) {
-            x = b;
-            continue;
-        }
-        if (x < a && end > a) end = a;
-        for (c = 0; c < 3; ++c) to[c] = out[c] + (x - first);
-        ms_sss__fixed_y(job, y, x, end - x, to);
-        x = end;
-    }
-    for (c = 0; c < 3 && a < b; ++c)
-        job->simd->convolve(job->middle[c] + own_row + a, at, f->weight[c], f->count, b - a, out[c] + (a - first));
-}
-
-/* Second pass: band of rows `task` from the middle planes to the output. */
-static void ms_sss__second_pass(void *context, int task)
-{
-    const ms_sss__job *job = (const ms_sss__job *)context;
-    const ms_sss_image *image = &job->frame.output;
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const int tile = job->fixed ? job->padded : MS_SSS__TILE;
-    ms_sss__pass pass = job->pass;
-    int x, y, c;
-    for (c = 0; c < 3; ++c) pass.colour[c] = job->middle[c];
-    pass.depth = job->depth;
-    pass.second = 1;
-    for (x = 0; x < job->padded; x += tile) {
-        for (y = begin; y < end; ++y) {
-            const int first = job->first[y] > x ? job->first[y] : x;
-            const int last = job->last[y] < x + tile ? job->last[y] : x + tile;
-            const int direct = job->direct && job->whole[y] && last <= job->frame.width && ms_sss__solid(job, y, first, last);
-            float *to[3];
-            if (first >= last) continue;
-            for (c = 0; c < 3; ++c)
-                to[c] = direct ? (float *)image->channel[c] + y * image->row_stride + first : ms_sss__buffer(job, task, c);
-            if (job->fixed) ms_sss__fixed_row(job, y, to);
-            else if (job->turned) (job->shaped ? job->simd->shaped_turned : job->simd->taps_turned)(&pass, y, first, last, to);
-            else {
-                if (job->shaped) ms_sss__own(job, &pass, 1, y, first, last, task);
-                (job->shaped ? job->simd->shaped_y : job->simd->taps_y)(&pass, y, first, last, to);
-            }
-            if (!direct) ms_sss__finish(job, task, y, first, last - first, to, job->depth + ms_sss__ring(job, y) + first, 0);
-        }
-    }
-}
-
-/* Turned axes and slopes need rows above and below in the first pass too: all rows are prepared before it. */
-static void ms_sss__prepare_band(void *context, int task)
-{
-    const ms_sss__job *job = (const ms_sss__job *)context;
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y, c;
-    for (y = begin; y < end; ++y) {
-        float *colour[3];
-        for (c = 0; c < 3; ++c) {
-            colour[c] = job->source[c] + (ptrdiff_t)y * job->stride;
-            ms_sss__clear(job, job->middle[c] + (ptrdiff_t)y * job->stride, 0.0f);
-        }
-        ms_sss__prepare(job, y, task, colour, job->depth + (ptrdiff_t)y * job->stride);
-    }
-}
-
 /* The least depth in a band of rows. */
 static void ms_sss__least_band(void *context, int task)
 {
@@ -4479,7 +4273,7 @@ static void ms_sss__find_nearest(ms_sss__job *job)
         if (job->least[i] < job->nearest) job->nearest = job->least[i];
 }
 
-/* --- the sweep --- */
+/* --- the passes: admit, first, second, compose --- */
 
 /* Rows of a band between which nothing has to stay for its neighbours lie in a ring of this many. */
 static int ms_sss__ring_rows(const ms_sss__sweep *s) { return 2 * s->reach + MS_SSS__STEP; }
@@ -4493,40 +4287,157 @@ static int ms_sss__slot(const ms_sss__sweep *s, int task, int y)
     return 1 + low + (y - low) % ms_sss__ring_rows(s);
 }
 
+/* Fixed taps along x for columns [begin, end) of a prepared row; a border's columns 16 at a time. */
+static void ms_sss__fixed_x(const ms_sss__job *job, float *const in[4], int begin, int end, float *const out[3])
+{
+    const ms_sss__fixed *f = &job->taps[0];
+    ptrdiff_t at[MS_SSS__FIXED_MAX];
+    const float *from[MS_SSS__FIXED_MAX], *own[3];
+    float *to[3];
+    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
+    for (j = 0; j < f->count; ++j) {
+        if (end + f->offset[j] <= 0 || begin + f->offset[j] >= job->frame.width) continue;
+        at[taps] = f->offset[j];
+        from[taps] = in[3] + begin + f->offset[j];
+        tap[taps++] = j;
+    }
+    for (c = 0; c < 3; ++c) {
+        own[c] = in[c] + begin;
+        to[c] = out[c] + begin;
+    }
+    job->simd->convolve_valid(f, own, at, from, tap, taps, end - begin, in[3] + begin, to);
+}
+
+/* The first pass of row y by fixed taps: at once where every tap counts. The ring's rows are planes. */
+static void ms_sss__fixed_first(const ms_sss__sweep *s, int y, float *const in[4])
+{
+    const ms_sss__job *job = s->job;
+    const ms_sss__fixed *f = &job->taps[0];
+    const int first = job->first[y], last = job->last[y];
+    float *out[4];
+    int x, c, j, a, b; /* [a, b): all taps are inside and take part */
+    for (c = 0; c < 4; ++c) out[c] = s->ring + s->row[y] + c * s->padded;
+    if (!ms_sss__solid(job, y, first, last)) memcpy(out[3] + first, in[3] + first, (size_t)(last - first) * sizeof(float));
+    a = ms_sss__round_up(job->solid_first[y] - f->lowest, 16);
+    b = ((job->solid_last[y] < job->frame.width ? job->solid_last[y] : job->frame.width) - f->highest) / 16 * 16;
+    if (a >= b) a = b = last;
+    for (x = first; x < a; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
+    if (a < b) {
+        ptrdiff_t at[MS_SSS__FIXED_MAX];
+        for (j = 0; j < f->count; ++j) at[j] = f->offset[j];
+        for (c = 0; c < 3; ++c) job->simd->convolve(in[c] + a, at, f->weight[c], f->count, b - a, out[c] + a);
+    }
+    for (x = b; x < last; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
+}
+
+/* Fixed taps along y for columns [x, x + count) of row y, of which not all taps need to be inside or take part. */
+static void ms_sss__fixed_y(const ms_sss__sweep *s, int y, int x, int count, float *const out[3])
+{
+    const ms_sss__job *job = s->job;
+    const ms_sss__fixed *f = &job->taps[1];
+    const float *own_row = s->ring + s->row[y] + x;
+    ptrdiff_t at[MS_SSS__FIXED_MAX];
+    const float *from[MS_SSS__FIXED_MAX], *own[3], *own_depth = own_row + 3 * s->padded;
+    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
+    if (ms_sss__solid(job, y, x, x + count)) own_depth = job->fresh;
+    for (j = 0; j < f->count; ++j) {
+        const int row = y + f->offset[j];
+        if (row < 0 || row >= job->frame.height || x < job->first[row] || x >= job->last[row]) continue;
+        at[taps] = s->row[row] - s->row[y];
+        from[taps] = ms_sss__solid(job, row, x, x + count) ? job->fresh : s->ring + s->row[row] + 3 * s->padded + x;
+        tap[taps++] = j;
+    }
+    for (c = 0; c < 3; ++c) own[c] = own_row + c * s->padded;
+    job->simd->convolve_valid(f, own, at, from, tap, taps, count, own_depth, out);
+}
+
+/* The second pass of row y by fixed taps: at once where every tap counts, else by blocks. */
+static void ms_sss__fixed_second(const ms_sss__sweep *s, int y, float *const out[3])
+{
+    const ms_sss__job *job = s->job;
+    const ms_sss__fixed *f = &job->taps[1];
+    ptrdiff_t at[MS_SSS__FIXED_MAX];
+    int a = job->first[y], b = job->last[y], j, c, x; /* [a, b): every tap counts */
+    if (y + f->lowest < 0 || y + f->highest >= job->frame.height) b = a;
+    for (j = 0; j < f->count && a < b; ++j) {
+        const int row = y + f->offset[j];
+        if (job->solid_first[row] > a) a = job->solid_first[row];
+        if (job->solid_last[row] < b) b = job->solid_last[row];
+        at[j] = s->row[row] - s->row[y];
+    }
+    a = ms_sss__round_up(a, 16);
+    b -= b % 16;
+    if (a >= b) a = b = job->last[y];
+    for (x = job->first[y]; x < job->last[y];) {
+        float *to[3];
+        int end = (x / job->block + 1) * job->block;
+        if (x == a) {
+            x = b;
+            continue;
+        }
+        if (x < a && end > a) end = a;
+        for (c = 0; c < 3; ++c) to[c] = out[c] + x;
+        ms_sss__fixed_y(s, y, x, end - x, to);
+        x = end;
+    }
+    for (c = 0; c < 3 && a < b; ++c) job->simd->convolve(s->ring + s->row[y] + c * s->padded + a, at, f->weight[c], f->count, b - a, out[c] + a);
+}
+
 /* Second pass, composition and output of rows [begin, end), at most STEP. */
-static void ms_sss__sweep_out(const ms_sss__sweep *s, int task, int begin, int end)
+static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
 {
     const ms_sss__job *job = s->job;
     const ms_sss_image *image = &job->frame.output;
-    float *to[MS_SSS__STEP][3];
-    int stream[MS_SSS__STEP], direct[MS_SSS__STEP], y, c, x, i;
-    memset(stream, 0, sizeof stream);
+    ms_sss__line line[MS_SSS__STEP];
+    int direct[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0;
+    memset(line, 0, sizeof line);
     for (y = begin; y < end; ++y) {
-        const int r = y - begin;
-        direct[r] = job->direct && job->whole[y] && job->padded == job->frame.width && ms_sss__solid(job, y, 0, job->padded);
-        stream[r] = direct[r];
+        const int first = job->first[y], last = job->last[y];
+        ms_sss__line *l = &line[y - begin];
+        if (first == last) continue;
+        l->axis = 1;
+        l->at = y;
+        l->count = job->frame.height;
+        l->first = first;
+        l->last = last;
+        l->from = s->ring;
+        l->step = s->row + y;
+        l->group = 4 * s->lanes;
+        l->plane = l->to_group = s->lanes;
+        l->plan = s->plan + s->slot[y] * s->plan_row;
+        l->stream = direct[y - begin] = job->direct && job->whole[y] && last <= job->frame.width && ms_sss__solid(job, y, first, last);
         for (c = 0; c < 3; ++c) {
-            to[r][c] = direct[r] ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(job, task, 17 + 3 * r + c);
-            if ((uintptr_t)to[r][c] % 64) stream[r] = 0;
+            l->own[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded;
+            l->to[c] = l->stream ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
         }
+        for (c = 0; c < 3; ++c)
+            if ((uintptr_t)l->to[c] % 64) l->stream = 0;
+        from = first < from ? first : from;
+        to = last > to ? last : to;
+        if (job->fixed) ms_sss__fixed_second(s, y, l->to);
     }
-    job->simd->sweep_slab[s->shaped ? 1 : 0][s->pairs == 3](s, &job->pass, begin, end, job->padded, (float *const(*)[3])to, stream);
+    if (!job->fixed) job->simd->sweep[s->shaped](s, &job->pass, line, end - begin, from, to);
     for (y = begin; y < end; ++y) {
-        const int r = y - begin, first = job->first[y], last = job->last[y];
+        const int first = job->first[y], last = job->last[y];
+        const float *own = s->ring + s->row[y];
         float *blur[3], *depth = ms_sss__buffer(job, task, 41);
-        if (direct[r] || first == last) continue;
-        for (c = 0; c < 3; ++c) blur[c] = to[r][c] + first;
-        for (x = first; x < last; x += s->lanes)
-            for (i = 0; i < s->lanes; ++i) {
-                const float z = s->row[y][4 * x + 3 * s->lanes + i];
-                depth[x + i] = z < MS_SSS__AWAY / 2 ? z : INFINITY;
-            }
-        ms_sss__finish(job, task, y, first, last - first, blur, depth + first, 0);
+        const ms_sss__line *l = &line[y - begin];
+        if (first < last && !direct[y - begin]) {
+            for (x = first; x < last && !job->fixed; x += s->lanes)
+                for (i = 0; i < s->lanes; ++i) {
+                    const float z = own[4 * x + 3 * s->lanes + i];
+                    depth[x + i] = z < MS_SSS__AWAY / 2 ? z : INFINITY;
+                }
+            if (job->fixed) memcpy(depth + first, own + 3 * s->padded + first, (size_t)(last - first) * sizeof(float));
+            for (c = 0; c < 3; ++c) blur[c] = l->to[c] + first;
+            ms_sss__finish(job, task, y, first, last - first, blur, depth + first, 0);
+        }
+        ms_sss__copy_row(job, y, depth);
     }
 }
 
-/* A row of what the first pass reads, into the window. Rows of other bands are read for their depths only. */
-static void ms_sss__sweep_admit(const ms_sss__sweep *s, int task, int y, int foreign, float *const plane[4])
+/* Row y as the first pass reads it, into the window; rows of other bands are read for their depths only. */
+static void ms_sss__admit(const ms_sss__sweep *s, int task, int y, int foreign, float *const plane[4])
 {
     ms_sss__job other = *s->job;
     int info[5], x;
@@ -4534,8 +4445,8 @@ static void ms_sss__sweep_admit(const ms_sss__sweep *s, int task, int y, int for
         for (x = 0; x < s->padded; ++x) plane[3][x] = MS_SSS__AWAY;
         return;
     }
+    other.unwritten = 0;
     if (foreign) {
-        other.unwritten = 0;
         other.first = info - y;
         other.last = info + 1 - y;
         other.solid_first = info + 2 - y;
@@ -4543,65 +4454,97 @@ static void ms_sss__sweep_admit(const ms_sss__sweep *s, int task, int y, int for
         other.whole = info + 4 - y;
     }
     ms_sss__prepare(&other, y, task, plane, plane[3]);
-    for (x = 1; x <= MS_SSS__LEFT; ++x) plane[3][-x] = MS_SSS__AWAY;
-    for (x = 0; x < MS_SSS__RIGHT; ++x) plane[3][s->padded + x] = MS_SSS__AWAY;
+    if (!other.fixed) other.simd->limit(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT + s->padded + MS_SSS__RIGHT);
 }
 
-/* First pass of the rows of band `task`, and the second of those that need no other band's. */
+/* Slopes of row y from the depths of five rows, or from normals. */
+static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float *const depth[5], float *const slope[2])
+{
+    const int first = job->first[y], last = job->last[y];
+    const float *normal[3];
+    float *buffer[3];
+    int c;
+    if (job->frame.normal.channel[0]) {
+        for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, c);
+        ms_sss__load(&job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
+        for (c = 0; c < 3; ++c) normal[c] -= first;
+    }
+    job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
+}
+
+/* The first pass of row y, whose window of rows is filled, into the ring. */
+static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const plane[5][4], float *const temp[5])
+{
+    const ms_sss__job *job = s->job;
+    const ms_sss__pass *p = &job->pass;
+    const int first = job->first[y], last = job->last[y], slot = s->slot[y];
+    float *const *mine = plane[y % s->rows], *row = s->ring + s->row[y], *own[3];
+    int *held = s->held + 2 * slot, c, x;
+    unsigned char *plan = s->plan + slot * s->plan_row;
+    ms_sss__line l;
+    if (job->fixed) {
+        ms_sss__fixed_first(s, y, mine);
+        return;
+    }
+    memset(&l, 0, sizeof l);
+    for (x = held[0]; x < held[1]; x += s->lanes) /* what the row before left there */
+        if (x < first || x >= last)
+            for (c = 0; c < 4 * s->lanes; ++c) row[4 * x + c] = c < 3 * s->lanes ? 0.0f : MS_SSS__AWAY;
+    held[0] = first;
+    held[1] = last;
+    if (s->shaped) {
+        const float *depth[5];
+        for (c = 0; c < 5; ++c) depth[c] = plane[(y + 3 + c) % 5][3];
+        for (c = 0; c < 3; ++c) own[c] = s->own + ((ptrdiff_t)slot * 3 + c) * s->padded;
+        ms_sss__slopes(job, task, y, depth, temp);
+        job->simd->tangents(p, mine[3], (const float *const *)temp, y, first, last, 0, temp + 2);
+        job->simd->tangents(p, mine[3], (const float *const *)temp, y, first, last, 1, own);
+    }
+    job->simd->plan(s, p, 1, mine[3], s->shaped ? own[0] : NULL, first, last, plan);
+    if (s->shaped || ms_sss__differ(p->aspect[0], p->aspect[1])) {
+        plan = s->plan + (job->frame.height + 1 + task) * s->plan_row;
+        job->simd->plan(s, p, 0, mine[3], s->shaped ? temp[2] : NULL, first, last, plan);
+    }
+    l.count = s->padded;
+    l.first = first;
+    l.last = last;
+    l.from = mine[0];
+    l.step = s->column;
+    l.group = s->lanes;
+    l.plane = mine[1] - mine[0];
+    l.to_group = 4 * s->lanes;
+    l.plan = plan;
+    for (c = 0; c < 3; ++c) {
+        l.own[c] = temp[2 + c];
+        l.to[c] = row + c * s->lanes;
+    }
+    job->simd->sweep[s->shaped](s, p, &l, 1, first, last);
+}
+
+/* Both passes of band `task`: of the second, the rows that need no other band's. */
 static void ms_sss__sweep_band(void *context, int task)
 {
-    ms_sss__sweep *s = (ms_sss__sweep *)context;
+    const ms_sss__sweep *s = (const ms_sss__sweep *)context;
     const ms_sss__job *job = s->job;
     const int height = job->frame.height, begin = task * s->band, end = task + 1 < s->bands ? begin + s->band : height;
-    const ptrdiff_t window = (ptrdiff_t)task * (20 * s->window_stride + 5 * s->padded);
-    float *plane[5][4], *slope[2], *own[3];
-    unsigned char *plan = s->plan + (height + 1 + task) * s->plan_row;
-    int y, r, c, x, done = task ? begin + s->reach : 0, admitted = begin - (s->shaped ? 2 : 0);
-    const int last_done = task + 1 < s->bands ? end - s->reach : height;
-    for (r = 0; r < 20; ++r) {
-        float *row = s->window + window + r * s->window_stride;
-        for (x = 0; x < s->window_stride; ++x) row[x] = r % 4 == 3 ? MS_SSS__AWAY : 0.0f;
-        plane[r / 4][r % 4] = row + MS_SSS__MARGIN;
-    }
-    for (r = 0; r < 5; ++r) *(r < 2 ? &slope[r] : &own[r - 2]) = s->window + window + 20 * s->window_stride + r * s->padded;
-    for (y = begin; y < end; ++y) {
-        float *const *mine = plane[y % 5], *own_y[3];
-        int first, last;
-        for (; admitted <= y + (s->shaped ? 2 : 0); ++admitted)
-            ms_sss__sweep_admit(s, task, admitted, admitted < begin || admitted >= end, plane[(admitted + 5) % 5]);
-        first = job->first[y];
-        last = job->last[y];
-        s->slot[y] = first < last ? ms_sss__slot(s, task, y) : 0;
-        s->row[y] = s->ring + (ptrdiff_t)s->slot[y] * 4 * s->padded;
-        if (first < last) {
-            unsigned char *plan_y = s->plan + s->slot[y] * s->plan_row;
-            if (s->shaped) {
-                const float *depth[5], *normal[3];
-                for (r = 0; r < 5; ++r) depth[r] = plane[(y + 3 + r) % 5][3];
-                for (r = 0; r < 3; ++r) {
-                    own_y[r] = s->own + ((ptrdiff_t)s->slot[y] * 3 + r) * s->padded;
-                }
-                if (job->frame.normal.channel[0]) {
-                    float *buffer[3];
-                    for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, c);
-                    ms_sss__load(&job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
-                    for (c = 0; c < 3; ++c) normal[c] -= first;
-                }
-                job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
-                job->simd->tangents(&job->pass, mine[3], (const float *const *)slope, y, first, last, 0, own);
-                job->simd->tangents(&job->pass, mine[3], (const float *const *)slope, y, first, last, 1, own_y);
-            }
-            job->simd->plan(s, &job->pass, 1, mine[3], s->shaped ? own_y[0] : NULL, s->padded, plan_y);
-            if (s->shaped || ms_sss__differ(job->pass.aspect[0], job->pass.aspect[1])) {
-                job->simd->plan(s, &job->pass, 0, mine[3], s->shaped ? own[0] : NULL, s->padded, plan);
-                plan_y = plan;
-            }
-            job->simd->sweep_row[s->shaped ? 1 : 0][s->pairs == 3](s, &job->pass, mine[0], mine[1] - mine[0], (const float *const *)own, plan_y, y, s->padded,
-                                 s->ring + (ptrdiff_t)s->slot[y] * 4 * s->padded);
+    const int last_done = task + 1 < s->bands ? end - s->reach : height, ahead = s->rows / 2;
+    float *plane[5][4], *temp[5], *at = s->window + task * s->window_size;
+    int y, r, c, x, done = task ? begin + s->reach : 0, admitted = begin - ahead;
+    for (r = 0; r < s->rows; ++r)
+        for (c = 0; c < 4; ++c, at += s->window_row) {
+            for (x = 0; x < s->window_row; ++x) at[x] = c < 3 ? 0.0f : job->fixed ? INFINITY : MS_SSS__AWAY;
+            plane[r][c] = at + MS_SSS__MARGIN;
         }
+    for (r = 0; r < 5; ++r, at += s->padded) temp[r] = at;
+    for (y = begin; y < end; ++y) {
+        for (; admitted <= y + ahead; ++admitted)
+            ms_sss__admit(s, task, admitted, admitted < begin || admitted >= end, plane[(admitted + s->rows) % s->rows]);
+        s->slot[y] = job->first[y] < job->last[y] ? ms_sss__slot(s, task, y) : 0;
+        s->row[y] = (ptrdiff_t)s->slot[y] * 4 * s->padded;
+        if (s->slot[y]) ms_sss__first(s, task, y, (float *const(*)[4])plane, temp);
         while (done < last_done && (y + 1 == end || y + 1 >= done + MS_SSS__STEP + s->reach)) {
             const int stop = done + MS_SSS__STEP < last_done ? done + MS_SSS__STEP : last_done;
-            ms_sss__sweep_out(s, task, done, stop);
+            ms_sss__second(s, task, done, stop);
             done = stop;
         }
     }
@@ -4610,7 +4553,7 @@ static void ms_sss__sweep_band(void *context, int task)
 /* The second pass of the rows next to other bands. */
 static void ms_sss__sweep_rest(void *context, int task)
 {
-    ms_sss__sweep *s = (ms_sss__sweep *)context;
+    const ms_sss__sweep *s = (const ms_sss__sweep *)context;
     const int begin = task * s->band, end = task + 1 < s->bands ? begin + s->band : s->job->frame.height;
     const int top = task ? begin + s->reach : begin, bottom = task + 1 < s->bands ? end - s->reach : end;
     int y;
@@ -4621,7 +4564,7 @@ static void ms_sss__sweep_rest(void *context, int task)
             continue;
         }
         if (y < top && top < bottom && stop > top) stop = top;
-        ms_sss__sweep_out(s, task, y, stop);
+        ms_sss__second(s, task, y, stop);
         y = stop;
     }
 }
@@ -4632,146 +4575,231 @@ static void ms_sss__splat(float to[16], double value)
     for (i = 0; i < 16; ++i) to[i] = (float)value;
 }
 
-/* Filters in one sweep where kernel and options allow it; 0: they do not. */
-static int ms_sss__swept(ms_sss__job *job)
+/* Pairs of taps that weigh the same, if the kernel consists of such and depth weighs them as usual; else 0. */
+static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
 {
     const ms_sss_kernel *k = job->kernel;
     const ms_sss__pass *p = &job->pass;
-    const ms_sss_frame *f = &job->frame;
-    const int height = f->height, parallel = job->options.parallel.run != NULL;
-    double size = (double)p->size, across = 1;
-    ms_sss__sweep s;
-    unsigned char *at = job->sweep;
+    const int pairs = k->tap_count / 2;
     int i, c;
-    if (job->turned || job->fixed || !f->depth.channel[0] || job->options.depth_mode != MS_SSS_DEPTH_AWARE || p->exact || k->term_count > 1 ||
-        k->tap_count > 2 * MS_SSS__PAIRS + 1)
-        return 0;
-    for (c = 0; c < 3; ++c) {
-        if (p->mixed[c] || !(k->weight[0][0][c] > 1e-6f)) return 0;
-        if (parallel && f->input.channel[c] == f->output.channel[c]) return 0; /* bands read what others write */
-    }
-    memset(&s, 0, sizeof s);
-    s.job = job;
-    s.pairs = k->tap_count / 2;
-    s.shaped = job->shaped;
-    s.padded = job->padded;
-    s.lanes = job->simd->lanes;
-    s.plan_size = (s.pairs + 4) / 4 * 4;
-    for (c = 0; c < 3; ++c) ms_sss__splat(s.weight[0][c], (double)k->weight[0][0][c]);
-    for (i = 0; i < s.pairs; ++i) {
+    if (pairs > MS_SSS__PAIRS || p->exact || p->follow || s->lanes == 1) return 0;
+    for (c = 0; c < 3; ++c) ms_sss__splat(s->weight[0][c], (double)p->weight[0][c]);
+    for (i = 0; i < pairs; ++i) {
         const double x = (double)k->offset_mm[2 * i + 2];
         if (!(fabs(x) > 1e-20) || ms_sss__differ(k->offset_mm[2 * i + 1], -k->offset_mm[2 * i + 2])) return 0;
         for (c = 0; c < 3; ++c) {
-            if (ms_sss__differ(k->weight[0][2 * i + 1][c], k->weight[0][2 * i + 2][c])) return 0;
-            ms_sss__splat(s.weight[i + 1][c], (double)k->weight[0][2 * i + 1][c]);
+            if (ms_sss__differ(p->weight[2 * i + 1][c], p->weight[2 * i + 2][c])) return 0;
+            ms_sss__splat(s->weight[i + 1][c], (double)p->weight[2 * i + 1][c]);
         }
-        for (c = 0; c < 2; ++c) ms_sss__splat(s.offset[c][i], fabs(x) * (double)p->aspect[c]);
-        ms_sss__splat(s.nearness[i], 1 / fabs(x));
-        if (fabs(x) > across) across = fabs(x);
+        for (c = 0; c < 2; ++c) ms_sss__splat(s->offset[c][i], fabs(x) * (double)p->aspect[c]);
+        ms_sss__splat(s->nearness[i], 1 / fabs(x));
     }
-    s.bands = parallel ? height / 32 : 1;
-    s.bands = s.bands < 1 ? 1 : s.bands > MS_SSS__TASKS ? MS_SSS__TASKS : s.bands;
-    s.band = height / s.bands;
-
-    s.plan_row = (ptrdiff_t)(s.padded / s.lanes) * s.plan_size;
-    s.window_stride = s.padded + 2 * MS_SSS__MARGIN;
-    s.row = (const float **)(void *)at + MS_SSS__MARGIN;
-    at += (size_t)(height + 2 * MS_SSS__MARGIN) * sizeof(float *);
-    s.slot = (int *)(void *)at;
-    at += (size_t)height * sizeof(int);
-    s.window = (float *)(((uintptr_t)at + 63) & ~(uintptr_t)63);
-    at = (unsigned char *)(s.window + (ptrdiff_t)MS_SSS__TASKS * (20 * s.window_stride + 5 * s.padded));
-    s.plan = at;
-    s.ring = job->planes;
-    s.own = s.ring + (ptrdiff_t)(height + 1) * 4 * s.padded;
-
-    for (c = 0, across = 0; c < 2; ++c)
-        for (i = 0; i < s.pairs; ++i) across = (double)s.offset[c][i][0] > across ? (double)s.offset[c][i][0] : across;
-    if (p->perspective) {
-        ms_sss__find_nearest(job);
-        size /= (double)(job->nearest * job->depth_scale);
-        if (size > (double)p->size_max) size = (double)p->size_max;
-    }
-    if (s.shaped) /* a plane that leans towards the ray is seen enlarged */
-        size *= sqrt(1 + (double)(p->tangent * p->tangent) * ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1]));
-    if (!(size * across < MS_SSS__MARGIN - 20)) return 0;
-    s.reach = (int)(size * across) + 3;
-
-    for (i = 0; i < s.padded; i += s.lanes)
-        for (c = 0; c < 4 * s.lanes; ++c) s.ring[4 * i + c] = c >= 3 * s.lanes ? MS_SSS__AWAY : 0.0f;
-    for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s.row[i] = s.ring;
-    job->stale = 1;
-    ms_sss__share(&job->options.parallel, s.bands, ms_sss__sweep_band, &s);
-    if (s.bands > 1) ms_sss__share(&job->options.parallel, s.bands, ms_sss__sweep_rest, &s);
-    return 1;
+    return pairs;
 }
 
-/* Slopes of the prepared rows. */
-static void ms_sss__shape_band(void *context, int task)
+/* Rows that the second pass needs on either side, at most all. */
+static int ms_sss__reach(ms_sss__job *job)
+{
+    const ms_sss__pass *p = &job->pass;
+    double size = (double)p->size, farthest = 0, reach;
+    int i;
+    if (job->fixed) {
+        reach = -job->taps[1].lowest > job->taps[1].highest ? -job->taps[1].lowest : job->taps[1].highest;
+    } else {
+        for (i = 0; i < p->tap_count; ++i) farthest = fabs((double)p->offset_mm[i]) > farthest ? fabs((double)p->offset_mm[i]) : farthest;
+        if (p->perspective) {
+            ms_sss__find_nearest(job);
+            size /= (double)(job->nearest * job->depth_scale);
+            if (size > (double)p->size_max) size = (double)p->size_max;
+        }
+        if (job->shaped) /* a plane that leans towards the ray is seen enlarged */
+            size *= sqrt(1 + (double)(p->tangent * p->tangent) * ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1]));
+        reach = size * farthest * (double)p->aspect[1] + 3;
+    }
+    return reach < job->frame.height ? (int)reach : job->frame.height;
+}
+
+/* Both passes of a term: the second follows the first, band by band. */
+static void ms_sss__both_passes(ms_sss__job *job)
+{
+    const int height = job->frame.height;
+    ms_sss__sweep s;
+    int i, c;
+    memset(&s, 0, sizeof s);
+    s.job = job;
+    s.lanes = job->simd->lanes;
+    s.shaped = job->shaped && !job->fixed;
+    s.rows = s.shaped ? 5 : 1;
+    s.padded = job->padded;
+    if (!job->fixed) s.pairs = ms_sss__pairs(&s, job);
+    s.reach = job->idle ? 0 : ms_sss__reach(job);
+    s.bands = job->options.parallel.run ? height / 32 : 1;
+    s.bands = s.bands < 1 ? 1 : s.bands > MS_SSS__TASKS ? MS_SSS__TASKS : s.bands;
+    s.band = height / s.bands;
+    s.plan_size = (s.pairs + 4) / 4 * 4;
+    s.plan_row = (ptrdiff_t)(s.padded / s.lanes) * s.plan_size;
+    s.window_row = s.padded + 2 * MS_SSS__MARGIN;
+    s.window_size = 20 * s.window_row + 5 * s.padded;
+    s.ring = job->planes;
+    s.own = s.ring + (ptrdiff_t)(height + 1) * 4 * s.padded;
+    s.window = job->window;
+    s.row = (ptrdiff_t *)(void *)(s.window + MS_SSS__TASKS * s.window_size) + MS_SSS__MARGIN;
+    s.column = s.row + height + 2 * MS_SSS__MARGIN;
+    s.slot = (int *)(void *)(s.column + MS_SSS__MARGIN);
+    s.held = s.slot + height;
+    s.plan = (unsigned char *)(s.held + 2 * (height + 1));
+
+    for (i = 0; i < s.padded; i += s.lanes) /* slot 0: what lies outside */
+        for (c = 0; c < 4 * s.lanes; ++c) s.ring[4 * i + c] = c >= 3 * s.lanes ? MS_SSS__AWAY : 0.0f;
+    for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s.row[i] = 0;
+    for (i = -MS_SSS__MARGIN; i < MS_SSS__MARGIN; ++i) s.column[i] = i;
+    for (i = 0; i <= height; ++i) {
+        s.held[2 * i] = 0;
+        s.held[2 * i + 1] = s.padded;
+    }
+    ms_sss__share(&job->options.parallel, s.bands, ms_sss__sweep_band, &s);
+    if (s.bands > 1) ms_sss__share(&job->options.parallel, s.bands, ms_sss__sweep_rest, &s);
+}
+
+/* --- turned axes --- */
+
+/* Both passes read rows above and below: all rows are prepared first, then each pass makes all of them. */
+static void ms_sss__turned_band(void *context, int task)
 {
     const ms_sss__job *job = (const ms_sss__job *)context;
     const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y, i;
+    int y, c;
     for (y = begin; y < end; ++y) {
-        const int first = job->first[y], last = job->last[y];
-        const ptrdiff_t row = (ptrdiff_t)y * job->stride;
-        const float *depth[5], *normal[3];
-        float *slope[2], *buffer[3];
-        for (i = 0; i < 2; ++i) slope[i] = job->slope[i] + row;
-        for (i = 0; i < 5; ++i) depth[i] = job->depth + ms_sss__clamp(y + i - 2, -1, job->frame.height) * job->stride;
-        for (i = 0; i < 3; ++i) {
-            buffer[i] = ms_sss__buffer(job, task, i);
+        float *colour[3];
+        for (c = 0; c < 3; ++c) {
+            colour[c] = job->source[c] + y * job->stride;
+            ms_sss__clear(job, job->middle[c] + y * job->stride, 0.0f);
         }
-        if (first == last) continue;
-        if (job->frame.normal.channel[0]) {
-            ms_sss__load(&job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
-            for (i = 0; i < 3; ++i) normal[i] -= first;
-        }
-        job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
+        ms_sss__prepare(job, y, task, colour, job->depth + y * job->stride);
     }
 }
 
+/* Pixel (x, y) of a pass along its own axis, with slope (sx, sy): four pixels beside a tap. */
+static void ms_sss__turned_pixel(const ms_sss__job *job, float *const colour[3], int second, int x, int y, float sx, float sy, float out[3])
+{
+    const ms_sss__pass *p = &job->pass;
+    const ptrdiff_t here = y * job->stride + x;
+    const float z = job->depth[here], *turn = job->direction[ms_sss__turn(x, y)];
+    const float dx = second ? -turn[1] : turn[0], dy = second ? turn[0] : turn[1], plane_x = sx / p->focal[0], plane_y = sy / p->focal[1];
+    float own[3] = {0, 0, 0}, sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0}, lifted[3] = {0, 0, 0}, size, grain = z * p->grain;
+    int k, c, corner;
+    for (c = 0; c < 3; ++c) out[c] = z < INFINITY ? colour[c][here] * p->total[c] : 0;
+    size = z < INFINITY ? ms_sss__size_scalar(p, z) : 0;
+    if (!(size > p->size_min)) return;
+    if (job->shaped) {
+        ms_sss__tangent_scalar(p, dx, dy, x, y, size, sx, sy, own);
+        size = own[0];
+    }
+    for (k = p->tap_count - 1; k > 0; --k) {
+        const float mm = p->offset_mm[k], tx = mm * (dx * size * p->aspect[0]), ty = mm * (dy * size * p->aspect[1]);
+        const float ix = ms_sss__floor(tx), iy = ms_sss__floor(ty);
+        float tap[3] = {0, 0, 0}, n = 0, below = 0, sine = 0;
+        for (corner = 0; corner < 4; ++corner) {
+            const int i = (int)ix + corner % 2, j = (int)iy + corner / 2;
+            const ptrdiff_t at = ms_sss__clamp(y + j, -1, job->frame.height) * job->stride + ms_sss__clamp(x + i, -MS_SSS__LEFT, job->frame.width);
+            const float h = (corner % 2 ? tx - ix : 1 - (tx - ix)) * (corner / 2 ? ty - iy : 1 - (ty - iy)), there = job->depth[at];
+            const float gain = (float)i * plane_x + (float)j * plane_y;
+            float dz = there - z, f;
+            if (!(there < INFINITY)) continue;
+            if (job->shaped) dz -= p->perspective ? gain * there : gain;
+            if (!(dz * dz < p->cut)) continue;
+            f = h * (p->follow ? 1 - fabsf(dz) : p->exact ? ms_sss__exp2_minus_scalar(dz * dz) : ms_sss__falloff_scalar(dz));
+            for (c = 0; c < 3; ++c) tap[c] += f * colour[c][at];
+            n += f;
+            below += f * dz;
+        }
+        if (job->shaped) {
+            sine = ms_sss__beyond_scalar(below, grain * (2 + fabsf(tx) + fabsf(ty))) * own[2] * (fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0);
+            sine = sine > 1 ? 1 : sine < p->least ? p->least : sine;
+        }
+        for (c = 0; c < 3; ++c) {
+            const float lift = ms_sss__lift_scalar(p, c, sine), w = p->weight[k][c];
+            norm[c] += w * n;
+            lifted[c] += w * lift * n;
+            sum[c] += w * lift * tap[c];
+        }
+    }
+    for (c = 0; c < 3; ++c) {
+        const float w = p->weight[0][c], light = colour[c][here];
+        norm[c] += w;
+        if (job->shaped && !p->mixed[c] && norm[c] < p->root[c] * (lifted[c] + w)) norm[c] = p->root[c] * (lifted[c] + w);
+        out[c] = ms_sss__restore_scalar(sum[c] + light * w, norm[c], light, p->total[c], p->mixed[c]);
+    }
+}
+
+static void ms_sss__turned_pass(const ms_sss__job *job, int task, int second)
+{
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    int y, c, x;
+    for (y = begin; y < end; ++y) {
+        const int first = job->first[y], last = job->last[y];
+        const float *depth[5];
+        float *slope[2], *to[3], out[3];
+        if (first == last) continue;
+        for (c = 0; c < 5; ++c) depth[c] = job->depth + ms_sss__clamp(y + c - 2, -1, job->frame.height) * job->stride;
+        for (c = 0; c < 2; ++c) slope[c] = ms_sss__buffer(job, task, 18 + c);
+        for (c = 0; c < 3; ++c) to[c] = second ? ms_sss__buffer(job, task, 21 + c) : job->middle[c] + y * job->stride;
+        if (job->shaped) ms_sss__slopes(job, task, y, depth, slope);
+        for (x = first; x < last; ++x) {
+            ms_sss__turned_pixel(job, second ? job->middle : job->source, second, x, y, job->shaped ? slope[0][x] : 0, job->shaped ? slope[1][x] : 0, out);
+            for (c = 0; c < 3; ++c) to[c][x] = out[c];
+        }
+        for (c = 0; c < 3; ++c) to[c] += first;
+        if (second) ms_sss__finish(job, task, y, first, last - first, to, job->depth + y * job->stride + first, 0);
+    }
+}
+
+static void ms_sss__turned_first(void *context, int task) { ms_sss__turned_pass((const ms_sss__job *)context, task, 0); }
+static void ms_sss__turned_second(void *context, int task) { ms_sss__turned_pass((const ms_sss__job *)context, task, 1); }
+
 /* --- one call --- */
+
+/* What the workspace holds: planes (a pyramid), rows alone, or what a kernel's passes need. */
+enum { MS_SSS__PLANES, MS_SSS__BARE, MS_SSS__PASSES };
 
 /* Floats of the parts of the workspace, in the order in which they lie there. */
 typedef struct ms_sss__layout {
     int padded, block, planes;
-    size_t sweep, row, window; /* bytes for a sweep; of its plans a row, floats of a window's row */
-    size_t stride, plane, total; /* total: bytes; SIZE_MAX: too many */
+    size_t stride, plane, ring, sweep, total; /* sweep, total: bytes; SIZE_MAX: too many */
 } ms_sss__layout;
 
 /* Slopes count, if there is depth. */
 static int ms_sss__may_shape(const ms_sss_filter_options *o) { return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE; }
 
-/* bare: without planes and sweep. */
+static int ms_sss__turns(const ms_sss_filter_options *o) { return ms_sss__differ(o->rotation, 0) || o->jitter > 0; }
+
 static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                   const ms_sss_filter_options *options, int bare)
+                                   const ms_sss_filter_options *options, int kind)
 {
+    const size_t lanes = (size_t)ms_sss__pick(options->simd)->lanes, rows = (size_t)height;
     ms_sss__layout l;
-    size_t floats, ints;
+    size_t floats;
     int i, terms = 1;
     for (i = 0; i < kernel_count; ++i)
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
     l.block = width < MS_SSS__BLOCK ? ms_sss__round_up(width, 16) : MS_SSS__BLOCK;
     l.padded = ms_sss__round_up(width, l.block);
     l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
-    l.plane = ms__size_mul(l.stride, (size_t)height + 2); /* an empty row above and below */
-    l.planes = 4;
-    if (ms_sss__differ(options->rotation, 0) || options->jitter > 0 || ms_sss__may_shape(options)) l.planes += 3;
-    if (ms_sss__may_shape(options)) l.planes += 2;
-    if (terms > 1) l.planes += 3;
-    if (bare) l.planes = 0;
-    floats = ms__size_mul(l.plane, (size_t)l.planes);
+    l.plane = ms__size_mul(l.stride, rows + 2); /* an empty row above and below */
+    l.planes = kind == MS_SSS__PLANES ? 4 : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 : 0;
+    l.ring = l.sweep = 0;
+    if (kind == MS_SSS__PASSES && !ms_sss__turns(options)) {
+        l.ring = ms__size_mul((size_t)l.padded, (rows + 1) * (ms_sss__may_shape(options) ? 7 : 4));
+        l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (lanes > 1 ? (MS_SSS__PAIRS + 4) / 4 * 4 : 4), (size_t)l.padded / lanes);
+        l.sweep = ms__size_add(l.sweep, sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
+                                            (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (3 * rows + 2) * sizeof(int) + 2 * sizeof(ms_sss__fixed));
+    }
+    if (kind == MS_SSS__PASSES && terms > 1) l.planes += 3;
+    floats = ms__size_add(l.ring, ms__size_mul(l.plane, (size_t)l.planes));
     floats = ms__size_add(floats, ms__size_mul(l.stride, (size_t)MS_SSS__TASKS * MS_SSS__ROWS + 1));
-    ints = (size_t)height * 5;
-    l.row = (size_t)(l.padded / ms_sss__pick(options->simd)->lanes) * 12;
-    l.window = (size_t)l.padded + 2 * MS_SSS__MARGIN;
-    l.sweep = ms__size_add(ms__size_mul((size_t)height + 1, l.row),
-                           ((size_t)height + 2 * MS_SSS__MARGIN) * (sizeof(float *) + sizeof(int)) +
-                               MS_SSS__TASKS * ((20 * l.window + 5 * (size_t)l.padded + 1) * sizeof(float) + l.row) + 256);
-    if (bare) l.sweep = 0;
-    l.total = ms__size_add(ms__size_add(ms__size_mul(floats, sizeof(float)), ints * sizeof(int)), ms__size_add(l.sweep, 64));
+    l.total = ms__size_add(ms__size_mul(ms__size_add(floats, 5 * rows), sizeof(float)), ms__size_add(l.sweep, 256));
     return l;
 }
 
@@ -4998,27 +5026,6 @@ static void ms_sss__set_term(ms_sss__job *job, int term)
     }
 }
 
-/* Both passes of a term. Fixed taps reach a known number of rows, so the second pass can follow the first at that
-   distance, and a ring of rows holds what is between them. */
-static void ms_sss__both_passes(ms_sss__job *job)
-{
-    const int height = job->frame.height;
-    int ready = 0, y, slab = height, below = 0;
-    job->ring = height;
-    if (job->fixed) {
-        const int above = job->taps[1].lowest > -height ? -job->taps[1].lowest : height;
-        below = job->taps[1].highest < height ? job->taps[1].highest : height;
-        slab = MS_SSS__SLAB;
-        if (slab + above + below < height) job->ring = slab + above + below;
-    }
-    for (y = 0; y < height; y += slab) {
-        const int end = y + slab < height ? y + slab : height, needed = end + below < height ? end + below : height;
-        ms_sss__run(job, ready, needed, ms_sss__first_pass);
-        ms_sss__run(job, y, end, ms_sss__second_pass);
-        ready = needed;
-    }
-}
-
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void)
 {
     ms_sss_filter_options o;
@@ -5128,7 +5135,7 @@ static int ms_sss__too_close(const ms_sss_frame *f, const ms_sss_filter_options 
     return n > 0 && sum > 0.5 * side * n;
 }
 
-/* The empty rows above and below the planes. */
+/* The empty rows above and below the planes, of which the fourth is depth. */
 static void ms_sss__clear_around(ms_sss__job *job)
 {
     const ptrdiff_t plane = job->stride * (job->frame.height + 2);
@@ -5138,13 +5145,12 @@ static void ms_sss__clear_around(ms_sss__job *job)
         ms_sss__clear(job, top, i == 3 ? INFINITY : 0.0f);
         ms_sss__clear(job, top + plane - job->stride, i == 3 ? INFINITY : 0.0f);
     }
-    job->stale = 0;
 }
 
-/* Checks everything and lays the planes (bare: none) out in the workspace; *end: the first float behind them. */
+/* Checks everything and lays the workspace out; *end: the first float behind it. */
 static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size, size_t needed,
-                               int bare, float **end, ms_error *error)
+                               int kind, float **end, ms_error *error)
 {
     const int w = frame->width, h = frame->height;
     ms_sss__layout layout;
@@ -5181,38 +5187,36 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernels of %g mm cover half of the picture: mm_per_unit is needed, 1000 for a scene in metres, 1 if it is in mm",
                         (double)kernels[c].radius_mm);
 
-    layout = ms_sss__plan(w, h, kernels, kernel_count, options, bare);
+    layout = ms_sss__plan(w, h, kernels, kernel_count, options, kind);
     job->simd = ms_sss__pick(options->simd);
     job->kernel_count = kernel_count;
     job->block = layout.block;
     job->padded = layout.padded;
     job->stride = (ptrdiff_t)layout.stride;
-    job->ring = h;
     job->full_width = w;
     job->full_height = h;
     job->coarse = 1;
     job->rough = f->depth.half;
     job->gain = 1.0f - options->fade;
-    job->turned = ms_sss__differ(options->rotation, 0) || options->jitter > 0;
+    job->turned = ms_sss__turns(options);
     job->shaped = f->depth.channel[0] != NULL && ms_sss__may_shape(options);
-    job->whole_first = job->turned || job->shaped;
+    job->whole_first = job->turned;
     job->raw = !f->albedo.channel[0] && !f->specular.channel[0] && f->input.half == f->output.half;
     job->unwritten = !job->raw || f->input.pixel_stride != f->output.pixel_stride || f->input.row_stride != f->output.row_stride;
     for (c = 0; c < 3; ++c)
         if (f->input.channel[c] != f->output.channel[c]) job->unwritten = 1;
 
-    at = (float *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    job->planes = at = (float *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    at += layout.ring;
+    job->plane_count = layout.ring ? 0 : layout.planes;
     for (i = 0; i < layout.planes; ++i) {
         float *plane = at + layout.stride + MS_SSS__LEFT;
+        if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
         if (i < 3) job->middle[i] = plane;
         else if (i == 3) job->depth = plane;
-        else if (i < 7 && i < layout.planes) job->source[i - 4] = plane;
-        if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
-        if (ms_sss__may_shape(options) && i >= 7 && i < 9) job->slope[i - 7] = plane;
+        else if (i < 7) job->source[i - 4] = plane;
         at += layout.plane;
     }
-    job->planes = (float *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
-    job->plane_count = layout.planes;
     ms_sss__clear_around(job);
     job->fresh = at + MS_SSS__LEFT;
     ms_sss__clear(job, job->fresh, INFINITY);
@@ -5225,21 +5229,14 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     job->solid_first = job->last + h;
     job->solid_last = job->solid_first + h;
     job->whole = job->solid_last + h;
-    job->sweep = (unsigned char *)(((uintptr_t)(job->whole + h) + 63) & ~(uintptr_t)63);
-    job->taps = (ms_sss__fixed *)(void *)job->sweep;
-    *end = (float *)(void *)job->sweep; /* a pyramid sweeps nothing, and its plan knows no level */
+    job->taps = (ms_sss__fixed *)(void *)(job->whole + h);
+    job->window = (float *)(((uintptr_t)(kind == MS_SSS__PASSES ? (void *)(job->taps + 2) : (void *)job->taps) + 63) & ~(uintptr_t)63);
+    *end = job->window;
     for (i = 0; i < 64; ++i) {
         const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
         job->direction[i][0] = (float)cos(angle);
         job->direction[i][1] = (float)sin(angle);
     }
-    for (c = 0; c < 2; ++c) job->pass.slope[c] = job->slope[c];
-    job->pass.stride = job->stride;
-    job->pass.width = w;
-    job->pass.height = h;
-    job->pass.first = job->first;
-    job->pass.last = job->last;
-    job->pass.direction = (const float(*)[2])job->direction;
     return MS_OK;
 }
 
@@ -5253,11 +5250,13 @@ static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int pro
     if (!(job->gain > 0)) job->idle = 1;
     for (term = 0; term < (job->idle ? 1 : kernel->term_count); ++term) {
         ms_sss__set_term(job, term);
-        if (!job->idle && ms_sss__swept(job)) continue;
-        if (job->stale) ms_sss__clear_around(job);
-        if (job->whole_first && term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__prepare_band);
-        if (job->shaped && !job->idle && term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__shape_band);
-        ms_sss__both_passes(job);
+        if (!job->turned) {
+            ms_sss__both_passes(job);
+            continue;
+        }
+        if (term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_band);
+        if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_first);
+        if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_second);
     }
 }
 
@@ -5267,7 +5266,7 @@ static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame
 {
     const float nearest = job->nearest;
     float *end;
-    ms_status status = ms_sss__begin(job, frame, kernels, kernel_count, options, workspace, workspace_size, workspace_size, 0, &end, error);
+    ms_status status = ms_sss__begin(job, frame, kernels, kernel_count, options, workspace, workspace_size, workspace_size, MS_SSS__PASSES, &end, error);
     if (status != MS_OK) return status;
     job->nearest = nearest;
     ms_sss__apply(job, &kernels[profile], profile);
@@ -5291,8 +5290,8 @@ static size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kern
 {
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16), (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
-    return ms__size_add(ms__size_add(ms_sss__plan(width, height, kernels, kernel_count, options, 1).total, planes),
-                        ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, 0).total, sizeof(ms_sss__half) + 192));
+    return ms__size_add(ms__size_add(ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__BARE).total, planes),
+                        ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, MS_SSS__PASSES).total, sizeof(ms_sss__half) + 192));
 }
 
 /* The normal of the nearest of four pixels. */
@@ -5431,7 +5430,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     float *at, *end;
     size_t plane, left = workspace_size - (size_t)((char *)(half + 1) - (char *)workspace);
     int i, c, t;
-    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, 1, &at, error);
+    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__BARE, &at, error);
     if (status != MS_OK) return status;
     memset(&inner, 0, sizeof inner);
     inner.width = (frame->width + 1) / 2;
@@ -5483,7 +5482,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     inner.input.row_stride = inner.output.row_stride = inner.strength.row_stride = inner.depth.row_stride = inner.normal.row_stride = half->stride;
     inner_options.fade = 0;
     inner_options.albedo_mode = MS_SSS_ALBEDO_POST;
-    status = ms_sss__begin(&half->inner, &inner, k, 1, &inner_options, at, left, left, 0, &end, error);
+    status = ms_sss__begin(&half->inner, &inner, k, 1, &inner_options, at, left, left, MS_SSS__PASSES, &end, error);
     if (status != MS_OK) return status;
     half->inner.full_width = frame->width;
     half->inner.full_height = frame->height;
@@ -6089,7 +6088,7 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
 {
     size_t size = 0, needed;
     if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX || !kernels || !options) return SIZE_MAX;
-    if (ms_sss__may(options, MS_SSS_METHOD_TAPS)) size = ms_sss__plan(width, height, kernels, kernel_count, options, 0).total;
+    if (ms_sss__may(options, MS_SSS_METHOD_TAPS)) size = ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__PASSES).total;
     if (ms_sss__may(options, MS_SSS_METHOD_HALF) && size < (needed = ms_sss__half_plan(width, height, kernels, kernel_count, options)))
         size = needed;
     if (ms_sss__may(options, MS_SSS_METHOD_PYRAMID) && size < (needed = ms_sss_pyramid_workspace(width, height))) size = needed;
@@ -6108,7 +6107,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     if (!frame || !kernels || !options)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, kernels or options is NULL");
     status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
-                           ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options), 1, &end, error);
+                           ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options), MS_SSS__BARE, &end, error);
     if (status != MS_OK) return status;
     if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__tower_takes(options)))
         return ms__fail(error, MS_UNSUPPORTED, 0, options->pyramids ? "a pyramid is round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW"
@@ -7920,50 +7919,10 @@ static void MS_SSS__NAME(convolve_valid)(const ms_sss__fixed *f, const float *co
     }
 }
 
-typedef struct MS_SSS__NAME(sum) {
-    MS_SSS__V r, g, b, n; /* sum of h f colour, sum of h f */
-    MS_SSS__V below;      /* sum of h f depth below the tangent plane */
-} MS_SSS__NAME(sum);
-
-/* One pixel beside a tap's position: h is its share (bilinear), f what its depth leaves of it. gain: what the tangent plane's
-   depth gains up to there, in perspective of the depth there: with that, the distance along the normal is exact. */
-static MS_SSS__INLINE void MS_SSS__NAME(read)(const ms_sss__pass *p, const int shaped, ptrdiff_t at, MS_SSS__V z, MS_SSS__V gain, MS_SSS__V h,
-                                              MS_SSS__NAME(sum) *s)
+/* Pixels a mm at depth z, but for slopes. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(size)(const ms_sss__pass *p, MS_SSS__V z)
 {
-    const MS_SSS__V there = MS_SSS__LOAD(p->depth + at);
-    MS_SSS__V dz = MS_SSS__SUB(there, z), q, f;
-    MS_SSS__MASK near_by;
-    if (shaped) dz = p->perspective ? MS_SSS__LESSEN(gain, there, dz) : MS_SSS__SUB(dz, gain);
-    q = MS_SSS__MUL(dz, dz);
-    near_by = MS_SSS__LESS(q, MS_SSS__SET(p->cut));
-    if (!MS_SSS__BITS(near_by)) return;
-    if (p->follow) f = MS_SSS__SUB(MS_SSS__SET(1.0f), MS_SSS__ABS(dz));
-    else if (p->exact) f = MS_SSS__NAME(exp2_minus)(q);
-    else {
-        f = MS_SSS__SUB(MS_SSS__SET(1.0f), q);
-        f = MS_SSS__MUL(f, f);
-        f = MS_SSS__MUL(f, f);
-    }
-    f = MS_SSS__SELECT(near_by, MS_SSS__MUL(h, f), MS_SSS__SET(0.0f));
-    s->r = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[0] + at), s->r);
-    s->g = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[1] + at), s->g);
-    s->b = MS_SSS__MADD(f, MS_SSS__LOAD(p->colour[2] + at), s->b);
-    s->n = MS_SSS__ADD(s->n, f);
-    if (shaped) s->below = MS_SSS__MADD(f, MS_SSS__SELECT(near_by, dz, MS_SSS__SET(0.0f)), s->below);
-}
-
-/* What of a depth is more than rounding. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(beyond)(MS_SSS__V depth, MS_SSS__V grain)
-{
-    return MS_SSS__SUB(depth, MS_SSS__MAX(MS_SSS__MIN(depth, grain), MS_SSS__SUB(MS_SSS__SET(0.0f), grain)));
-}
-
-/* (1 + K sin(theta) / 4)^4 */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lift)(const ms_sss__pass *p, int channel, MS_SSS__V sine)
-{
-    MS_SSS__V u = MS_SSS__MADD(MS_SSS__SET(p->curve[channel]), sine, MS_SSS__SET(1.0f));
-    u = MS_SSS__MUL(u, u);
-    return MS_SSS__MUL(u, u);
+    return p->perspective ? MS_SSS__MIN(MS_SSS__DIV(MS_SSS__SET(p->size), z), MS_SSS__SET(p->size_max)) : MS_SSS__SET(p->size);
 }
 
 /* Tangents of the rays through pixels from column x on. */
@@ -7990,178 +7949,6 @@ static MS_SSS__INLINE void MS_SSS__NAME(tangent)(const ms_sss__pass *p, MS_SSS__
     square = MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(axis, axis)));
     out[2] = MS_SSS__DIV(MS_SSS__SET(p->unit), MS_SSS__SQRT(square));
 }
-
-/* One pass along x (axes 1), y (axes 2) or any direction (axes 3) for pixels [begin, end) of row y, each with its own
-   kernel size: out = sum_k w_k E(x + o_k) f_k, restored; shaped: on the tangent plane, lifted by the elevation. Neighbours mostly share the integer part of a tap's position:
-   each distinct one is handled once for all lanes that have it, with contiguous loads. */
-static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__pass *p, const int axes, const int shaped, int y, int begin, int end,
-                                              float *const out[3])
-{
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
-    const ptrdiff_t row = axes == 1 || p->row ? 0 : (ptrdiff_t)y * p->stride;
-    int x, k;
-    for (x = begin; x < end; x += MS_SSS__LANES) {
-        MS_SSS__V z = MS_SSS__LOAD(p->depth + row + x), size, dx = one, dy = one;
-        MS_SSS__V own_r, own_g, own_b, r, g, b, nr, ng, nb;
-        MS_SSS__V mr, mg, mb; /* as nr, ng, nb, lifted */
-        MS_SSS__V plane = zero, plane_x = zero, plane_y = zero, facing = zero, grain = zero; /* plane: a column, a row */
-        MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)), large;
-        unsigned pending;
-        if (!MS_SSS__BITS(part)) {
-            MS_SSS__STORE(out[0] + x - begin, zero);
-            MS_SSS__STORE(out[1] + x - begin, zero);
-            MS_SSS__STORE(out[2] + x - begin, zero);
-            continue;
-        }
-        size = MS_SSS__SET(p->size);
-        if (p->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(p->size_max));
-        large = MS_SSS__LESS(MS_SSS__SET(p->size_min), size);
-        pending = MS_SSS__BITS(MS_SSS__BOTH(part, large));
-        own_r = MS_SSS__LOAD(p->colour[0] + row + x);
-        own_g = MS_SSS__LOAD(p->colour[1] + row + x);
-        own_b = MS_SSS__LOAD(p->colour[2] + row + x);
-        if (!pending) {
-            MS_SSS__STORE(out[0] + x - begin, MS_SSS__MUL(own_r, MS_SSS__SET(p->total[0])));
-            MS_SSS__STORE(out[1] + x - begin, MS_SSS__MUL(own_g, MS_SSS__SET(p->total[1])));
-            MS_SSS__STORE(out[2] + x - begin, MS_SSS__MUL(own_b, MS_SSS__SET(p->total[2])));
-            continue;
-        }
-        r = g = b = nr = ng = nb = mr = mg = mb = zero;
-        if (axes == 3) {
-            float turn_x[MS_SSS__LANES], turn_y[MS_SSS__LANES];
-            for (k = 0; k < MS_SSS__LANES; ++k) {
-                const float *d = p->direction[ms_sss__turn(x + k, y)];
-                turn_x[k] = p->second ? -d[1] : d[0];
-                turn_y[k] = p->second ? d[0] : d[1];
-            }
-            dx = MS_SSS__LOAD(turn_x);
-            dy = MS_SSS__LOAD(turn_y);
-        }
-        if (shaped) {
-            if (axes == 3) {
-                const MS_SSS__V sx = MS_SSS__LOAD(p->slope[0] + row + x), sy = MS_SSS__LOAD(p->slope[1] + row + x);
-                MS_SSS__V own[3];
-                plane_x = MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0]));
-                plane_y = MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]));
-                MS_SSS__NAME(tangent)(p, dx, dy, x, y, size, sx, sy, own);
-                size = own[0];
-                facing = own[2];
-            } else {
-                size = MS_SSS__LOAD(p->own[0] + x);
-                plane = MS_SSS__LOAD(p->own[1] + x);
-                facing = MS_SSS__LOAD(p->own[2] + x);
-            }
-            grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
-        }
-        dx = MS_SSS__MUL(MS_SSS__MUL(dx, size), MS_SSS__SET(p->aspect[0]));
-        dy = MS_SSS__MUL(MS_SSS__MUL(dy, size), MS_SSS__SET(p->aspect[1]));
-        for (k = p->tap_count - 1; k > 0; --k) {
-            const MS_SSS__V o = MS_SSS__SET(p->offset_mm[k]);
-            MS_SSS__V tx = MS_SSS__MUL(o, axes == 2 ? dy : dx), ix = MS_SSS__FLOOR(tx), ty = zero, iy = zero, wr, wg, wb;
-            float at_x[MS_SSS__LANES], at_y[MS_SSS__LANES];
-            MS_SSS__NAME(sum) s = {zero, zero, zero, zero, zero};
-            unsigned left = pending;
-            tx = MS_SSS__SUB(tx, ix);
-            MS_SSS__STORE(at_x, ix);
-            if (axes == 3) {
-                ty = MS_SSS__MUL(o, dy);
-                iy = MS_SSS__FLOOR(ty);
-                ty = MS_SSS__SUB(ty, iy);
-                MS_SSS__STORE(at_y, iy);
-            }
-            do {
-#if MS_SSS__LANES == 1
-                const int lane = 0, i = (int)ix;
-                const MS_SSS__V h0 = one - tx, h1 = tx;
-                left = 0;
-#else
-                const int lane = ms_sss__lowest(left), i = (int)at_x[lane];
-                MS_SSS__MASK same = MS_SSS__SAME(ix, MS_SSS__SET(at_x[lane]));
-                MS_SSS__V h0, h1;
-                if (axes == 3) same = MS_SSS__BOTH(same, MS_SSS__SAME(iy, MS_SSS__SET(at_y[lane])));
-                left &= ~MS_SSS__BITS(same);
-                h1 = MS_SSS__SELECT(same, tx, zero);
-                h0 = MS_SSS__SELECT(same, MS_SSS__SUB(one, tx), zero);
-#endif
-                MS_SSS__V gain = zero, next = zero;
-                if (shaped && axes < 3) {
-                    gain = MS_SSS__MUL(MS_SSS__SET((float)i), plane);
-                    next = MS_SSS__ADD(gain, plane);
-                }
-                if (axes == 1) {
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i), z, gain, h0, &s);
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__column(p, x + i + 1), z, next, h1, &s);
-                } else if (axes == 2) {
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y, i, x), z, gain, h0, &s);
-                    MS_SSS__NAME(read)(p, shaped, ms_sss__row(p, y, i + 1, x), z, next, h1, &s);
-                } else {
-                    const ptrdiff_t c0 = ms_sss__column(p, x + i), c1 = ms_sss__column(p, x + i + 1);
-                    const int j = (int)at_y[lane];
-                    const ptrdiff_t r0 = ms_sss__clamp(y + j, -1, p->height) * p->stride;
-                    const ptrdiff_t r1 = ms_sss__clamp(y + j + 1, -1, p->height) * p->stride;
-                    int corner;
-                    for (corner = 0; corner < 4; ++corner) {
-                        const int right = corner % 2, below = corner / 2;
-                        const MS_SSS__V h = MS_SSS__MUL(right ? h1 : h0, below ? ty : MS_SSS__SUB(one, ty));
-                        if (shaped) gain = MS_SSS__MADD(MS_SSS__SET((float)(i + right)), plane_x, MS_SSS__MUL(MS_SSS__SET((float)(j + below)), plane_y));
-                        MS_SSS__NAME(read)(p, shaped, (below ? r1 : r0) + (right ? c1 : c0), z, gain, h, &s);
-                    }
-                }
-            } while (left);
-            wr = MS_SSS__SET(p->weight[k][0]);
-            wg = MS_SSS__SET(p->weight[k][1]);
-            wb = MS_SSS__SET(p->weight[k][2]);
-            nr = MS_SSS__MADD(wr, s.n, nr);
-            ng = MS_SSS__MADD(wg, s.n, ng);
-            nb = MS_SSS__MADD(wb, s.n, nb);
-            if (shaped) {
-                const float distance = fabsf(p->offset_mm[k]);
-                MS_SSS__V away = axes == 1 ? MS_SSS__ABS(MS_SSS__MUL(o, dx)) : MS_SSS__ABS(MS_SSS__MUL(o, dy)), sine;
-                if (axes == 3) away = MS_SSS__ADD(away, MS_SSS__ABS(MS_SSS__MUL(o, dx)));
-                sine = MS_SSS__NAME(beyond)(s.below, MS_SSS__MADD(grain, away, MS_SSS__ADD(grain, grain)));
-                sine = MS_SSS__MUL(sine, MS_SSS__MUL(facing, MS_SSS__SET(distance > 1e-20f ? 1 / distance : 0.0f)));
-                sine = MS_SSS__MAX(MS_SSS__MIN(sine, one), MS_SSS__SET(p->least));
-                wr = MS_SSS__MUL(wr, MS_SSS__NAME(lift)(p, 0, sine));
-                wg = MS_SSS__MUL(wg, MS_SSS__NAME(lift)(p, 1, sine));
-                wb = MS_SSS__MUL(wb, MS_SSS__NAME(lift)(p, 2, sine));
-                mr = MS_SSS__MADD(wr, s.n, mr);
-                mg = MS_SSS__MADD(wg, s.n, mg);
-                mb = MS_SSS__MADD(wb, s.n, mb);
-            }
-            r = MS_SSS__MADD(wr, s.r, r);
-            g = MS_SSS__MADD(wg, s.g, g);
-            b = MS_SSS__MADD(wb, s.b, b);
-        }
-        r = MS_SSS__MADD(own_r, MS_SSS__SET(p->weight[0][0]), r);
-        g = MS_SSS__MADD(own_g, MS_SSS__SET(p->weight[0][1]), g);
-        b = MS_SSS__MADD(own_b, MS_SSS__SET(p->weight[0][2]), b);
-        nr = MS_SSS__ADD(nr, MS_SSS__SET(p->weight[0][0]));
-        ng = MS_SSS__ADD(ng, MS_SSS__SET(p->weight[0][1]));
-        nb = MS_SSS__ADD(nb, MS_SSS__SET(p->weight[0][2]));
-        if (shaped && !p->mixed[0]) nr = MS_SSS__MAX(nr, MS_SSS__MUL(MS_SSS__SET(p->root[0]), MS_SSS__ADD(mr, MS_SSS__SET(p->weight[0][0]))));
-        if (shaped && !p->mixed[1]) ng = MS_SSS__MAX(ng, MS_SSS__MUL(MS_SSS__SET(p->root[1]), MS_SSS__ADD(mg, MS_SSS__SET(p->weight[0][1]))));
-        if (shaped && !p->mixed[2]) nb = MS_SSS__MAX(nb, MS_SSS__MUL(MS_SSS__SET(p->root[2]), MS_SSS__ADD(mb, MS_SSS__SET(p->weight[0][2]))));
-        r = MS_SSS__NAME(restore)(r, nr, own_r, p->total[0], p->mixed[0]);
-        g = MS_SSS__NAME(restore)(g, ng, own_g, p->total[1], p->mixed[1]);
-        b = MS_SSS__NAME(restore)(b, nb, own_b, p->total[2], p->mixed[2]);
-        MS_SSS__STORE(out[0] + x - begin, MS_SSS__SELECT(large, r, MS_SSS__MUL(own_r, MS_SSS__SET(p->total[0]))));
-        MS_SSS__STORE(out[1] + x - begin, MS_SSS__SELECT(large, g, MS_SSS__MUL(own_g, MS_SSS__SET(p->total[1]))));
-        MS_SSS__STORE(out[2] + x - begin, MS_SSS__SELECT(large, b, MS_SSS__MUL(own_b, MS_SSS__SET(p->total[2]))));
-    }
-}
-
-#define MS_SSS__TAPS(name, axes, shaped)                                                                                  \
-    static void MS_SSS__NAME(name)(const ms_sss__pass *p, int y, int begin, int end, float *const out[3])                    \
-    {                                                                                                                        \
-        MS_SSS__NAME(taps)(p, axes, shaped, y, begin, end, out);                                                             \
-    }
-MS_SSS__TAPS(taps_x, 1, 0)
-MS_SSS__TAPS(taps_y, 2, 0)
-MS_SSS__TAPS(taps_turned, 3, 0)
-MS_SSS__TAPS(shaped_x, 1, 1)
-MS_SSS__TAPS(shaped_y, 2, 1)
-MS_SSS__TAPS(shaped_turned, 3, 1)
-#undef MS_SSS__TAPS
 
 /* The slope of two one-sided ones that count where their step in depth is under the kernel's radius: their mean where the
    surface turns little between them, else the smaller, so that none is taken across an edge or a crease. Towards an outline
@@ -8237,55 +8024,95 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
     }
 }
 
-/* The tangents of row y along x (out[0..2]) and y (out[3..5]). depth: planes of kernels of one size in perspective or not. */
+/* The tangents of row y along an axis, see tangent. */
 static void MS_SSS__NAME(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, int axis,
                                    float *const out[3])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     int x;
     for (x = begin; x < end; x += MS_SSS__LANES) {
-        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__LOAD(depth + x), MS_SSS__SET(MS_SSS__AWAY));
-        MS_SSS__V size = MS_SSS__SET(p->size), own[3];
-        if (p->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(p->size_max));
-        MS_SSS__NAME(tangent)(p, axis ? zero : one, axis ? one : zero, x, y, size, MS_SSS__LOAD(slope[0] + x), MS_SSS__LOAD(slope[1] + x), own);
+        const MS_SSS__V z = MS_SSS__LOAD(depth + x);
+        MS_SSS__V own[3];
+        MS_SSS__NAME(tangent)(p, axis ? zero : one, axis ? one : zero, x, y, MS_SSS__NAME(size)(p, z), MS_SSS__LOAD(slope[0] + x), MS_SSS__LOAD(slope[1] + x), own);
         MS_SSS__STORE(out[0] + x, own[0]);
         MS_SSS__STORE(out[1] + x, own[1]);
         MS_SSS__STORE(out[2] + x, own[2]);
     }
 }
 
-/* --- the sweep --- */
+/* --- the taps --- */
 
-/* What the groups of a row need along an axis: where all lanes have kernels, each pair's whole part, the same in all lanes
-   (EVEN) or one of two (ODD). size: NULL: from depth. Depths of what takes no part become finite. */
-static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, float *depth, const float *size, int count, unsigned char *plan)
+/* (1 - d^2)^4 within 1, else 0 */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(falloff)(MS_SSS__V d)
 {
-    const unsigned all = (MS_SSS__LANES == 16 ? 0xffffu : MS_SSS__LANES == 8 ? 0xffu : MS_SSS__LANES == 4 ? 0xfu : 1u);
+    MS_SSS__V f = MS_SSS__MAX(MS_SSS__LESSEN(d, d, MS_SSS__SET(1.0f)), MS_SSS__SET(0.0f));
+    f = MS_SSS__MUL(f, f);
+    return MS_SSS__MUL(f, f);
+}
+
+/* What of a depth is more than rounding. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(beyond)(MS_SSS__V depth, MS_SSS__V grain)
+{
+    return MS_SSS__SUB(depth, MS_SSS__MAX(MS_SSS__MIN(depth, grain), MS_SSS__SUB(MS_SSS__SET(0.0f), grain)));
+}
+
+/* (1 + K sin(theta) / 4)^4 */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lift)(const ms_sss__pass *p, int channel, MS_SSS__V sine)
+{
+    MS_SSS__V u = MS_SSS__MADD(MS_SSS__SET(p->curve[channel]), sine, MS_SSS__SET(1.0f));
+    u = MS_SSS__MUL(u, u);
+    return MS_SSS__MUL(u, u);
+}
+
+/* Which pixels take part and have kernels of half a pixel or more. */
+static MS_SSS__INLINE MS_SSS__MASK MS_SSS__NAME(need)(const ms_sss__pass *p, MS_SSS__V z)
+{
+    return MS_SSS__BOTH(MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)), MS_SSS__LESS(MS_SSS__SET(p->size_min), MS_SSS__NAME(size)(p, z)));
+}
+
+/* Makes depths of what takes no part finite. */
+static void MS_SSS__NAME(limit)(float *depth, int count)
+{
+    int x;
+    for (x = 0; x < count; x += MS_SSS__LANES) MS_SSS__STORE(depth + x, MS_SSS__MIN(MS_SSS__LOAD(depth + x), MS_SSS__SET(MS_SSS__AWAY)));
+}
+
+/* What the groups of a row need along an axis: each pair's whole part where it is the same in all lanes that have kernels, or
+   one of two (BESIDE added). size: NULL: from depth. */
+static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size, int first, int last,
+                               unsigned char *plan)
+{
+    const unsigned all = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
     int x, k, lane;
-    for (x = 0; x < count; x += MS_SSS__LANES, plan += s->plan_size) {
-        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__LOAD(depth + x), MS_SSS__SET(MS_SSS__AWAY));
-        const MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2));
-        MS_SSS__V own = MS_SSS__SET(p->size);
-        unsigned need;
-        MS_SSS__STORE(depth + x, z);
-        plan[0] = MS_SSS__NONE;
-        if (!MS_SSS__BITS(part)) continue;
-        if (p->perspective) own = MS_SSS__MIN(MS_SSS__DIV(own, z), MS_SSS__SET(p->size_max));
-        need = MS_SSS__BITS(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__SET(p->size_min), own)));
-        plan[0] = need ? MS_SSS__ANY : MS_SSS__LEAVE;
-        if (need != all) continue;
-        if (size) own = MS_SSS__LOAD(size + x);
-        plan[0] = MS_SSS__EVENLY;
-        for (k = 0; k < s->pairs && plan[0] != MS_SSS__ANY; ++k) {
+    for (x = first, plan += first / MS_SSS__LANES * s->plan_size; x < last; x += MS_SSS__LANES, plan += s->plan_size) {
+        const MS_SSS__V z = MS_SSS__LOAD(depth + x);
+        const MS_SSS__MASK need = MS_SSS__NAME(need)(p, z);
+        const unsigned bits = MS_SSS__BITS(need);
+        MS_SSS__V own;
+        float at[MS_SSS__LANES];
+        plan[0] = bits ? MS_SSS__ANY : MS_SSS__LEAVE;
+        if (!bits || !s->pairs) continue;
+        own = size ? MS_SSS__LOAD(size + x) : MS_SSS__NAME(size)(p, z);
+        if (bits != all) {
+            MS_SSS__STORE(at, own);
+            own = MS_SSS__SELECT(need, own, MS_SSS__SET(at[ms_sss__lowest(bits)]));
+        }
+        plan[0] = bits == all ? MS_SSS__ALL : MS_SSS__SOME;
+        for (k = 0; k < s->pairs; ++k) {
             const MS_SSS__V whole = MS_SSS__TRUNC(MS_SSS__MUL(own, MS_SSS__LOAD(s->offset[axis][k])));
-            float at[MS_SSS__LANES], least;
+            float least;
+            int two = 0;
             MS_SSS__STORE(at, whole);
             least = at[0];
             if (MS_SSS__BITS(MS_SSS__SAME(whole, MS_SSS__SET(least))) != all) {
                 for (lane = 1; lane < MS_SSS__LANES; ++lane) least = at[lane] < least ? at[lane] : least;
-                plan[0] = MS_SSS__BITS(MS_SSS__LESS(whole, MS_SSS__SET(least + 1.5f))) == all ? MS_SSS__ODDLY : MS_SSS__ANY;
+                two = MS_SSS__BITS(MS_SSS__LESS(whole, MS_SSS__SET(least + 1.5f))) == all ? MS_SSS__BESIDE : -1;
             }
-            plan[k + 1] = (unsigned char)(int)least;
+            if (two < 0 || least > MS_SSS__FAR) {
+                plan[0] = MS_SSS__ANY;
+                break;
+            }
+            plan[k + 1] = (unsigned char)((int)least + two);
         }
     }
 }
@@ -8309,86 +8136,59 @@ static float MS_SSS__NAME(least)(const float *depth, int count)
     return lane[0];
 }
 
-/* (1 - d^2)^4 within 1, else 0 */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(falloff)(MS_SSS__V d)
+#if MS_SSS__LANES > 1
+/* n groups from column x on, of which some are left as they are: first what the taps weigh, then the sums, since the chains of one group are long. Pixels i, i + 1
+   (and i + 2, where lanes of a group differ) of a pair and -i, -i - 1 (-i - 2) opposite. */
+static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const ms_sss__line *l, int x, int n,
+                                               MS_SSS__V (*out)[3])
 {
-    MS_SSS__V f = MS_SSS__MAX(MS_SSS__LESSEN(d, d, MS_SSS__SET(1.0f)), MS_SSS__SET(0.0f));
-    f = MS_SSS__MUL(f, f);
-    return MS_SSS__MUL(f, f);
-}
-
-/* Where a chunk's groups lie. Along x: from, planes `plane` floats apart. Along y: row[i], groups `plane` times four long. */
-typedef struct MS_SSS__NAME(place) {
-    const float *from, *const *row;
-    ptrdiff_t at, plane;
-} MS_SSS__NAME(place);
-
-static MS_SSS__INLINE const float *MS_SSS__NAME(there)(const int axis, const MS_SSS__NAME(place) *l, int i)
-{
-    return axis == 0 ? l->from + i : l->row[i] + l->at;
-}
-
-/* n groups, `step` floats apart: first what the taps weigh, then the sums, since the chains of one group are long. Pixels i,
-   i + 1 (and i + 2, where lanes of a group differ) of a pair and -i, -i - 1 (-i - 2) opposite. */
-static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_sss__pass *p, const int axis, const int shaped, const int odd,
-                                               const int three, MS_SSS__NAME(place) l, ptrdiff_t step, const float *const own[3],
-                                               const unsigned char *plan, int n, MS_SSS__V (*out)[3])
-{
-    const int pairs = three ? 3 : s->pairs, each = odd ? 3 : 2;
     const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f);
+    const ptrdiff_t *step = l->step, plane = l->plane;
     MS_SSS__V h[MS_SSS__CHUNK][MS_SSS__PAIRS][6], sum[MS_SSS__CHUNK][MS_SSS__PAIRS][2], sine[MS_SSS__CHUNK][MS_SSS__PAIRS][2];
-    int g, k, j, side;
-    for (g = 0; g < MS_SSS__CHUNK; ++g) /* compilers cannot see that the sums read only what was set */
-        for (k = 0; k < (three ? 3 : MS_SSS__PAIRS); ++k) {
-            for (j = 0; j < 6; ++j) h[g][k][j] = zero;
-            for (side = 0; side < 2; ++side) sum[g][k][side] = sine[g][k][side] = zero;
-        }
+    int g, k, j, side, c;
     for (g = 0; g < n; ++g) {
-        const unsigned char *whole = plan + g * s->plan_size;
-        MS_SSS__NAME(place) here = l;
+        const unsigned char *plan = l->plan + (x / MS_SSS__LANES + g) * s->plan_size;
+        const float *here = l->from + (x / MS_SSS__LANES + g) * l->group;
         MS_SSS__V z, size, rise = zero, facing = zero, grain = zero;
-        if (whole[0] != (odd ? MS_SSS__ODDLY : MS_SSS__EVENLY)) continue;
-        here.from += g * step;
-        here.at += g * step;
-        z = MS_SSS__LOAD(MS_SSS__NAME(there)(axis, &here, 0) + 3 * l.plane);
+        if (plan[0] < MS_SSS__SOME) continue;
+        z = MS_SSS__LOAD(here + step[0] + 3 * plane);
         if (shaped) {
-            size = MS_SSS__LOAD(own[0] + g * MS_SSS__LANES);
-            rise = MS_SSS__LOAD(own[1] + g * MS_SSS__LANES);
-            facing = MS_SSS__LOAD(own[2] + g * MS_SSS__LANES);
+            size = MS_SSS__LOAD(l->own[0] + x + g * MS_SSS__LANES);
+            rise = MS_SSS__LOAD(l->own[1] + x + g * MS_SSS__LANES);
+            facing = MS_SSS__LOAD(l->own[2] + x + g * MS_SSS__LANES);
             grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
         } else {
-            size = MS_SSS__SET(p->size);
-            if (p->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(p->size_max));
+            size = MS_SSS__NAME(size)(p, z);
         }
-        MS_SSS__UNROLL
-        for (k = 0; k < pairs; ++k) {
-            const int i = whole[k + 1];
-            const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[axis][k])), base = MS_SSS__SET((float)i), r = MS_SSS__SUB(t, base);
+        for (k = 0; k < s->pairs; ++k) {
+            const int two = plan[k + 1] & MS_SSS__BESIDE, i = plan[k + 1] - two;
+            const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[l->axis][k])), base = MS_SSS__SET((float)i), r = MS_SSS__SUB(t, base);
             const MS_SSS__V start = MS_SSS__MUL(rise, base), least = MS_SSS__MADD(grain, t, MS_SSS__ADD(grain, grain));
             MS_SSS__V share[3];
-            if (odd) {
-                share[0] = MS_SSS__MAX(MS_SSS__SUB(one, r), zero);
+            share[0] = MS_SSS__SUB(one, r);
+            share[1] = r;
+            share[2] = zero;
+            if (two) {
+                share[0] = MS_SSS__MAX(share[0], zero);
                 share[2] = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
                 share[1] = MS_SSS__SUB(one, MS_SSS__ADD(share[0], share[2]));
-            } else {
-                share[0] = MS_SSS__SUB(one, r);
-                share[1] = share[2] = r;
             }
             MS_SSS__UNROLL
             for (side = 0; side < 2; ++side) {
                 MS_SSS__V below = zero, all = zero, gain = side ? MS_SSS__SUB(zero, start) : start;
                 MS_SSS__UNROLL
-                for (j = 0; j < each; ++j) {
-                    const float *at = MS_SSS__NAME(there)(axis, &here, side ? -i - j : i + j);
-                    const MS_SSS__V there = MS_SSS__LOAD(at + 3 * l.plane);
-                    MS_SSS__V dz = MS_SSS__SUB(there, z), f;
+                for (j = 0; j < 3; ++j) {
+                    MS_SSS__V there, dz, f;
+                    if (j == 2 && !two) break;
+                    there = MS_SSS__LOAD(here + step[side ? -i - j : i + j] + 3 * plane);
+                    dz = MS_SSS__SUB(there, z);
                     if (shaped) dz = p->perspective ? MS_SSS__LESSEN(gain, there, dz) : MS_SSS__SUB(dz, gain);
                     f = MS_SSS__MUL(share[j], MS_SSS__NAME(falloff)(dz));
                     h[g][k][3 * side + j] = f;
                     all = j ? MS_SSS__ADD(all, f) : f;
                     if (shaped) {
                         below = j ? MS_SSS__MADD(f, dz, below) : MS_SSS__MUL(f, dz);
-                        if (j + 1 < each) gain = side ? MS_SSS__SUB(gain, rise) : MS_SSS__ADD(gain, rise);
+                        gain = side ? MS_SSS__SUB(gain, rise) : MS_SSS__ADD(gain, rise);
                     }
                 }
                 sum[g][k][side] = all;
@@ -8398,173 +8198,176 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
         }
     }
     for (g = 0; g < n; ++g) {
-        const unsigned char *whole = plan + g * s->plan_size;
-        MS_SSS__NAME(place) here = l;
+        const unsigned char *plan = l->plan + (x / MS_SSS__LANES + g) * s->plan_size;
+        const float *here = l->from + (x / MS_SSS__LANES + g) * l->group;
         MS_SSS__V r[3], norm[3], lifted[3];
-        const float *at;
-        int c;
-        if (whole[0] != (odd ? MS_SSS__ODDLY : MS_SSS__EVENLY)) continue;
-        here.from += g * step;
-        here.at += g * step;
-        at = MS_SSS__NAME(there)(axis, &here, 0);
+        if (plan[0] < MS_SSS__SOME) {
+            MS_SSS__UNROLL
+            for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__MUL(MS_SSS__LOAD(here + step[0] + c * plane), MS_SSS__SET(p->total[c]));
+            continue;
+        }
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
             norm[c] = lifted[c] = MS_SSS__LOAD(s->weight[0][c]);
-            r[c] = MS_SSS__MUL(norm[c], MS_SSS__LOAD(at + c * l.plane));
+            r[c] = MS_SSS__MUL(norm[c], MS_SSS__LOAD(here + step[0] + c * plane));
         }
-        MS_SSS__UNROLL
-        for (k = 0; k < pairs; ++k) {
-            const int i = whole[k + 1];
-            const float *a0 = MS_SSS__NAME(there)(axis, &here, i), *a1 = MS_SSS__NAME(there)(axis, &here, i + 1);
-            const float *b0 = MS_SSS__NAME(there)(axis, &here, -i), *b1 = MS_SSS__NAME(there)(axis, &here, -i - 1);
-            const float *a2 = odd ? MS_SSS__NAME(there)(axis, &here, i + 2) : a1, *b2 = odd ? MS_SSS__NAME(there)(axis, &here, -i - 2) : b1;
+        for (k = 0; k < s->pairs; ++k) {
+            const int two = plan[k + 1] & MS_SSS__BESIDE, i = plan[k + 1] - two;
+            const float *a0 = here + step[i], *a1 = here + step[i + 1], *b0 = here + step[-i], *b1 = here + step[-i - 1];
             const MS_SSS__V *q = h[g][k];
             MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) {
                 const MS_SSS__V w = MS_SSS__LOAD(s->weight[k + 1][c]);
-                MS_SSS__V u = MS_SSS__MADD(q[1], MS_SSS__LOAD(a1 + c * l.plane), MS_SSS__MUL(q[0], MS_SSS__LOAD(a0 + c * l.plane))), v;
-                if (odd) u = MS_SSS__MADD(q[2], MS_SSS__LOAD(a2 + c * l.plane), u);
-                v = shaped ? MS_SSS__MUL(q[3], MS_SSS__LOAD(b0 + c * l.plane)) : MS_SSS__MADD(q[3], MS_SSS__LOAD(b0 + c * l.plane), u);
-                v = MS_SSS__MADD(q[4], MS_SSS__LOAD(b1 + c * l.plane), v);
-                if (odd) v = MS_SSS__MADD(q[5], MS_SSS__LOAD(b2 + c * l.plane), v);
+                MS_SSS__V u = MS_SSS__MADD(q[1], MS_SSS__LOAD(a1 + c * plane), MS_SSS__MUL(q[0], MS_SSS__LOAD(a0 + c * plane))), v;
+                v = shaped ? MS_SSS__MUL(q[3], MS_SSS__LOAD(b0 + c * plane)) : MS_SSS__MADD(q[3], MS_SSS__LOAD(b0 + c * plane), u);
+                v = MS_SSS__MADD(q[4], MS_SSS__LOAD(b1 + c * plane), v);
+                if (two) {
+                    const MS_SSS__V a2 = MS_SSS__LOAD(here + step[i + 2] + c * plane), b2 = MS_SSS__LOAD(here + step[-i - 2] + c * plane);
+                    if (shaped) u = MS_SSS__MADD(q[2], a2, u);
+                    else v = MS_SSS__MADD(q[2], a2, v);
+                    v = MS_SSS__MADD(q[5], b2, v);
+                }
                 norm[c] = MS_SSS__MADD(w, MS_SSS__ADD(sum[g][k][0], sum[g][k][1]), norm[c]);
                 if (shaped) {
-                    const MS_SSS__V lift = MS_SSS__NAME(lift)(p, c, sine[g][k][0]), drop = MS_SSS__NAME(lift)(p, c, sine[g][k][1]);
-                    v = MS_SSS__MADD(lift, u, MS_SSS__MUL(drop, v));
-                    lifted[c] = MS_SSS__MADD(w, MS_SSS__MADD(lift, sum[g][k][0], MS_SSS__MUL(drop, sum[g][k][1])), lifted[c]);
+                    const MS_SSS__V rise = MS_SSS__NAME(lift)(p, c, sine[g][k][0]), drop = MS_SSS__NAME(lift)(p, c, sine[g][k][1]);
+                    v = MS_SSS__MADD(rise, u, MS_SSS__MUL(drop, v));
+                    lifted[c] = MS_SSS__MADD(w, MS_SSS__MADD(rise, sum[g][k][0], MS_SSS__MUL(drop, sum[g][k][1])), lifted[c]);
                 }
                 r[c] = MS_SSS__MADD(w, v, r[c]);
             }
         }
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
-            if (shaped) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(lifted[c], MS_SSS__SET(p->root[c])));
-            out[g][c] = MS_SSS__DIV(MS_SSS__MUL(r[c], MS_SSS__SET(p->total[c])), norm[c]);
+            if (shaped && !p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(lifted[c], MS_SSS__SET(p->root[c])));
+            out[g][c] = MS_SSS__NAME(restore)(r[c], norm[c], MS_SSS__LOAD(here + step[0] + c * plane), p->total[c], p->mixed[c]);
         }
     }
 }
+#endif
 
-/* The groups that are left: of which no lane has a kernel, lanes differ by one, or by more. */
-static MS_SSS__INLINE void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const int axis, const int shaped,
-                                              MS_SSS__NAME(place) l, ptrdiff_t step, const float *const own[3], const unsigned char *plan, int n,
-                                              int x, int y, MS_SSS__V (*out)[3])
+/* The group at column x by any taps. Neighbours mostly share the integer part of a tap's position: each distinct one is handled
+   once for all lanes that have it. h is a pixel's share of a tap (bilinear), f what its depth leaves of it. */
+static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
 {
-    int g, c, i;
-    for (g = 0; g < n; ++g, plan += s->plan_size) {
-        MS_SSS__NAME(place) here = l;
-        const float *mine[3];
-        here.from += g * step;
-        here.at += g * step;
-        for (i = 0; i < 3; ++i) mine[i] = own[i] + g * MS_SSS__LANES;
-        if (plan[0] == MS_SSS__EVENLY) continue;
-        if (plan[0] == MS_SSS__ODDLY) {
-            MS_SSS__NAME(chunk)(s, p, axis, shaped, 1, 0, here, 0, mine, plan, 1, out + g);
-        } else if (plan[0] == MS_SSS__ANY) {
-            float buffer[3][MS_SSS__LANES], *to[3];
-            ms_sss__pass any = *p;
-            const float *at = MS_SSS__NAME(there)(axis, &here, 0);
-            const int column = x + g * MS_SSS__LANES;
-            for (c = 0; c < 3; ++c) {
-                to[c] = buffer[c];
-                any.colour[c] = at + c * l.plane - column;
-                any.own[c] = mine[c] - column;
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
+    const float *here = l->from + x / MS_SSS__LANES * l->group, *at = here + l->step[0];
+    const MS_SSS__V z = MS_SSS__LOAD(at + 3 * l->plane), aspect = MS_SSS__SET(p->aspect[l->axis]);
+    const int low = l->axis ? -1 - l->at : -MS_SSS__LANES - x, high = l->axis ? l->count - l->at : l->count - x;
+    const unsigned pending = MS_SSS__BITS(MS_SSS__NAME(need)(p, z));
+    MS_SSS__V size, rise = zero, facing = zero, grain = zero, sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
+    int k, c, j;
+    if (s->shaped) {
+        size = MS_SSS__LOAD(l->own[0] + x);
+        rise = MS_SSS__LOAD(l->own[1] + x);
+        facing = MS_SSS__LOAD(l->own[2] + x);
+        grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
+    } else {
+        size = MS_SSS__NAME(size)(p, z);
+    }
+    for (k = p->tap_count - 1; k > 0; --k) {
+        const float mm = p->offset_mm[k];
+        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SET(mm), MS_SSS__MUL(size, aspect)), whole = MS_SSS__FLOOR(t), r = MS_SSS__SUB(t, whole);
+        MS_SSS__V tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
+        float floors[MS_SSS__LANES];
+        unsigned left = pending;
+        MS_SSS__STORE(floors, whole);
+        while (left) {
+            const float one_floor = floors[ms_sss__lowest(left)];
+            const MS_SSS__MASK same = MS_SSS__SAME(whole, MS_SSS__SET(one_floor));
+            left &= ~MS_SSS__BITS(same);
+            MS_SSS__UNROLL
+            for (j = 0; j < 2; ++j) {
+                const int i = (int)one_floor + j, near_i = ms_sss__clamp(i, low, high);
+                const float *from = l->axis ? here + l->step[near_i] : here + near_i;
+                const MS_SSS__V there = MS_SSS__LOAD(from + 3 * l->plane), gain = MS_SSS__MUL(rise, MS_SSS__SET((float)i));
+                MS_SSS__V dz = MS_SSS__SUB(there, z), q, f;
+                MS_SSS__MASK near_by;
+                if (s->shaped) dz = p->perspective ? MS_SSS__LESSEN(gain, there, dz) : MS_SSS__SUB(dz, gain);
+                q = MS_SSS__MUL(dz, dz);
+                near_by = MS_SSS__BOTH(same, MS_SSS__LESS(q, MS_SSS__SET(p->cut)));
+                if (!MS_SSS__BITS(near_by)) continue;
+                if (p->follow) f = MS_SSS__SUB(one, MS_SSS__ABS(dz));
+                else if (p->exact) f = MS_SSS__NAME(exp2_minus)(MS_SSS__MIN(q, MS_SSS__SET(120.0f)));
+                else f = MS_SSS__NAME(falloff)(dz);
+                f = MS_SSS__SELECT(near_by, MS_SSS__MUL(j ? r : MS_SSS__SUB(one, r), f), zero);
+                MS_SSS__UNROLL
+                for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MADD(f, MS_SSS__LOAD(from + c * l->plane), tap[c]);
+                n = MS_SSS__ADD(n, f);
+                below = MS_SSS__MADD(f, dz, below);
             }
-            any.depth = at + 3 * l.plane - column;
-            any.row = l.row;
-            any.first_pixel = at - column;
-            any.group = here.at;
-            if (axis == 0 && shaped) MS_SSS__NAME(shaped_x)(&any, y, column, column + MS_SSS__LANES, to);
-            else if (axis == 0) MS_SSS__NAME(taps_x)(&any, y, column, column + MS_SSS__LANES, to);
-            else if (shaped) MS_SSS__NAME(shaped_y)(&any, y, column, column + MS_SSS__LANES, to);
-            else MS_SSS__NAME(taps_y)(&any, y, column, column + MS_SSS__LANES, to);
-            for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__LOAD(buffer[c]);
-        } else {
-            for (c = 0; c < 3; ++c)
-                out[g][c] = plan[0] == MS_SSS__NONE ? MS_SSS__SET(0.0f)
-                                                    : MS_SSS__MUL(MS_SSS__SET(p->total[c]), MS_SSS__LOAD(MS_SSS__NAME(there)(axis, &here, 0) + c * l.plane));
         }
+        if (s->shaped) {
+            const MS_SSS__V away = MS_SSS__ABS(t);
+            sine = MS_SSS__NAME(beyond)(below, MS_SSS__MADD(grain, away, MS_SSS__ADD(grain, grain)));
+            sine = MS_SSS__MUL(sine, MS_SSS__MUL(facing, MS_SSS__SET(fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0.0f)));
+            sine = MS_SSS__MAX(MS_SSS__MIN(sine, one), MS_SSS__SET(p->least));
+        }
+        MS_SSS__UNROLL
+        for (c = 0; c < 3; ++c) {
+            MS_SSS__V w = MS_SSS__SET(p->weight[k][c]);
+            norm[c] = MS_SSS__MADD(w, n, norm[c]);
+            if (s->shaped) {
+                w = MS_SSS__MUL(w, MS_SSS__NAME(lift)(p, c, sine));
+                lifted[c] = MS_SSS__MADD(w, n, lifted[c]);
+            }
+            sum[c] = MS_SSS__MADD(w, tap[c], sum[c]);
+        }
+    }
+    MS_SSS__UNROLL
+    for (c = 0; c < 3; ++c) {
+        const MS_SSS__V own = MS_SSS__LOAD(at + c * l->plane), w = MS_SSS__SET(p->weight[0][c]);
+        norm[c] = MS_SSS__ADD(norm[c], w);
+        if (s->shaped && !p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(MS_SSS__SET(p->root[c]), MS_SSS__ADD(lifted[c], w)));
+        out[c] = MS_SSS__NAME(restore)(MS_SSS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
     }
 }
 
-static MS_SSS__APART void MS_SSS__NAME(others)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, MS_SSS__NAME(place) l, ptrdiff_t step,
-                                               const float *const own[3], const unsigned char *plan, int n, int x, int y, MS_SSS__V (*out)[3])
-{
-    if (axis == 0 && s->shaped) MS_SSS__NAME(rest)(s, p, 0, 1, l, step, own, plan, n, x, y, out);
-    else if (axis == 0) MS_SSS__NAME(rest)(s, p, 0, 0, l, step, own, plan, n, x, y, out);
-    else if (s->shaped) MS_SSS__NAME(rest)(s, p, 1, 1, l, step, own, plan, n, x, y, out);
-    else MS_SSS__NAME(rest)(s, p, 1, 0, l, step, own, plan, n, x, y, out);
-}
-
-/* First pass of a row: window[0] is its red, the next planes `plane` floats apart; to: groups of red, green, blue, depth. */
-static MS_SSS__INLINE void MS_SSS__NAME(sweep_x)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const int three,
-                                                 const float *window, ptrdiff_t plane, const float *const own[3], const unsigned char *plan,
-                                                 int y, int count, float *to)
-{
-    int x, g, c;
-    for (x = 0; x < count; x += MS_SSS__CHUNK * MS_SSS__LANES, plan += MS_SSS__CHUNK * s->plan_size) {
-        const int n = (count - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (count - x) / MS_SSS__LANES : MS_SSS__CHUNK;
-        const float *mine[3];
-        MS_SSS__V out[MS_SSS__CHUNK][3];
-        MS_SSS__NAME(place) l;
-        l.from = window + x;
-        l.row = NULL;
-        l.at = 0;
-        l.plane = plane;
-        for (c = 0; c < 3; ++c) mine[c] = own[c] + x;
-        MS_SSS__NAME(chunk)(s, p, 0, shaped, 0, three, l, MS_SSS__LANES, mine, plan, n, out);
-        MS_SSS__NAME(others)(s, p, 0, l, MS_SSS__LANES, mine, plan, n, x, y, out);
-        for (g = 0; g < n; ++g, to += 4 * MS_SSS__LANES) {
-            for (c = 0; c < 3; ++c) MS_SSS__STORE(to + c * MS_SSS__LANES, out[g][c]);
-            MS_SSS__STORE(to + 3 * MS_SSS__LANES, MS_SSS__LOAD(window + 3 * plane + x + g * MS_SSS__LANES));
-        }
-    }
-}
-
-/* Second pass of rows [begin, end), chunk by chunk so that what they share stays in the cache; to[row - begin][channel]. */
-static MS_SSS__INLINE void MS_SSS__NAME(sweep_y)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const int three, int begin,
-                                                 int end, int count, float *const (*to)[3], const int *stream)
+/* A pass of several rows between columns first and last, chunk by chunk so that what they share stays in the cache. */
+static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const ms_sss__line *line, int lines,
+                                               int first, int last)
 {
     int x, y, g, c;
-    for (x = 0; x < count; x += MS_SSS__CHUNK * MS_SSS__LANES)
-        for (y = begin; y < end; ++y) {
-            const int n = (count - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (count - x) / MS_SSS__LANES : MS_SSS__CHUNK;
-            const unsigned char *plan = s->plan + (ptrdiff_t)s->slot[y] * s->plan_row + x / MS_SSS__LANES * s->plan_size;
-            const float *mine[3];
+    for (x = first; x < last; x += MS_SSS__CHUNK * MS_SSS__LANES)
+        for (y = 0; y < lines; ++y) {
+            const ms_sss__line *l = &line[y];
+            const int n = (l->last - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (l->last - x) / MS_SSS__LANES : MS_SSS__CHUNK;
             MS_SSS__V out[MS_SSS__CHUNK][3];
-            MS_SSS__NAME(place) l;
-            if (!s->slot[y]) continue;
-            l.from = NULL;
-            l.row = s->row + y;
-            l.at = 4 * (ptrdiff_t)x;
-            l.plane = MS_SSS__LANES;
-            for (c = 0; c < 3; ++c) mine[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded + x;
-            MS_SSS__NAME(chunk)(s, p, 1, shaped, 0, three, l, 4 * MS_SSS__LANES, mine, plan, n, out);
-            MS_SSS__NAME(others)(s, p, 1, l, 4 * MS_SSS__LANES, mine, plan, n, x, y, out);
-            for (g = 0; g < n; ++g)
-                for (c = 0; c < 3; ++c) {
-                    float *at = to[y - begin][c] + x + g * MS_SSS__LANES;
-                    if (stream[y - begin]) MS_SSS__STREAM(at, out[g][c]);
-                    else MS_SSS__STORE(at, out[g][c]);
+            if (x < l->first || x >= l->last) continue;
+#if MS_SSS__LANES > 1
+            MS_SSS__NAME(chunk)(s, p, shaped, l, x, n, out);
+#else
+            (void)shaped;
+            for (c = 0; c < 3; ++c) out[0][c] = l->from[x * l->group + l->step[0] + c * l->plane] * p->total[c];
+#endif
+            for (g = 0; g < n; ++g) {
+                const int at = x + g * MS_SSS__LANES, group = at / MS_SSS__LANES, kind = l->plan[group * s->plan_size];
+                const float *here = l->from + group * l->group + l->step[0];
+                if (kind == MS_SSS__ANY) MS_SSS__NAME(any)(s, p, l, at, out[g]);
+                if (kind == MS_SSS__ANY || kind == MS_SSS__SOME) {
+                    const MS_SSS__MASK need = MS_SSS__NAME(need)(p, MS_SSS__LOAD(here + 3 * l->plane));
+                    MS_SSS__UNROLL
+                    for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__SELECT(need, out[g][c], MS_SSS__MUL(MS_SSS__LOAD(here + c * l->plane), MS_SSS__SET(p->total[c])));
                 }
+                MS_SSS__UNROLL
+                for (c = 0; c < 3; ++c) {
+                    float *to = l->to[c] + group * l->to_group;
+                    if (l->stream) MS_SSS__STREAM(to, out[g][c]);
+                    else MS_SSS__STORE(to, out[g][c]);
+                }
+                if (l->axis == 0) MS_SSS__STORE(l->to[2] + group * l->to_group + MS_SSS__LANES, MS_SSS__LOAD(here + 3 * l->plane));
+            }
         }
 }
 
-#define MS_SSS__SWEEPS(name, shaped, three)                                                                                  \
-    static void MS_SSS__NAME(name##_row)(const ms_sss__sweep *s, const ms_sss__pass *p, const float *window, ptrdiff_t plane, \
-                                         const float *const own[3], const unsigned char *plan, int y, int count, float *to)  \
-    {                                                                                                                        \
-        MS_SSS__NAME(sweep_x)(s, p, shaped, three, window, plane, own, plan, y, count, to);                                  \
-    }                                                                                                                        \
-    static void MS_SSS__NAME(name##_slab)(const ms_sss__sweep *s, const ms_sss__pass *p, int begin, int end, int count,      \
-                                          float *const (*to)[3], const int *stream)                                          \
-    {                                                                                                                        \
-        MS_SSS__NAME(sweep_y)(s, p, shaped, three, begin, end, count, to, stream);                                           \
-    }
-MS_SSS__SWEEPS(sweep, 0, 0)
-MS_SSS__SWEEPS(sweep_three, 0, MS_SSS__LANES >= 8) /* 7 taps: a text of their own where it pays */
-MS_SSS__SWEEPS(sweep_shaped, 1, 0)
-MS_SSS__SWEEPS(sweep_shaped_three, 1, MS_SSS__LANES >= 8)
-#undef MS_SSS__SWEEPS
+static void MS_SSS__NAME(sweep_flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first, int last)
+{
+    MS_SSS__NAME(sweep)(s, p, 0, line, lines, first, last);
+}
+
+static void MS_SSS__NAME(sweep_shaped)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first, int last)
+{
+    MS_SSS__NAME(sweep)(s, p, 1, line, lines, first, last);
+}
 
 /* out = a x + b y */
 static void MS_SSS__NAME(combine)(float a, const float *x, float b, const float *y, int count, float *out)
@@ -9172,12 +8975,8 @@ static void MS_SSS__NAME(split)(const float *from, int count, float *even, float
 
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
     MS_SSS__NAME(gate),    MS_SSS__NAME(admit),  MS_SSS__NAME(convolve),    MS_SSS__NAME(convolve_valid),
-    MS_SSS__NAME(taps_x),  MS_SSS__NAME(taps_y), MS_SSS__NAME(taps_turned), MS_SSS__NAME(shaped_x),
-    MS_SSS__NAME(shaped_y), MS_SSS__NAME(shaped_turned), MS_SSS__NAME(shape), MS_SSS__NAME(tangents),
-    MS_SSS__NAME(plan),
-    {{MS_SSS__NAME(sweep_row), MS_SSS__NAME(sweep_three_row)}, {MS_SSS__NAME(sweep_shaped_row), MS_SSS__NAME(sweep_shaped_three_row)}},
-    {{MS_SSS__NAME(sweep_slab), MS_SSS__NAME(sweep_three_slab)}, {MS_SSS__NAME(sweep_shaped_slab), MS_SSS__NAME(sweep_shaped_three_slab)}},
-    MS_SSS__NAME(least), MS_SSS__LANES, MS_SSS__NAME(combine),
+    MS_SSS__NAME(shape),   MS_SSS__NAME(tangents), MS_SSS__NAME(limit),   MS_SSS__NAME(plan),
+    {MS_SSS__NAME(sweep_flat), MS_SSS__NAME(sweep_shaped)}, MS_SSS__NAME(least), MS_SSS__LANES, MS_SSS__NAME(combine),
     MS_SSS__NAME(fade),    MS_SSS__NAME(lie),    MS_SSS__NAME(shrink),
     MS_SSS__NAME(gather),  MS_SSS__NAME(settle), MS_SSS__NAME(invert), MS_SSS__NAME(split),
     MS_SSS__NAME(halve),   MS_SSS__NAME(soften), MS_SSS__NAME(refine)};
