@@ -3547,13 +3547,19 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #define MS_SSS__INLINE inline
 #endif
 
+#if defined(__GNUC__) || defined(__clang__)
+#define MS_SSS__APART __attribute__((noinline))
+#else
+#define MS_SSS__APART
+#endif
+
 enum {
     MS_SSS__LEFT = 16,  /* floats before a row's first pixel: one vector of any level */
     MS_SSS__RIGHT = 32, /* floats behind a row's last block */
     MS_SSS__BLOCK = 32, /* columns that are left out together where none takes part */
     MS_SSS__TASKS = 16, /* bands of rows at most */
     MS_SSS__ROWS = 42,  /* row buffers of a task */
-    MS_SSS__PAIRS = 16, /* of taps that are made as pairs */
+    MS_SSS__PAIRS = 8,  /* of taps that are made as pairs */
     MS_SSS__FAR = 120,  /* pixels that pairs may reach */
     MS_SSS__MARGIN = 144, /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
     MS_SSS__STEP = 8,   /* rows that the second pass takes together */
@@ -4309,7 +4315,7 @@ static void ms_sss__fixed_x(const ms_sss__job *job, float *const in[4], int begi
 }
 
 /* The first pass of row y by fixed taps: at once where every tap counts. The ring's rows are planes. */
-static void ms_sss__fixed_first(const ms_sss__sweep *s, int y, float *const in[4])
+static MS_SSS__APART void ms_sss__fixed_first(const ms_sss__sweep *s, int y, float *const in[4])
 {
     const ms_sss__job *job = s->job;
     const ms_sss__fixed *f = &job->taps[0];
@@ -4352,7 +4358,7 @@ static void ms_sss__fixed_y(const ms_sss__sweep *s, int y, int x, int count, flo
 }
 
 /* The second pass of row y by fixed taps: at once where every tap counts, else by blocks. */
-static void ms_sss__fixed_second(const ms_sss__sweep *s, int y, float *const out[3])
+static MS_SSS__APART void ms_sss__fixed_second(const ms_sss__sweep *s, int y, float *const out[3])
 {
     const ms_sss__job *job = s->job;
     const ms_sss__fixed *f = &job->taps[1];
@@ -7624,6 +7630,7 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #undef MS_SSS__FEATURE_LIST
 #undef MS_SSS__PICK
 #undef MS_SSS__INLINE
+#undef MS_SSS__APART
 #undef MS_SSS__AWAY
 #undef MS_SSS__FALLOFF_END
 #endif /* MS_SSS_IMPLEMENTATION */
@@ -7642,11 +7649,6 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 #define MS_SSS__UNROLL _Pragma("GCC unroll 3")
 #else
 #define MS_SSS__UNROLL
-#endif
-#if defined(__GNUC__) || defined(__clang__)
-#define MS_SSS__APART __attribute__((noinline))
-#else
-#define MS_SSS__APART
 #endif
 
 #if MS_SSS__LANES == 16
@@ -8986,7 +8988,6 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__NAME
 #undef MS_SSS__CHUNK
 #undef MS_SSS__UNROLL
-#undef MS_SSS__APART
 #undef MS_SSS__V
 #undef MS_SSS__MASK
 #undef MS_SSS__LOAD
