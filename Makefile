@@ -30,9 +30,9 @@ LDLIBS = -lm
 TOOLS = build/mcml build/mcml_split build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
 	build/recommend build/latent build/nn_info build/nn_run build/nn_quantise build/preview build/match build/materialx build/workflow build/train
 DEMOS = build/demo_sss build/demo_match
-OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o
-MADE = -DMS_MCML_IMPLEMENTED -DMS_SSS_IMPLEMENTED -DMS_GPR_IMPLEMENTED -DMS_NN_IMPLEMENTED -DMS_PME_IMPLEMENTED
-IMAGE = examples/image.h examples/files.h
+OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o
+MADE = -DMS_MCML_IMPLEMENTED -DMS_SSS_IMPLEMENTED -DMS_GPR_IMPLEMENTED -DMS_NN_IMPLEMENTED -DMS_PME_IMPLEMENTED -DIMAGE_IMPLEMENTED
+IMAGE = examples/image.h examples/files.h build/image.o
 PLOT = examples/plot.h
 COMPILE = $(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -I.
 OBJECT = @mkdir -p build && echo "compiling $@" && $(COMPILE) -c -o $@ -x c /dev/null
@@ -50,6 +50,8 @@ build/ms_nn.o: ms_nn.h
 	$(OBJECT) -DMS_NN_IMPLEMENTATION -include ms_nn.h
 build/ms_pme.o: ms_pme.h
 	$(OBJECT) -DMS_PME_IMPLEMENTATION -include ms_pme.h
+build/image.o: examples/image.h examples/files.h
+	$(OBJECT) -DIMAGE_DEF= -include examples/image.h
 
 build/mcml: examples/mcml.c build/ms_mcml.o
 	$(BUILD) examples/mcml.c build/ms_mcml.o $(LDLIBS)
@@ -60,17 +62,17 @@ build/profile: examples/profile.c build/ms_mcml.o
 build/sss_kernel: examples/sss_kernel.c build/ms_sss.o build/ms_mcml.o
 	$(BUILD) examples/sss_kernel.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
 build/sss_filter: examples/sss_filter.c $(IMAGE) build/ms_sss.o build/ms_mcml.o
-	$(BUILD) examples/sss_filter.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
+	$(BUILD) examples/sss_filter.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
 build/postprocess: examples/postprocess.c $(IMAGE) build/ms_sss.o
-	$(BUILD) examples/postprocess.c build/ms_sss.o $(LDLIBS)
+	$(BUILD) examples/postprocess.c build/ms_sss.o build/image.o $(LDLIBS)
 build/lightmap: examples/lightmap.c $(IMAGE) build/ms_sss.o
-	$(BUILD) examples/lightmap.c build/ms_sss.o $(LDLIBS)
+	$(BUILD) examples/lightmap.c build/ms_sss.o build/image.o $(LDLIBS)
 build/demo_sss: examples/demo_sss.c examples/scene.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
-	$(BUILD) examples/demo_sss.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
+	$(BUILD) examples/demo_sss.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
 build/recommend: examples/recommend.c examples/keep.h examples/scores.h build/ms_gpr.o
 	$(BUILD) examples/recommend.c build/ms_gpr.o $(LDLIBS)
 build/latent: examples/latent.c examples/scores.h examples/maps.h $(IMAGE) build/ms_gpr.o
-	$(BUILD) examples/latent.c build/ms_gpr.o $(LDLIBS)
+	$(BUILD) examples/latent.c build/ms_gpr.o build/image.o $(LDLIBS)
 build/nn_info: examples/nn_info.c build/ms_nn.o
 	$(BUILD) examples/nn_info.c build/ms_nn.o $(LDLIBS)
 build/nn_run: examples/nn_run.c build/ms_nn.o
@@ -78,20 +80,21 @@ build/nn_run: examples/nn_run.c build/ms_nn.o
 build/nn_quantise: examples/nn_quantise.c examples/files.h build/ms_nn.o
 	$(BUILD) examples/nn_quantise.c build/ms_nn.o $(LDLIBS)
 build/preview: examples/preview.c examples/neural.h examples/materials.h $(IMAGE) build/ms_nn.o
-	$(BUILD) examples/preview.c build/ms_nn.o $(LDLIBS)
+	$(BUILD) examples/preview.c build/ms_nn.o build/image.o $(LDLIBS)
 build/materialx: examples/materialx.c examples/materialx.h examples/materials.h examples/files.h
 	$(BUILD) examples/materialx.c $(LDLIBS)
 build/train: examples/train.c examples/train.h $(IMAGE) build/ms_nn.o
-	$(BUILD) -O3 -fno-math-errno -fno-trapping-math -D_POSIX_C_SOURCE=200809L examples/train.c build/ms_nn.o $(LDLIBS) -lpthread
+	$(BUILD) -O3 -fno-math-errno -fno-trapping-math -D_POSIX_C_SOURCE=200809L examples/train.c build/ms_nn.o build/image.o $(LDLIBS) -lpthread
 build/match: examples/match.c examples/matcher.h examples/neural.h examples/materials.h $(IMAGE) build/ms_nn.o build/ms_pme.o
-	$(BUILD) examples/match.c build/ms_nn.o build/ms_pme.o $(LDLIBS)
+	$(BUILD) examples/match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h $(IMAGE) build/ms_nn.o build/ms_pme.o
-	$(BUILD) examples/demo_match.c build/ms_nn.o build/ms_pme.o $(LDLIBS)
+	$(BUILD) examples/demo_match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 build/workflow: examples/workflow.c examples/workflow.h examples/neural.h examples/scores.h examples/studio.h \
 	examples/matcher.h examples/materialx.h examples/maps.h $(IMAGE) build/ms_gpr.o build/ms_nn.o build/ms_pme.o
-	$(BUILD) examples/workflow.c build/ms_gpr.o build/ms_nn.o build/ms_pme.o $(LDLIBS)
+	$(BUILD) examples/workflow.c build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 
-demo: all
+# What it runs, no more; `make` builds the rest.
+demo: build/profile build/sss_kernel build/demo_sss build/recommend build/latent build/preview build/demo_match build/workflow
 	@sh examples/demo.sh
 
 deps:

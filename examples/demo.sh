@@ -6,7 +6,7 @@ mkdir -p $out
 build/profile skin1 --csv $out/skin1.csv >/dev/null
 build/sss_kernel skin1 --model preintegrated --taps 7 >$out/skin1_kernel.txt
 echo "light under the skin, marble, kernel models: before and after"
-build/demo_sss $out --width 1280 >/dev/null
+build/demo_sss $out --width 1088 >/dev/null # as wide as the page shows them
 build/recommend examples/data/scores.csv --count 300 --out $out/glass.csv 2>$out/recommend.txt
 build/latent examples/data/scores.csv $out/latent.png >/dev/null
 if [ -f examples/data/renderer_128.safetensors ]; then

@@ -639,7 +639,7 @@ int main(int argc, char **argv)
     show_truth("knot", "marble", lines);
     need(file_finish(&truths, 1), file("sss.txt"));
     plot_profiles();
-    show_skins(width * 9 / 64);
+    show_skins(180);
     show_models(page);
     bust = show_object(SCENE_BUST, "skin1", width);
     knot = show_object(SCENE_KNOT, "marble", width);

@@ -10,7 +10,10 @@
    in [0, 1] that the caller encodes (image_to_srgb) before writing and decodes (image_to_linear) after reading. Every PNG is
    read: 1 to 16 bits, grey, RGB, palette, with alpha (4 channels then) and interlaced; its chunks about colour spaces are
    skipped. image_resize brings a picture to another size. Files are read strictly: what is malformed, cut short or too long is refused.
-   On failure no image is made and no file is left behind. */
+   On failure no image is made and no file is left behind.
+
+   Programs that link one object with the part that reads and writes files compile it with -DIMAGE_DEF= and themselves with
+   -DIMAGE_IMPLEMENTED (as the Makefile does); otherwise it is static in each. */
 #ifndef EXAMPLES_IMAGE_H
 #define EXAMPLES_IMAGE_H
 #include <math.h>
@@ -71,8 +74,41 @@ static inline void image__map(image *im, float (*curve)(float))
 static inline void image_to_srgb(image *im) { image__map(im, image_srgb_encode); }
 static inline void image_to_linear(image *im) { image__map(im, image_srgb_decode); }
 
-/* --- a growing array of bytes; after a failed allocation it takes no more and says so in `failed` --- */
+/* --- other sizes --- */
 
+/* The means of im over the pixels of a picture of width x height: exact areas, so that the light stays (values are linear, or
+   treated as such; alpha weighs the other three). One axis at a time. */
+static inline image image_resize(const image *im, int width, int height)
+{
+    image half = image_new(width, im->height, im->channels), out = image_new(width, height, im->channels);
+    int axis, i, k, c;
+    for (axis = 0; axis < 2 && half.pixels && out.pixels; ++axis) {
+        const image *from = axis ? &half : im;
+        image *to = axis ? &out : &half;
+        int n = axis ? height : width, m = axis ? im->height : im->width, lines = axis ? width : im->height, line;
+        size_t step = axis ? (size_t)width * (size_t)im->channels : (size_t)im->channels, skip = axis ? (size_t)im->channels : 0;
+        for (line = 0; line < lines; ++line)
+            for (i = 0; i < n; ++i) {
+                double low = (double)i * m / n, high = (double)(i + 1) * m / n, sum[4] = {0, 0, 0, 0}, weight = 0;
+                float *q = to->pixels + (size_t)i * step + (axis ? (size_t)line * skip : (size_t)line * (size_t)width * (size_t)im->channels);
+                for (k = (int)low; k < m && (double)k < high; ++k) {
+                    double part = ((double)k + 1 < high ? (double)k + 1 : high) - ((double)k > low ? (double)k : low);
+                    const float *p = from->pixels + (size_t)k * step + (axis ? (size_t)line * skip : (size_t)line * (size_t)im->width * (size_t)im->channels);
+                    double alpha = im->channels == 4 ? (double)p[3] : 1;
+                    for (c = 0; c < im->channels; ++c) sum[c] += part * (c < 3 ? alpha : 1) * (double)p[c];
+                    weight += part * alpha;
+                }
+                for (c = 0; c < im->channels; ++c) q[c] = (float)(c == 3 ? sum[3] / (high - low) : weight > 0 ? sum[c] / weight : 0);
+            }
+    }
+    if (half.pixels == NULL) image_free(&out);
+    image_free(&half);
+    return out;
+}
+
+/* --- files: here, or in an object that many programs link --- */
+
+/* A growing array of bytes; after a failed allocation it takes no more and says so in `failed`. */
 typedef struct image__bytes {
     unsigned char *data;
     size_t size, room;
@@ -81,6 +117,33 @@ typedef struct image__bytes {
     int bit_count;
 } image__bytes;
 
+/* Nearest of the 256 levels; NaN and negative values become 0, what is above 1 becomes 255. */
+static inline unsigned char image_to_byte(float v) { return (unsigned char)(v > 0 ? v < 1 ? v * 255 + 0.5f : 255 : 0); }
+
+static inline int image__has_extension(const char *path, const char *extension)
+{
+    size_t n = strlen(path), m = strlen(extension), i;
+    if (n < m) return 0;
+    for (i = 0; i < m; ++i) {
+        int c = path[n - m + i];
+        if ((c >= 'A' && c <= 'Z' ? c + 32 : c) != extension[i]) return 0;
+    }
+    return 1;
+}
+
+/* Bytes into a file as file_save does: for pictures and for anything else. */
+static inline const char *image_save(const char *path, const void *data, size_t size) { return file_save(path, data, size); }
+
+#ifndef IMAGE_DEF
+#define IMAGE_DEF static inline
+#endif
+#ifdef IMAGE_IMPLEMENTED
+const char *image__load(const char *path, image__bytes *b);
+const char *image_write_png8(const char *path, const unsigned char *pixels, int width, int height, int channels);
+const char *image_decode(const unsigned char *data, size_t size, image *out);
+const char *image_read(const char *path, image *out);
+const char *image_write(const char *path, const image *im);
+#else
 static inline void image__put(image__bytes *b, const void *data, size_t size)
 {
     if (b->failed) return;
@@ -120,15 +183,12 @@ static inline void image__put_bits(image__bytes *b, uint32_t value, int count) /
     }
 }
 
-/* Bytes into a file as file_save does: for pictures and for anything else. */
-static inline const char *image_save(const char *path, const void *data, size_t size) { return file_save(path, data, size); }
-
 static inline const char *image__save(const char *path, const image__bytes *b)
 {
     return b->failed ? "out of memory" : image_save(path, b->data, b->size);
 }
 
-static inline const char *image__load(const char *path, image__bytes *b)
+IMAGE_DEF const char *image__load(const char *path, image__bytes *b)
 {
     unsigned char block[8192];
     size_t got;
@@ -411,7 +471,7 @@ static inline long image__filter_row(int filter, const unsigned char *row, const
 }
 
 /* pixels [height][width][channels], top row first; 1 gray, 3 RGB or 4 RGBA. */
-static inline const char *image_write_png8(const char *path, const unsigned char *pixels, int width, int height,
+IMAGE_DEF const char *image_write_png8(const char *path, const unsigned char *pixels, int width, int height,
                                            int channels)
 {
     static const unsigned char color_type[5] = {0, 0, 0, 2, 6};
@@ -824,7 +884,7 @@ static inline double image__number(const char *word)
 }
 
 /* A PFM, PPM, PGM or PNG file in memory. PFM values are multiplied by the header's scale. */
-static inline const char *image_decode(const unsigned char *data, size_t size, image *out)
+IMAGE_DEF const char *image_decode(const unsigned char *data, size_t size, image *out)
 {
     char word[32];
     size_t at = 2, i, n, bytes;
@@ -880,7 +940,7 @@ static inline const char *image_decode(const unsigned char *data, size_t size, i
     return NULL;
 }
 
-static inline const char *image_read(const char *path, image *out)
+IMAGE_DEF const char *image_read(const char *path, image *out)
 {
     image__bytes b;
     const char *problem;
@@ -920,21 +980,7 @@ static inline const char *image__write_pfm(const char *path, const image *im)
     return problem;
 }
 
-/* Nearest of the 256 levels; NaN and negative values become 0, what is above 1 becomes 255. */
-static inline unsigned char image_to_byte(float v) { return (unsigned char)(v > 0 ? v < 1 ? v * 255 + 0.5f : 255 : 0); }
-
-static inline int image__has_extension(const char *path, const char *extension)
-{
-    size_t n = strlen(path), m = strlen(extension), i;
-    if (n < m) return 0;
-    for (i = 0; i < m; ++i) {
-        int c = path[n - m + i];
-        if ((c >= 'A' && c <= 'Z' ? c + 32 : c) != extension[i]) return 0;
-    }
-    return 1;
-}
-
-static inline const char *image_write(const char *path, const image *im)
+IMAGE_DEF const char *image_write(const char *path, const image *im)
 {
     unsigned char *bytes;
     const char *problem;
@@ -962,36 +1008,6 @@ static inline const char *image_write(const char *path, const image *im)
     free(bytes);
     return problem;
 }
+#endif /* IMAGE_IMPLEMENTED */
 
-/* --- other sizes --- */
-
-/* The means of im over the pixels of a picture of width x height: exact areas, so that the light stays (values are linear, or
-   treated as such; alpha weighs the other three). One axis at a time. */
-static inline image image_resize(const image *im, int width, int height)
-{
-    image half = image_new(width, im->height, im->channels), out = image_new(width, height, im->channels);
-    int axis, i, k, c;
-    for (axis = 0; axis < 2 && half.pixels && out.pixels; ++axis) {
-        const image *from = axis ? &half : im;
-        image *to = axis ? &out : &half;
-        int n = axis ? height : width, m = axis ? im->height : im->width, lines = axis ? width : im->height, line;
-        size_t step = axis ? (size_t)width * (size_t)im->channels : (size_t)im->channels, skip = axis ? (size_t)im->channels : 0;
-        for (line = 0; line < lines; ++line)
-            for (i = 0; i < n; ++i) {
-                double low = (double)i * m / n, high = (double)(i + 1) * m / n, sum[4] = {0, 0, 0, 0}, weight = 0;
-                float *q = to->pixels + (size_t)i * step + (axis ? (size_t)line * skip : (size_t)line * (size_t)width * (size_t)im->channels);
-                for (k = (int)low; k < m && (double)k < high; ++k) {
-                    double part = ((double)k + 1 < high ? (double)k + 1 : high) - ((double)k > low ? (double)k : low);
-                    const float *p = from->pixels + (size_t)k * step + (axis ? (size_t)line * skip : (size_t)line * (size_t)im->width * (size_t)im->channels);
-                    double alpha = im->channels == 4 ? (double)p[3] : 1;
-                    for (c = 0; c < im->channels; ++c) sum[c] += part * (c < 3 ? alpha : 1) * (double)p[c];
-                    weight += part * alpha;
-                }
-                for (c = 0; c < im->channels; ++c) q[c] = (float)(c == 3 ? sum[3] / (high - low) : weight > 0 ? sum[c] / weight : 0);
-            }
-    }
-    if (half.pixels == NULL) image_free(&out);
-    image_free(&half);
-    return out;
-}
 #endif

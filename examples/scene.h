@@ -396,12 +396,14 @@ static inline int scene__clip(const scene_grid *g, scene_vec from, scene_vec dir
     return *t0 < *t1;
 }
 
-static inline scene_hit scene__trace(const scene_grid *g, scene_vec from, scene_vec direction)
+/* start: where the ray is known to have met nothing yet */
+static inline scene_hit scene__trace_from(const scene_grid *g, scene_vec from, scene_vec direction, float start)
 {
     scene_hit hit;
     int i;
     float t = 0, end = 6000, d;
     if (scene__clip(g, from, direction, 0, &t, &end)) {
+        if (t < start) t = start;
         for (i = 0; t < end; ++i) {
             scene_vec p = scene_mad(direction, t, from);
             d = scene__grid_distance(g, p);
@@ -422,6 +424,11 @@ static inline scene_hit scene__trace(const scene_grid *g, scene_vec from, scene_
     hit.what = SCENE_BACKDROP;
     hit.t = t;
     return hit;
+}
+
+static inline scene_hit scene__trace(const scene_grid *g, scene_vec from, scene_vec direction)
+{
+    return scene__trace_from(g, from, direction, 0);
 }
 
 /* The part of a round lamp that is seen from p, whose normal is n: the nearest pass of the ray to its centre by the
@@ -740,7 +747,7 @@ static inline void scene__cover(scene *s, const scene_grid *g)
                 float dx = (float)(k % 4) / 4 + (float)(k / 4) / 16 + 0.03125f,
                       dy = (float)(k / 4) / 4 + (float)(k % 4) / 16 + 0.03125f;
                 scene_vec ray = scene_ray(&s->camera, s->width, s->height, (float)x + dx, (float)y + dy);
-                scene_hit hit = scene__trace(g, s->camera.eye, ray);
+                scene_hit hit = scene__trace_from(g, s->camera.eye, ray, near_depth - 8 * g->cell);
                 float z = -scene_dot(ray, s->camera.back) * hit.t, best = 1e30f;
                 int choice = 4;
                 for (i = 0; i < 9; ++i) {
