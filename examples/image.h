@@ -131,19 +131,6 @@ static inline int image__has_extension(const char *path, const char *extension)
     return 1;
 }
 
-/* Bytes into a file as file_save does: for pictures and for anything else. */
-static inline const char *image_save(const char *path, const void *data, size_t size) { return file_save(path, data, size); }
-
-#ifndef IMAGE_DEF
-#define IMAGE_DEF static inline
-#endif
-#ifdef IMAGE_IMPLEMENTED
-const char *image__load(const char *path, image__bytes *b);
-const char *image_write_png8(const char *path, const unsigned char *pixels, int width, int height, int channels);
-const char *image_decode(const unsigned char *data, size_t size, image *out);
-const char *image_read(const char *path, image *out);
-const char *image_write(const char *path, const image *im);
-#else
 static inline void image__put(image__bytes *b, const void *data, size_t size)
 {
     if (b->failed) return;
@@ -161,6 +148,19 @@ static inline void image__put(image__bytes *b, const void *data, size_t size)
     b->size += size;
 }
 
+/* Bytes into a file as file_save does: for pictures and for anything else. */
+static inline const char *image_save(const char *path, const void *data, size_t size) { return file_save(path, data, size); }
+
+#ifndef IMAGE_DEF
+#define IMAGE_DEF static inline
+#endif
+#ifdef IMAGE_IMPLEMENTED
+const char *image__load(const char *path, image__bytes *b);
+const char *image_write_png8(const char *path, const unsigned char *pixels, int width, int height, int channels);
+const char *image_decode(const unsigned char *data, size_t size, image *out);
+const char *image_read(const char *path, image *out);
+const char *image_write(const char *path, const image *im);
+#else
 static inline void image__put_u32(image__bytes *b, uint32_t v) /* big-endian */
 {
     unsigned char text[4];
