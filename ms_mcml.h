@@ -40,7 +40,7 @@
      a diffusion profile for rendering (half-space, g = 0)   ms_mcml_profile_make: no noise, milliseconds
      a picked color and a path length to a medium            ms_mcml_medium_from_color
      skin of melanin and blood to colors and profiles        ms_mcml_skin_color, ms_mcml_skin_profile
-     layers, g: totals, rings, depth without noise           ms_mcml_layered_solve
+     layers, g: totals, rings, depth without noise           ms_mcml_layered_solve, over a grid ms_mcml_layered_result
      layers, g, glass, absorption, angles, time              ms_mcml_simulate, or for jobs that are split:
                                                              ms_mcml_create, _run, _save, _load, _merge, _results
      an .mci file of MCML 1.2                                ms_mcml_mci_load, ms_mcml_simulate, ms_mcml_mco_save
@@ -412,7 +412,8 @@ MS_API void ms_mcml_mci_destroy(ms_mcml_mci *mci);
 
 /* Writes an .mco file as MCML 1.2.2 does, in pieces, through write, which returns 0 on success.
    seconds   user time for the comment line; < 0: 0
-   MS_IO: write failed. MS_UNSUPPORTED: the result has no A_rz (no_absorption). */
+   What a result of ms_mcml_layered_result does not have is nan, so that every number keeps its place.
+   MS_IO: write failed. MS_UNSUPPORTED: a result of photons without A_rz (no_absorption). */
 MS_API ms_status ms_mcml_mco_write(const ms_mcml_run_spec *run, const ms_mcml_result *result, double seconds,
                                    int (*write)(void *user, const char *text, size_t size), void *user, ms_error *error);
 
@@ -607,6 +608,14 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
 MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *solution, int side, double r_cm);
 MS_API double ms_mcml_layered_ring(const ms_mcml_layered *solution, int side, double r0_cm, double r1_cm, double *ring_error);
 MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *solution, int side, double x_cm);
+
+/* All of it over a grid, as from ms_mcml_simulate but without noise: photons is 0; totals, rings and what layers absorb with their
+   errors, A_z without (they add up to a). Angles only in a grid of one, times and A_rz not at all: those arrays are NULL. options may
+   be NULL; its totals_only, dz_cm, nz, a_z and a_l are not read. Release with ms_mcml_result_destroy.
+   MS_NOT_CONVERGED: as above, *result is filled and to be released. MS_UNSUPPORTED also for a grid with nt > 0. Else *result is
+   untouched. */
+MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_layered_options *options,
+                                        ms_mcml_result *result, ms_error *error);
 
 /* ---- diffusion profiles ---------------------------------------------------------------------------------------- */
 
@@ -1224,6 +1233,14 @@ MS_API ms_mcml_options ms_mcml_defaults(void)
     ms_mcml_options options;
     memset(&options, 0, sizeof options);
     return options;
+}
+
+static double ms_mcml__nan(void)
+{
+    const uint64_t bits = 0x7ff8000000000000u;
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
 }
 
 static int ms_mcml__between(double x, double low, double high) { return ms__finite(x) && x >= low && x <= high; }
@@ -2611,7 +2628,7 @@ static void ms_mcml__column_out(ms_mcml__writer *w, const char *head, const doub
 {
     int i;
     ms_mcml__text_out(w, head);
-    for (i = 0; i < n; ++i) ms_mcml__wide_out(w, x[i] * scale, 0, "\n");
+    for (i = 0; i < n; ++i) ms_mcml__wide_out(w, x ? x[i] * scale : ms_mcml__nan(), 0, "\n");
     ms_mcml__text_out(w, "\n");
 }
 
@@ -2620,7 +2637,7 @@ static void ms_mcml__table_out(ms_mcml__writer *w, const char *head, const doubl
 {
     size_t i;
     ms_mcml__text_out(w, head);
-    for (i = 0; i < n; ++i) ms_mcml__wide_out(w, x[i], 0, i % 5 == 4 ? " \n" : " ");
+    for (i = 0; i < n; ++i) ms_mcml__wide_out(w, x ? x[i] : ms_mcml__nan(), 0, i % 5 == 4 ? " \n" : " ");
     ms_mcml__text_out(w, "\n");
 }
 
@@ -2649,7 +2666,9 @@ static void ms_mcml__head_out(ms_mcml__writer *w, const ms_mcml_run_spec *run, c
     ms_mcml__time_out(w, seconds, 0);
     ms_mcml__text_out(w, " sec = ");
     ms_mcml__time_out(w, seconds / 3600, 1);
-    ms_mcml__text_out(w, " hr.   Simulation time of this run.\n\nInParm \t\t\t# Input parameters. cm is used.\n");
+    ms_mcml__text_out(w, " hr.   Simulation time of this run.\n");
+    if (result->photons == 0) ms_mcml__text_out(w, "# Layered solver, no photons: nan is what it does not compute (A_rz, angles).\n");
+    ms_mcml__text_out(w, "\nInParm \t\t\t# Input parameters. cm is used.\n");
     ms_mcml__text_out(w, run->output);
     ms_mcml__text_out(w, " \tA\t\t# output file name, ASCII.\n");
     ms_mcml__whole_out(w, result->photons, " \t\t\t# No. of photons\n");
@@ -2686,7 +2705,7 @@ MS_API ms_status ms_mcml_mco_write(const ms_mcml_run_spec *run, const ms_mcml_re
     int i, nr, nz, na;
     if (run == NULL || result == NULL || write == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "run, result or write is NULL");
-    if (result->a_rz == NULL) return ms__fail(error, MS_UNSUPPORTED, 0, "the result has no A_rz, which an .mco file must have");
+    if (result->a_rz == NULL && result->photons) return ms__fail(error, MS_UNSUPPORTED, 0, "the result has no A_rz, which an .mco file must have");
     nr = result->grid.nr;
     nz = result->grid.nz;
     na = result->grid.na;
@@ -3300,14 +3319,6 @@ static double ms_mcml__x_bessel_k1(double x)
 }
 
 /* By its bits: no invalid operation is raised. */
-static double ms_mcml__nan(void)
-{
-    const uint64_t bits = 0x7ff8000000000000u;
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
 MS_API double ms_mcml_halfspace_beyond(const ms_mcml_halfspace *s, double r_mm)
 {
     double sum = 0;
@@ -4734,6 +4745,79 @@ MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *s, int side, do
         sum += ms_mcml__layered_beyond(s, 0, side, r) / 48;
     }
     return 0.5 * (sum > 0 ? sum : 0);
+}
+
+MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_layered_options *options,
+                                        ms_mcml_result *result, ms_error *error)
+{
+    ms_mcml_layered_options o;
+    ms_mcml_layered s;
+    ms_mcml_result out;
+    ms_status status;
+    double *block, cosine, solid;
+    size_t nr, nz, layers, one;
+    int i, side;
+    if (tissue == NULL || grid == NULL || result == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tissue, grid or result is NULL");
+    if ((status = ms_mcml__check_tissue(tissue, error)) != MS_OK || (status = ms_mcml__check_grid(grid, error)) != MS_OK) return status;
+    if (grid->nt > 0) return ms__fail(error, MS_UNSUPPORTED, 0, "the layered solver knows no times of flight, nt is %d", grid->nt);
+    memset(&o, 0, sizeof o);
+    memset(&out, 0, sizeof out);
+    if (options) o = *options;
+    nr = (size_t)grid->nr;
+    nz = (size_t)grid->nz;
+    layers = (size_t)tissue->layer_count;
+    one = grid->na == 1;
+    out.grid = *grid;
+    out.layer_count = tissue->layer_count;
+    out.allocator = o.allocator;
+    out.memory_size = ms__size_mul(ms__size_add(ms__size_mul(4 + 4 * one, nr + one), ms__size_add(nz, 2 * layers)), sizeof(double));
+    out.memory = ms__alloc(&out.allocator, out.memory_size);
+    if (out.memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the results", out.memory_size);
+    block = (double *)out.memory;
+    out.a_l = ms_mcml__take(&block, layers, 1);
+    out.a_l_error = ms_mcml__take(&block, layers, 1);
+    out.a_z = ms_mcml__take(&block, nz, 1);
+    o.totals_only = 0;
+    o.dz_cm = grid->dz_cm;
+    o.nz = grid->nz;
+    o.a_z = out.a_z;
+    o.a_l = out.a_l;
+    status = ms_mcml_layered_solve(tissue, &o, &s, error);
+    if (status != MS_OK && status != MS_NOT_CONVERGED) {
+        ms__release(&out.allocator, out.memory, out.memory_size);
+        return status;
+    }
+    out.specular = s.specular;
+    out.rd = s.rd;
+    out.rd_error = s.rd_error;
+    out.tt = s.tt;
+    out.tt_error = s.tt_error;
+    out.a = s.a;
+    out.a_error = s.rd_error + s.tt_error;
+    out.rd_unscattered = s.rd_unscattered;
+    out.tt_unscattered = s.tt_unscattered;
+    for (i = 0; i < tissue->layer_count; ++i) out.a_l_error[i] = out.a_error;
+    solid = ms_mcml__solid_angle(0, 1, &cosine);
+    for (side = 0; side < 2; ++side) { /* as in a tally the last ring has all that lies beyond */
+        double *r = ms_mcml__take(&block, nr, 1), *r_error = ms_mcml__take(&block, nr, 1);
+        double *a = ms_mcml__take(&block, 1, (int)one), *a_error = ms_mcml__take(&block, 1, (int)one);
+        double *ra = ms_mcml__take(&block, nr, (int)one), *ra_error = ms_mcml__take(&block, nr, (int)one);
+        for (i = 0; i < grid->nr; ++i) {
+            const double r0 = i * grid->dr_cm;
+            r[i] = ms_mcml_layered_ring(&s, side, r0, r0 + grid->dr_cm, &r_error[i]);
+            if (i + 1 == grid->nr) r[i] = ms_mcml_layered_beyond(&s, side, r0) / ms_mcml__ring_area(i, grid->dr_cm);
+            if (one) ra[i] = r[i] / (solid * cosine), ra_error[i] = r_error[i] / (solid * cosine);
+        }
+        if (one) a[0] = (side ? s.tt : s.rd) / solid, a_error[0] = (side ? s.tt_error : s.rd_error) / solid;
+        *(side ? &out.tt_r : &out.rd_r) = r;
+        *(side ? &out.tt_r_error : &out.rd_r_error) = r_error;
+        *(side ? &out.tt_a : &out.rd_a) = a;
+        *(side ? &out.tt_a_error : &out.rd_a_error) = a_error;
+        *(side ? &out.tt_ra : &out.rd_ra) = ra;
+        *(side ? &out.tt_ra_error : &out.rd_ra_error) = ra_error;
+    }
+    *result = out;
+    return status;
 }
 
 /* ---- colours --------------------------------------------------------------------------------------------------- */

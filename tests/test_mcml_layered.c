@@ -512,6 +512,136 @@ static void memory_runs_out(void)
     });
 }
 
+/* --- over a grid, and as a file --- */
+
+typedef struct page {
+    char text[60000];
+    size_t size;
+} page;
+
+static int page_write(void *user, const char *text, size_t size)
+{
+    page *p = (page *)user;
+    if (p->size + size >= sizeof p->text) return 1;
+    memcpy(p->text + p->size, text, size);
+    p->text[p->size += size] = 0;
+    return 0;
+}
+
+/* The numbers behind a line that starts with a name, up to a blank line or count; how many are nan goes to *nans. */
+static int numbers_of(const char *text, const char *name, double *out, int count, int *nans)
+{
+    const char *at = strstr(text, name);
+    char *end;
+    int n = 0;
+    *nans = 0;
+    if (at == NULL) return 0;
+    for (at = strchr(at, '\n'); n < count; ++n, at = end) {
+        const double x = strtod(at, &end);
+        if (end == at) break;
+        *nans += x != x;
+        out[n] = x;
+    }
+    return n;
+}
+
+/* A file's run, solved and written, read back: every number in its place, energy adds up, Monte Carlo says the same. */
+static void a_file_without_noise(void)
+{
+    static const char text[] = "1.0\n2\nfive.mco A\n300000\n0.01 0.02\n8 12 5\n2\n1\n1.4 2 60 0.7 0.04\n1.5 1 40 0.5 0.1\n1.2\n"
+                               "one.mco A\n300000\n0.01 0.02\n8 12 1\n1\n1\n1.4 2 60 0.7 0.04\n1\n";
+    static page p;
+    ms_mcml_mci f;
+    ms_error error;
+    int run, i, side, nans;
+    CHECK_INT(ms_mcml_mci_read(text, sizeof text - 1, NULL, &f, &error), MS_OK);
+    for (run = 0; run < 2; ++run) {
+        const ms_mcml_run_spec *spec = &f.runs[run];
+        const int na = spec->grid.na;
+        ms_mcml_result r, mc;
+        ms_mcml_options o = ms_mcml_defaults();
+        double x[200], sum;
+        if (ms_mcml_layered_result(&spec->tissue, &spec->grid, NULL, &r, &error)) TEST_FAIL("%s", error.message);
+        p.size = 0;
+        CHECK_INT(ms_mcml_mco_write(spec, &r, 0, page_write, &p, &error), MS_OK);
+        CHECK(strstr(p.text, "\n0 \t\t\t# No. of photons\n") != NULL && strstr(p.text, "# Layered solver, no photons: nan") != NULL);
+        CHECK_INT(numbers_of(p.text, "A_l #", x, 200, &nans), spec->tissue.layer_count);
+        for (sum = 0, i = 0; i < spec->tissue.layer_count; ++i) sum += x[i];
+        CHECK_NEAR(sum, r.a, 1e-4); /* four digits are printed */
+        CHECK_INT(numbers_of(p.text, "A_z #", x, 200, &nans), 8);
+        for (sum = 0, i = 0; i < 8; ++i) sum += 0.01 * x[i];
+        CHECK_NEAR(sum, r.a, 1e-5);
+        CHECK_INT(nans, 0);
+        for (side = 0; side < 2; ++side) {
+            const double total = side ? r.tt : r.rd;
+            CHECK_INT(numbers_of(p.text, side ? "Tt_r #" : "Rd_r #", x, 200, &nans), 12);
+            for (sum = 0, i = 0; i < 12; ++i) sum += x[i] * ms_mcml__ring_area(i, 0.02);
+            CHECK_NEAR(sum, total, 1e-5 + 2e-5 * total);
+            CHECK_INT(numbers_of(p.text, side ? "Tt_a #" : "Rd_a #", x, 200, &nans), na);
+            CHECK_INT(nans, na > 1 ? na : 0);
+            /* a single bin: sin(pi / 4) pi / 2 of 2 pi sr, as MCML counts it */
+            if (na == 1) CHECK_NEAR(x[0] * 6.2831853 * 0.70710678 * 1.57079633, total, 1e-4 * total);
+            CHECK_INT(numbers_of(p.text, side ? "\nTt_ra\n" : "\nRd_ra\n", x, 200, &nans), 0); /* the name's own line first */
+            CHECK_INT(numbers_of(p.text, side ? "Tt_ra\n" : "Rd_ra\n", x, 200, &nans), 12 * na);
+            CHECK_INT(nans, na > 1 ? 12 * na : 0);
+        }
+        CHECK_INT(numbers_of(p.text, "A_rz\n", x, 200, &nans), 96);
+        CHECK_INT(nans, 96);
+        o.photons = spec->photons;
+        o.seed = test_seed + 5;
+        CHECK_INT(ms_mcml_simulate(&spec->tissue, &spec->grid, &o, &mc, &error), MS_OK);
+        CHECK(fabs(r.rd - mc.rd) < 4.5 * mc.rd_error && fabs(r.tt - mc.tt) < 4.5 * mc.tt_error && fabs(r.a - mc.a) < 4.5 * mc.a_error);
+        CHECK_NEAR(r.specular, mc.specular, 1e-15);
+        CHECK_NEAR(r.tt_unscattered, mc.tt_unscattered, 4.5 * mc.tt_error);
+        for (i = 0; i < 12; ++i) { /* claimed errors are added to Monte Carlo's */
+            CHECK(fabs(r.rd_r[i] - mc.rd_r[i]) < 4.5 * mc.rd_r_error[i] + 2 * r.rd_r_error[i]);
+            CHECK(fabs(r.tt_r[i] - mc.tt_r[i]) < 4.5 * mc.tt_r_error[i] + 2 * r.tt_r_error[i]);
+            if (na == 1) CHECK(fabs(r.rd_ra[i] - mc.rd_ra[i]) < 4.5 * mc.rd_ra_error[i] + 2 * r.rd_ra_error[i]);
+        }
+        for (i = 0; i < 8; ++i) CHECK_NEAR(r.a_z[i], mc.a_z[i], 0.02 * mc.a_z[i] + 1e-3); /* 3e5 photons: 0.3% a bin; floats at its edge */
+        ms_mcml_result_destroy(&mc);
+        ms_mcml_result_destroy(&r);
+    }
+    { /* what is refused, and what is said of what is not known well */
+        static const ms_mcml_layer sharp = {1.4, 1, 100, 0.99, 1e8};
+        const ms_mcml_run_spec *spec = &f.runs[1];
+        ms_mcml_tissue t = spec->tissue;
+        ms_mcml_grid g = spec->grid;
+        ms_mcml_result r;
+        memset(&r, 0, sizeof r);
+        g.nt = 3;
+        g.dt_ps = 1;
+        CHECK_INT(ms_mcml_layered_result(&t, &g, NULL, &r, &error), MS_UNSUPPORTED);
+        CHECK_INT(ms_mcml_layered_result(&t, NULL, NULL, &r, &error), MS_INVALID_ARGUMENT);
+        CHECK_INT(ms_mcml_layered_result(NULL, &g, NULL, &r, &error), MS_INVALID_ARGUMENT);
+        g = spec->grid;
+        CHECK_INT(ms_mcml_layered_result(&t, &g, NULL, NULL, &error), MS_INVALID_ARGUMENT);
+        g.nr = 0;
+        CHECK_INT(ms_mcml_layered_result(&t, &g, NULL, &r, &error), MS_INVALID_ARGUMENT);
+        CHECK(r.memory == NULL);
+        g.nr = 3;
+        t.layers = &sharp;
+        {
+            ms_mcml_layered_options o;
+            memset(&o, 0, sizeof o);
+            o.order = 7;
+            CHECK_INT(ms_mcml_layered_result(&t, &g, &o, &r, &error), MS_NOT_CONVERGED);
+        }
+        CHECK(r.rd > 0 && r.rd_error > 5e-5 && r.rd_r[2] > 0);
+        ms_mcml_result_destroy(&r);
+        t = spec->tissue;
+        TEST_ALLOCATION_SWEEP(40, {
+            ms_mcml_layered_options o;
+            memset(&o, 0, sizeof o);
+            o.allocator = allocator;
+            o.order = 3;
+            status = ms_mcml_layered_result(&t, &g, &o, &r, NULL);
+            if (status == MS_OK) ms_mcml_result_destroy(&r);
+        });
+    }
+    ms_mcml_mci_destroy(&f);
+}
+
 /* --- skin --- */
 
 /* CIE 1931 2 degree observer and D65, every 10 nm from 400 to 700: the published tables. */
@@ -719,6 +849,7 @@ static const test_case cases[] = {
     {"identities", identities},
     {"refusals", refusals},
     {"memory_runs_out", memory_runs_out},
+    {"a_file_without_noise", a_file_without_noise},
     {"skin_is_made_of_its_laws", skin_is_made_of_its_laws},
     {"skin_of_people", skin_of_people},
     {"skin_color_of_the_observer", skin_color_of_the_observer},
