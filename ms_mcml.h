@@ -577,14 +577,14 @@ typedef struct ms_mcml_layered_options {
 
      energy beyond r    sum single max(0, exp(-single_rate r) - single_end) + sum energy (rate r) K1(rate r)
 
-   and, where positive terms do not do (table), the rest as beyond[] at radius_cm exp(0.1 i). Index [order][side]: order 0 is
-   the result, 1 half the order, for errors.
+   and what positive terms do not give as beyond[] at radius_cm exp(0.1 i). Index [order][side]: order 0 is the result, 1 half the
+   order, for errors.
 
    rd_error, tt_error: from the last two orders of the totals. */
 typedef struct ms_mcml_layered {
     double specular, rd, rd_error, tt, tt_error, a, rd_unscattered, tt_unscattered;
     double residual, peak; /* of the iteration; largest part of scattering taken as forward */
-    int order, frequencies, rates, singles, table[2];
+    int order, frequencies, rates, singles;
     double frequency_per_cm[MS_MCML_LAYERED_RATES], rd_spectrum[MS_MCML_LAYERED_RATES], tt_spectrum[MS_MCML_LAYERED_RATES]; /* at k */
     double rate_per_cm[MS_MCML_LAYERED_RATES], energy[2][2][MS_MCML_LAYERED_RATES];
     double radius_cm, multiple[2][2], rest[2][2], beyond[2][2][MS_MCML_LAYERED_RADII];
@@ -3387,6 +3387,7 @@ MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *s, double x
 #define MS_MCML__SPAN 48       /* steps of GMRES */
 #define MS_MCML__EVEN_MAX 9    /* even moments of the preconditioner */
 #define MS_MCML__ODD_MAX 12
+#define MS_MCML__SERIES 17     /* terms of exp(-y), |y| < 1, and of its last moment: 1e-16 */
 
 /* A layer as the flights see it; mu_s, mu_t and sigma without the forward peak. */
 typedef struct ms_mcml__stratum {
@@ -3414,7 +3415,7 @@ typedef struct ms_mcml__smoother {
 
 struct ms_mcml__flights;
 typedef void (*ms_mcml__fly_function)(const struct ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2]);
-typedef void (*ms_mcml__weigh_function)(const double *moment, const double *h, const double *polynomial, double *out);
+typedef void (*ms_mcml__weigh_function)(double mu_t, const double *h, const double *wave, const double *polynomial, const double *series, double *out);
 static ms_mcml__fly_function ms_mcml__fly_kernel(ms_simd level, ms_mcml__weigh_function *weigh);
 
 typedef struct ms_mcml__flights {
@@ -3558,42 +3559,6 @@ static int ms_mcml__mesh(double tau, int semi, double depth, double longest, dou
     return n;
 }
 
-/* Integrals of u^n exp(-y u), u from 0 to 1, n = 0 .. 4, and exp(-y); y complex, re >= 0. */
-static void ms_mcml__exponential_moments(double yr, double yi, double out[6][2])
-{
-    const double e = yr < 700 ? exp(-yr) : 0, er = e * cos(yi), ei = -e * sin(yi), size = yr * yr + yi * yi;
-    int n;
-    out[5][0] = er;
-    out[5][1] = ei;
-    if (size > 0.5) {
-        const double vr = yr / size, vi = -yi / size;
-        double pr = 1 - er, pi = -ei;
-        for (n = 0; n < 5; ++n) {
-            out[n][0] = pr * vr - pi * vi;
-            out[n][1] = pr * vi + pi * vr;
-            pr = (n + 1) * out[n][0] - er;
-            pi = (n + 1) * out[n][1] - ei;
-        }
-    } else { /* the last by its series, the others down from it */
-        double tr = 1, ti = 0, sr = 0, si = 0;
-        for (n = 0; n < 17; ++n) {
-            double x;
-            sr += tr / (n + 5);
-            si += ti / (n + 5);
-            x = -(tr * yr - ti * yi) / (n + 1);
-            ti = -(tr * yi + ti * yr) / (n + 1);
-            tr = x;
-        }
-        out[4][0] = sr;
-        out[4][1] = si;
-        for (n = 4; n > 0; --n) {
-            const double re = yr * out[n][0] - yi * out[n][1] + er, im = yr * out[n][1] + yi * out[n][0] + ei;
-            out[n - 1][0] = re / n;
-            out[n - 1][1] = im / n;
-        }
-    }
-}
-
 static const double ms_mcml__lobatto[5] = {0, 0.17267316464601143, 0.5, 0.82732683535398857, 1};
 
 /* polynomial[step][j][n]: Lagrange polynomial of point j at t = end - length u, as powers of u, times the length */
@@ -3619,12 +3584,17 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
     enum { R = MS_MCML__RAYS };
     const double *breaks = s->breaks, mu_least = s->mu_least;
     const int parts = s->parts;
-    double x[64], w[64], polynomial[4][5][5];
-    int b, a, i, j, layer, m, n;
+    double x[64], w[64], polynomial[4][5][5], series[2][MS_MCML__SERIES + 1];
+    int b, a, i, j, layer, m;
     s->k = k;
     s->most = most;
     s->terms = ms_mcml__first_term(s->order, most + 1);
     ms_mcml__panel_polynomials(polynomial);
+    series[1][0] = 1;
+    for (i = 0; i <= MS_MCML__SERIES; ++i) {
+        if (i) series[1][i] = series[1][i - 1] / i;
+        series[0][i] = series[1][i] / (i + 5);
+    }
     ms_mcml__legendre_nodes(R * parts, x, w);
     { /* the first panel in two: sinh from the normal, then towards grazing; each of the others clusters at its upper end */
         const double eps = mu_least / (k > 1e-9 * mu_least ? k : 1e-9 * mu_least) * breaks[0], cut = 0.6 * breaks[0];
@@ -3646,7 +3616,7 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
     }
     { /* azimuth */
         const double ratio = k / mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
-        int count = t > 1e-9 ? (int)ceil(log(1e-7) / (4 * log(t))) : 1, even;
+        int count = t > 1e-9 ? (int)ceil(log(t < 0.25 ? 1e-10 : 1e-7) / (4 * log(t))) : 1, even;
         if (count * 4 < 2 * most + 2) count = (2 * most + 5) / 4;
         even = count <= MS_MCML__AZIMUTHS;
         if (!even) count = MS_MCML__AZIMUTHS;
@@ -3686,22 +3656,13 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
             for (a = 0; a < s->azimuths; ++a)
                 for (i = 0; i < l->shapes; ++i) {
                     double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) + (size_t)(l->table + i)) * 48 * R;
-                    double moment[2][6][2][R], h[R]; /* of flights through two of the four steps of a panel; the others are alike */
+                    double h[R], wave[R]; /* length along each ray, radians a length */
                     for (j = 0; j < R; ++j) {
-                        const double mu = s->mu[(b * s->layers + layer) * R + j], sine = s->nu[b * R + j] / l->n;
-                        double q[6][2];
-                        int step;
+                        const double mu = s->mu[(b * s->layers + layer) * R + j];
                         h[j] = mu > 0 ? l->shape[i] / mu : 0;
-                        for (step = 0; step < 2; ++step) {
-                            const double length = h[j] * (ms_mcml__lobatto[step + 1] - ms_mcml__lobatto[step]);
-                            ms_mcml__exponential_moments(l->mu_t * length, k * sine * s->cosine[(b * s->azimuths + a) * R + j] * length, q);
-                            for (n = 0; n < 6; ++n) {
-                                moment[step][n][0][j] = q[n][0];
-                                moment[step][n][1][j] = q[n][1];
-                            }
-                        }
+                        wave[j] = k * s->nu[b * R + j] / l->n * s->cosine[(b * s->azimuths + a) * R + j];
                     }
-                    s->weigh(&moment[0][0][0][0], h, &polynomial[0][0][0], t);
+                    s->weigh(l->mu_t, h, wave, &polynomial[0][0][0], &series[0][0], t);
                 }
         }
 }
@@ -4252,7 +4213,7 @@ static double ms_mcml__bessel_j1(double x)
     double sum = 0, term = 0.5 * x, p, q, y;
     int i;
     if (x < 12) {
-        for (i = 1; i < 40; ++i) {
+        for (i = 1; i < 40 && fabs(term) > 1e-17; ++i) {
             sum += term;
             term *= -0.25 * x * x / ((double)i * (i + 1));
         }
@@ -4264,89 +4225,55 @@ static double ms_mcml__bessel_j1(double x)
     return sqrt(0.63661977236758134 / x) * (p * cos(x - 2.3561944901923449) - q * sin(x - 2.3561944901923449));
 }
 
-/* A spectrum between and beyond its frequencies: cubic spline over arsinh(k / low), then a power that fades. */
-typedef struct ms_mcml__spline {
-    int count, logarithms; /* of positive values: smoother */
-    double low, power, u[MS_MCML_LAYERED_RATES], y[MS_MCML_LAYERED_RATES], bend[MS_MCML_LAYERED_RATES];
-} ms_mcml__spline;
-
-static void ms_mcml__spline_make(ms_mcml__spline *s, const double *k, const double *value, int count, double low)
+/* A spectrum at arsinh(k / low) = u, from its values at whole multiples of a step of u: even and analytic out to 1.57 off the axis, where
+   k = i low, so that Lagrange's polynomial through twelve of them is good to 1e-6 and better; beyond them a power that fades. */
+static double ms_mcml__between_samples(const double *y, int logarithms, int count, double step, double u)
 {
-    double right[MS_MCML_LAYERED_RATES], h, next;
-    int i;
-    if (count < 3) {
-        memset(s, 0, sizeof *s);
-        return;
+    static const double choose[7][12] = {{1}, {1, -1}, {1, -3, 3, -1}, {1, -5, 10, -10, 5, -1}, {1, -7, 21, -35, 35, -21, 7, -1},
+                                         {1, -9, 36, -84, 126, -126, 84, -36, 9, -1}, {1, -11, 55, -165, 330, -462, 462, -330, 165, -55, 11, -1}};
+    const double t = u / step, last = count - 1;
+    double sum = 0, weights = 0;
+    int i = (int)t, half, j;
+    if (t >= last) {
+        const double a = u - last * step, y0 = y[count - 2], y1 = y[count - 1];
+        const double fall = logarithms ? (y0 - y1) / step : y0 * y1 > 0 ? log(y0 / y1) / step : 8;
+        return a < 2.5 ? (logarithms ? exp(y1) : y1) * exp(-a * (fall < 1 ? 1 : fall > 8 ? 8 : fall)) * (1 - a * a / 6.25) : 0;
     }
-    memset(s, 0, sizeof *s);
-    s->low = low;
-    s->logarithms = 1;
-    for (i = 0; i < count; ++i)
-        if (!(value[i] > 1e-12 * value[0])) s->logarithms = 0;
-    s->count = count;
-    for (i = 0; i < count; ++i) {
-        s->u[i] = log(k[i] / low + sqrt(1 + k[i] / low * (k[i] / low)));
-        s->y[i] = s->logarithms ? log(value[i]) : value[i];
+    half = count - 1 - i < 6 ? count - 1 - i : 6;
+    for (j = 0; j < 2 * half; ++j) {
+        const int node = i + 1 - half + j;
+        const double d = t - node, w = choose[half][j] / (fabs(d) > 1e-12 ? d : 1e-12);
+        sum += w * y[node < 0 ? -node : node];
+        weights += w;
     }
-    h = s->u[1]; /* even at 0, free at the end */
-    right[0] = 3 * (s->y[1] - s->y[0]) / (h * h);
-    s->bend[0] = 0.5;
-    for (i = 1; i + 1 < count; ++i) {
-        double pivot;
-        h = s->u[i] - s->u[i - 1];
-        next = s->u[i + 1] - s->u[i];
-        pivot = 2 * (h + next) - h * s->bend[i - 1];
-        right[i] = (6 * ((s->y[i + 1] - s->y[i]) / next - (s->y[i] - s->y[i - 1]) / h) - h * right[i - 1]) / pivot;
-        s->bend[i] = next / pivot;
-    }
-    right[count - 1] = 0;
-    for (i = count - 2; i >= 0; --i) right[i] -= s->bend[i] * (i + 1 < count - 1 ? right[i + 1] : 0);
-    memcpy(s->bend, right, (size_t)count * sizeof *right);
-    s->power = 2;
-    if (value[count - 1] * value[count - 2] > 0) s->power = log(value[count - 2] / value[count - 1]) / (s->u[count - 1] - s->u[count - 2]);
-    s->power = s->power < 1 ? 1 : s->power > 8 ? 8 : s->power;
-}
-
-static double ms_mcml__spline_at(const ms_mcml__spline *s, double k, int *hint)
-{
-    const double x = s->count > 0 ? k / s->low : 0, u = log(x + sqrt(1 + x * x));
-    int i = *hint;
-    double h, a, b;
-    if (s->count == 0) return 0;
-    if (u > s->u[s->count - 1]) {
-        a = u - s->u[s->count - 1];
-        return s->logarithms && a < 2.5 ? exp(s->y[s->count - 1] - s->power * a) * (1 - a * a / 6.25) : 0;
-    }
-    while (i + 2 < s->count && u > s->u[i + 1]) ++i;
-    while (i > 0 && u < s->u[i]) --i;
-    *hint = i;
-    h = s->u[i + 1] - s->u[i];
-    b = (u - s->u[i]) / h;
-    a = 1 - b;
-    a = a * s->y[i] + b * s->y[i + 1] + ((a * a * a - a) * s->bend[i] + (b * b * b - b) * s->bend[i + 1]) * h * h / 6;
-    return s->logarithms ? exp(a) : a;
+    return logarithms ? exp(sum / weights) : sum / weights;
 }
 
 /* beyond[i]: energy farther out than r_first exp(0.1 i), the Hankel transform of a spectrum: f(0) - r integral f(k) J1(k r) dk,
-   out to 20 / low and waves of 600 radians. */
-static void ms_mcml__hankel(const double *k, const double *value, int count, double low, double r_first, double *beyond)
+   out to 40 / low; where waves are many a window ends them smoothly, which changes nothing as far out. logarithms: of what falls like
+   a bell, which grows off the axis. */
+static void ms_mcml__hankel(const double *value, int logarithms, int count, double low, double step, double r_first, double *beyond)
 {
-    ms_mcml__spline s;
-    double last = k[count - 1] * 12;
-    int i, hint = 0, q;
-    ms_mcml__spline_make(&s, k, value, count, low);
+    static const double gauss[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
+    static const double weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
+    const double last = low * sinh(step * (count - 1) + 2.5);
+    double y[MS_MCML_LAYERED_RATES];
+    int i, q;
+    memset(beyond, 0, MS_MCML_LAYERED_RADII * sizeof *beyond);
+    if (count < 4) return;
+    for (i = 0; i < count; ++i) y[i] = logarithms ? log(value[i]) : value[i];
     for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) {
-        const double r = r_first * exp(0.1 * i), end = last * r < 600 ? last : 600 / r;
+        const double r = r_first * exp(0.1 * i), end = last * r < 400 ? last : 400 / r;
         double sum = 0, at = 0;
-        beyond[i] = 0;
-        if (r * low > 20) continue;
-        while (at < end) { /* Gauss of two points on steps that follow both the spectrum and the wave */
-            const double step = 0.12 * (at + low) < 0.6 / r ? 0.12 * (at + low) : 0.6 / r;
-            for (q = 0; q < 2; ++q) {
-                const double x = at + step * (q ? 0.78867513459481288 : 0.21132486540518712);
-                sum += 0.5 * step * ms_mcml__spline_at(&s, x, &hint) * ms_mcml__bessel_j1(x * r);
+        if (r * low > 40) break;
+        while (at < end) { /* Gauss on steps that follow both the spectrum and the wave */
+            const double size = 0.25 * (at + low) < 1.2 / r ? 0.25 * (at + low) : 1.2 / r;
+            for (q = 0; q < 4; ++q) {
+                const double k = at + size * gauss[q], x = k / low, w = k * r / 160;
+                const double f = ms_mcml__between_samples(y, logarithms, count, step, log(x + sqrt(1 + x * x)));
+                sum += size * weight[q] * f * ms_mcml__bessel_j1(k * r) * (last * r < 400 ? 1 : exp(-w * w * w * w));
             }
-            at += step;
+            at += size;
         }
         beyond[i] = value[0] - r * sum;
     }
@@ -4397,8 +4324,9 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
     double k[MOST], value[2][MOST], scale[2][MOST], noise[MOST], step = o->frequency_step, mu_t = 0, low = 1e300, finest = 0, deepest = 0;
     const size_t size = (size_t)(2 * MOST * (MOST + 4)) * sizeof(double), n3 = (size_t)s->nodes;
     double *a = (double *)ms__alloc(&o->allocator, size), *d = s->moments, *before = d + (size_t)ms_mcml__first_term(s->order, s->order + 1) * n3;
+    double *earlier = before + (before - d);
     size_t e;
-    int i, j, side, count = 0, layer, terms = 0;
+    int i, j, side, count = 0, layer, terms = 0, fits = 0;
     if (a == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the fit of the spectrum", size);
     for (layer = 0; layer < s->layers; ++layer) {
         const ms_mcml__stratum *y = &s->layer[layer];
@@ -4422,9 +4350,8 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
     out->rates = i;
     memset(d, 0, 3 * (size_t)s->terms * n3 * sizeof(double));
     for (i = 0; i < MOST; ++i) {
-        const double t = low * exp(step * (i - 0.5));
         double leave[2], residual, care;
-        k[i] = i ? sqrt((t - low) * (t + low)) : 0;
+        k[i] = low * sinh(step * i);
         if (k[i] > 40 * mu_t) break;
         if (o->progress.report && o->progress.report(o->progress.user, (coarse ? 0.1 : 0.3) + (coarse ? 0.2 : 0.7) * i / out->rates)) {
             ms__release(&o->allocator, a, size);
@@ -4433,12 +4360,14 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
         ms_mcml__tune(s, k[i]);
         if (s->terms > terms) memset(d + (size_t)terms * n3, 0, (size_t)(s->terms - terms) * n3 * sizeof(double));
         terms = s->terms;
-        /* low frequencies make the far tail and cost little: up to 30 times the accuracy */
-        care = k[i] < 0.3 * mu_t ? 0.03 + 0.97 * k[i] / (0.3 * mu_t) : 1;
-        for (e = 0; e < (size_t)s->terms * n3; ++e) { /* from the last two frequencies on */
-            const double here = d[e];
-            if (i > 2) d[e] += here - before[e];
+        /* low frequencies make the far tail and cost little: up to 1000 times the accuracy */
+        care = k[i] < 0.3 * mu_t ? k[i] / (0.3 * mu_t) : 1;
+        care = k[i] > 3 * mu_t ? fmin(k[i] / (3 * mu_t), 10) : care > 0.03 ? care * care : 1e-3;
+        for (e = 0; e < (size_t)s->terms * n3; ++e) { /* from the last three frequencies on */
+            const double here = d[e], last = before[e];
+            if (i > 3) d[e] += 2 * (here - last) - (last - earlier[e]);
             before[e] = here;
+            earlier[e] = last;
         }
         residual = ms_mcml__settle(s, d, care * o->tolerance, leave);
         if (residual / care > out->residual) out->residual = residual / care;
@@ -4446,7 +4375,7 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
         value[1][i] = leave[1];
         scale[0][i] = leave[0];
         scale[1][i] = fabs(leave[1]) + 1e-6 * fabs(value[1][0]);
-        noise[i] = o->tolerance * (0.1 * care + k[i] / mu_t * (0.5 + k[i] / mu_t));
+        noise[i] = o->tolerance * (0.1 * fmax(care, 0.03) + k[i] / mu_t * (0.5 + k[i] / mu_t));
         count = i + 1;
         if (!coarse) {
             out->frequency_per_cm[i] = k[i];
@@ -4460,13 +4389,14 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
         double *energy = out->energy[coarse][side], *v = value[side];
         memset(energy, 0, MOST * sizeof(double));
         if (!(scale[side][0] > 0) || (side && s->layer[s->layers - 1].semi)) continue;
-        if (side == 0) out->table[0] |= ms_mcml__positive_fit(k, v, scale[0], noise, count, out->rate_per_cm, out->rates, energy, a) >= 5 && !isotropic;
-        else out->table[1] = 1; /* falls faster than any sum of such terms */
+        /* transmission falls faster than any sum of such terms */
+        if (side == 0) fits = ms_mcml__positive_fit(k, v, scale[0], noise, count, out->rate_per_cm, out->rates, energy, a) < 5 || isotropic;
         out->multiple[coarse][side] = v[0];
         for (i = 0; i < count; ++i)
             for (j = 0; j < out->rates; ++j) v[i] -= energy[j] / (1 + k[i] / out->rate_per_cm[j] * (k[i] / out->rate_per_cm[j]));
+        for (i = 0; i < count && side == 0 && fits; ++i) v[i] /= 1 + pow(k[i] / (2 * mu_t), 4); /* there the fit is better than rays */
         for (i = side ? 2 : count; i < count && v[i] > 1e-7 * v[0]; ++i) {} /* as far as it is known */
-        if (out->table[side] || coarse) ms_mcml__hankel(k, v, i, low, out->radius_cm, out->beyond[coarse][side]);
+        ms_mcml__hankel(v, side, i, low, step, out->radius_cm, out->beyond[coarse][side]);
         out->rest[coarse][side] = v[0];
     }
     ms__release(&o->allocator, a, size);
@@ -4648,7 +4578,7 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
             double *y = r.beyond[coarse][side], first = 0, part = 0, fall = 0;
             for (i = 2; side && i < MS_MCML_LAYERED_RADII; ++i) { /* transmission: as it fell last */
                 const double r1 = r.radius_cm * exp(0.1 * (i - 1)), grow = exp(0.1) - 1;
-                if (y[i - 1] > 1e-4 * r.multiple[coarse][1] && !(fall > 0)) continue;
+                if (y[i - 1] > 3e-7 * r.multiple[coarse][1] && !(fall > 0)) continue;
                 if (!(fall > 0)) fall = y[i - 1] > 0 && y[i - 2] > y[i - 1] ? log(y[i - 2] / y[i - 1]) / (r1 * (1 - exp(-0.1))) : 1e9 / r1;
                 y[i] = fall * r1 * grow < 700 ? y[i - 1] * exp(-fall * r1 * grow) : 0;
             }
@@ -4658,7 +4588,7 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
                 int j;
                 for (j = 0; j < r.rates; ++j)
                     sum += r.energy[coarse][side][j] * ms_mcml__x_bessel_k1(r.rate_per_cm[j] * r.radius_cm * exp(0.1 * i));
-                if (!(first > 0) && sum < 3e-6 * r.multiple[coarse][side] && sum > 0) {
+                if (!(first > 0) && sum < 3e-7 * r.multiple[coarse][side] && sum > 0) {
                     first = sum;
                     part = y[i];
                 }
@@ -4690,7 +4620,7 @@ static double ms_mcml__layered_beyond(const ms_mcml_layered *s, int coarse, int 
     }
     for (i = 0; i < s->rates && s->rate_per_cm[i] * r < 700; ++i)
         sum += s->energy[coarse][side][i] * ms_mcml__x_bessel_k1(s->rate_per_cm[i] * r);
-    if (s->table[side]) { /* cubic through the nearest four of the table; a paraboloid before its start */
+    { /* cubic through the nearest four of the table; a paraboloid before its start */
         const double *y = s->beyond[coarse][side], u = 10 * log(r / s->radius_cm), rest = s->rest[coarse][side];
         double t, d0, d1;
         if (u <= 0) return sum + rest - (rest - y[0]) * (r / s->radius_cm) * (r / s->radius_cm);
@@ -4730,7 +4660,7 @@ MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0
              ms_mcml__layered_beyond(s, 1, side, r1);
     fine = fine > 0 ? fine * q : 0;
     /* half of what the last doubling of the order moved; what the fit of the highest and the lowest frequencies leaves open */
-    if (ring_error) *ring_error = 0.5 * fabs(coarse * q - fine) + (5e-4 + 7e-3 * exp(-r0 / (10 * s->radius_cm))) * fine + (side ? 1e-4 : s->table[0] ? 1e-5 : 3e-6) * inner * q;
+    if (ring_error) *ring_error = 0.5 * fabs(coarse * q - fine) + (5e-4 + 7e-3 * exp(-r0 / (10 * s->radius_cm))) * fine + 5e-7 * inner * q;
     return fine;
 }
 
@@ -6256,24 +6186,79 @@ static inline void MS_MCML__FN(pass)(const double *t, double *x, double *in)
     MS_MCML__FN(d_store)(in + R, MS_MCML__FN(d_madd)(ti, re, MS_MCML__FN(d_mul)(tr, im)));
 }
 
-/* The weights of five points for the four steps of a panel, from moment[2][6][2][R]; h: the panel's length along each ray;
-   out[4][6][2][R]: what passes a step, then the points. */
-static void MS_MCML__FN(weigh)(const double *moment, const double *h, const double *polynomial, double *out)
+/* Integrals of u^n exp(-y u), u from 0 to 1, n = 0 .. 4, and exp(-y): q[6][2]. y = yr + i yi, yr >= 0, is halved until it is below 1,
+   where series converge; two halves of a path then make a whole. */
+static inline void MS_MCML__FN(moments)(MS_MCML__D yr, MS_MCML__D yi, int halvings, const double *series, MS_MCML__D q[6][2])
+{
+    const double *c4 = series, *c0 = series + MS_MCML__SERIES + 1;
+    MS_MCML__D re, im, er, ei, x;
+    int n, k;
+    re = MS_MCML__FN(d_set)(c4[MS_MCML__SERIES]);
+    er = MS_MCML__FN(d_set)(c0[MS_MCML__SERIES]);
+    im = ei = MS_MCML__FN(d_set)(0);
+    for (n = MS_MCML__SERIES - 1; n >= 0; --n) {
+        x = MS_MCML__FN(d_nmadd)(yr, re, MS_MCML__FN(d_madd)(yi, im, MS_MCML__FN(d_set)(c4[n])));
+        im = MS_MCML__FN(d_nmadd)(yr, im, MS_MCML__FN(d_nmadd)(yi, re, MS_MCML__FN(d_set)(0)));
+        re = x;
+        x = MS_MCML__FN(d_nmadd)(yr, er, MS_MCML__FN(d_madd)(yi, ei, MS_MCML__FN(d_set)(c0[n])));
+        ei = MS_MCML__FN(d_nmadd)(yr, ei, MS_MCML__FN(d_nmadd)(yi, er, MS_MCML__FN(d_set)(0)));
+        er = x;
+    }
+    q[4][0] = re;
+    q[4][1] = im;
+    for (n = 4; n > 0; --n) { /* n q[n - 1] = y q[n] + exp(-y) */
+        x = MS_MCML__FN(d_set)(1.0 / n);
+        q[n - 1][0] = MS_MCML__FN(d_mul)(x, MS_MCML__FN(d_nmadd)(yi, q[n][1], MS_MCML__FN(d_madd)(yr, q[n][0], er)));
+        q[n - 1][1] = MS_MCML__FN(d_mul)(x, MS_MCML__FN(d_madd)(yi, q[n][0], MS_MCML__FN(d_madd)(yr, q[n][1], ei)));
+    }
+    for (; halvings > 0; --halvings) {
+        for (n = 4; n >= 0; --n) { /* (q[n] + exp(-y) sum of choose(n, k) q[k]) / 2^(n + 1) */
+            static const double choose[5][5] = {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
+            MS_MCML__D sr = q[0][0], si = q[0][1];
+            for (k = 1; k <= n; ++k) {
+                x = MS_MCML__FN(d_set)(choose[n][k]);
+                sr = MS_MCML__FN(d_madd)(x, q[k][0], sr);
+                si = MS_MCML__FN(d_madd)(x, q[k][1], si);
+            }
+            x = MS_MCML__FN(d_set)(1.0 / (2 << n));
+            q[n][0] = MS_MCML__FN(d_mul)(x, MS_MCML__FN(d_nmadd)(ei, si, MS_MCML__FN(d_madd)(er, sr, q[n][0])));
+            q[n][1] = MS_MCML__FN(d_mul)(x, MS_MCML__FN(d_madd)(ei, sr, MS_MCML__FN(d_madd)(er, si, q[n][1])));
+        }
+        x = MS_MCML__FN(d_nmadd)(ei, ei, MS_MCML__FN(d_mul)(er, er));
+        ei = MS_MCML__FN(d_mul)(MS_MCML__FN(d_add)(er, er), ei);
+        er = x;
+    }
+    q[5][0] = er;
+    q[5][1] = ei;
+}
+
+/* The weights of five points for the four steps of a panel; h: its length along each ray, wave: radians a length;
+   out[4][6][2][R]: what passes a step, then the points. The last two steps are the first two mirrored. */
+static void MS_MCML__FN(weigh)(double mu_t, const double *h, const double *wave, const double *polynomial, const double *series, double *out)
 {
     enum { R = MS_MCML__RAYS };
-    const MS_MCML__D length = MS_MCML__FN(d_load)(h);
-    int step, point, n;
+    const MS_MCML__D length = MS_MCML__FN(d_load)(h), radians = MS_MCML__FN(d_mul)(length, MS_MCML__FN(d_load)(wave));
+    const MS_MCML__D depth = MS_MCML__FN(d_mul)(length, MS_MCML__FN(d_set)(mu_t));
+    MS_MCML__D q[2][6][2];
+    double most = 0;
+    int step, point, n, j, halvings = 0;
+    for (j = 0; j < R; ++j) most = h[j] * (mu_t + wave[j]) > most ? h[j] * (mu_t + wave[j]) : most;
+    for (most *= 0.33; most > 1; most *= 0.5) ++halvings; /* no step is longer */
+    for (step = 0; step < 2; ++step) {
+        const MS_MCML__D part = MS_MCML__FN(d_set)((ms_mcml__lobatto[step + 1] - ms_mcml__lobatto[step]) * ldexp(1, -halvings));
+        MS_MCML__FN(moments)(MS_MCML__FN(d_mul)(depth, part), MS_MCML__FN(d_mul)(radians, part), halvings, series, q[step]);
+    }
     for (step = 0; step < 4; ++step) {
-        const double *q = moment + (step < 2 ? step : 3 - step) * 12 * R;
-        MS_MCML__FN(d_store)(out, MS_MCML__FN(d_load)(q + 10 * R));
-        MS_MCML__FN(d_store)(out + R, MS_MCML__FN(d_load)(q + 11 * R));
+        MS_MCML__D (*s)[2] = q[step < 2 ? step : 3 - step];
+        MS_MCML__FN(d_store)(out, s[5][0]);
+        MS_MCML__FN(d_store)(out + R, s[5][1]);
         out += 2 * R;
         for (point = 0; point < 5; ++point, out += 2 * R, polynomial += 5) {
             MS_MCML__D re = MS_MCML__FN(d_set)(0), im = re;
             for (n = 0; n < 5; ++n) {
                 const MS_MCML__D p = MS_MCML__FN(d_set)(polynomial[n]);
-                re = MS_MCML__FN(d_madd)(p, MS_MCML__FN(d_load)(q + 2 * n * R), re);
-                im = MS_MCML__FN(d_madd)(p, MS_MCML__FN(d_load)(q + (2 * n + 1) * R), im);
+                re = MS_MCML__FN(d_madd)(p, s[n][0], re);
+                im = MS_MCML__FN(d_madd)(p, s[n][1], im);
             }
             MS_MCML__FN(d_store)(out, MS_MCML__FN(d_mul)(re, length));
             MS_MCML__FN(d_store)(out + R, MS_MCML__FN(d_mul)(im, length));
