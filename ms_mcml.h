@@ -67,7 +67,7 @@
    ms_mcml_layered_solve: up to 16 layers, any phase function by its Legendre moments, R and T over radius, totals, depth. For
    each spatial frequency the moments of the source on panels in depth, exact flights between them along rays through every
    layer and back (Fresnel at each boundary), GMRES; single scattering of the top layer in space with the whole phase
-   function. Time grows with the square of the order, which g asks for (3 moments at 0.3, 7 at 0.8, 15 at 0.9), and with the
+   function. Time grows with the order, which g asks for (3 moments at 0.3, 9 at 0.8, 19 at 0.9), and with the
    panels, which follow optical depth. Each ring has an error beside it; what cannot be held is MS_NOT_CONVERGED.
 
    Diffusion profiles
@@ -556,7 +556,7 @@ MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind);
 /* All zero: the defaults. */
 typedef struct ms_mcml_layered_options {
     int order;             /* Legendre moments of scattering that are solved for, 1 to 31; what is sharper counts as not
-                              scattered (delta-M). 0: the least odd order with |g|^(order + 1) below 0.19 in every layer, 0.04 in thin tissue */
+                              scattered (delta-M). 0: the least odd order with |g|^(order + 1) below 0.13 in every layer, 0.04 in thin tissue */
     double tolerance;      /* of the iteration, 1e-9 to 1e-2; 0: 1e-4, up to order 3 1e-6 */
     double frequency_step; /* log spacing of the spatial frequencies, 0.1 to 1; 0: 0.25 */
     int totals_only;       /* not 0: no rings, only what does not depend on r: one frequency instead of some 30 */
@@ -4520,7 +4520,7 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     order = o.order;
     if (order == 0 && o.moment && !isotropic) order = 15;
     for (l = 1; order == 0; l += 2)
-        if (isotropic || (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.04 : 0.19)) || l == MS_MCML__ORDER_MAX) order = l;
+        if (isotropic || (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.04 : 0.13)) || l == MS_MCML__ORDER_MAX) order = l;
     r.order = order;
     if (!(o.tolerance > 0)) o.tolerance = order < 4 ? 1e-6 : 1e-4; /* few moments: cheap */
     high = isotropic ? order : MS_MCML__ORDER_MAX;
