@@ -556,8 +556,8 @@ MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind);
 /* All zero: the defaults. */
 typedef struct ms_mcml_layered_options {
     int order;             /* Legendre moments of scattering that are solved for, 1 to 31; what is sharper counts as not
-                              scattered (delta-M). 0: the least odd order with |g|^(order + 1) below 0.13 in every layer, 0.04 in thin tissue */
-    double tolerance;      /* of the iteration, 1e-9 to 1e-2; 0: 1e-4, up to order 3 1e-6 */
+                              scattered (delta-M). 0: the least odd order with |g|^(order + 1) below 0.13 in every layer, 0.015 in thin tissue */
+    double tolerance;      /* of the iteration, 1e-9 to 1e-2; 0: 1e-4, up to order 3 and in thin tissue 1e-6 */
     double frequency_step; /* log spacing of the spatial frequencies, 0.1 to 1; 0: 0.25 */
     int totals_only;       /* not 0: no rings, only what does not depend on r: one frequency instead of some 30 */
     const double *moment;  /* NULL: Henyey-Greenstein of each layer's g. Else [layer_count][34] Legendre moments of the phase
@@ -588,6 +588,7 @@ typedef struct ms_mcml_layered {
     double frequency_per_cm[MS_MCML_LAYERED_RATES], rd_spectrum[MS_MCML_LAYERED_RATES], tt_spectrum[MS_MCML_LAYERED_RATES]; /* at k */
     double rate_per_cm[MS_MCML_LAYERED_RATES], energy[2][2][MS_MCML_LAYERED_RATES];
     double radius_cm, multiple[2][2], rest[2][2], beyond[2][2][MS_MCML_LAYERED_RADII];
+    double tail_cm[2][2], tail[2][2], fall_per_cm[2][2]; /* multiple scattering beyond a radius: tail exp(-fall (r - tail_cm)) */
     double single_rate_per_cm[MS_MCML_LAYERED_SINGLES], single_energy[MS_MCML_LAYERED_SINGLES], single_end[MS_MCML_LAYERED_SINGLES];
 } ms_mcml_layered;
 
@@ -4480,6 +4481,33 @@ static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_lay
     return MS_OK;
 }
 
+/* Multiple scattering that leaves beyond r: terms, and a cubic through the nearest four of the table, of logarithms for transmission; a
+   paraboloid before its start. */
+static double ms_mcml__layered_multiple(const ms_mcml_layered *s, int coarse, int side, double r)
+{
+    const double *y = s->beyond[coarse][side], u = 10 * log(r / s->radius_cm), rest = s->rest[coarse][side];
+    double sum = 0, t, d0, d1, at[4];
+    int i, j;
+    if (r > s->tail_cm[coarse][side]) {
+        t = s->fall_per_cm[coarse][side] * (r - s->tail_cm[coarse][side]);
+        return t < 700 ? s->tail[coarse][side] * exp(-t) : 0;
+    }
+    for (i = 0; i < s->rates && s->rate_per_cm[i] * r < 700; ++i)
+        sum += s->energy[coarse][side][i] * ms_mcml__x_bessel_k1(s->rate_per_cm[i] * r);
+    if (u <= 0) return sum + rest - (rest - y[0]) * (r / s->radius_cm) * (r / s->radius_cm);
+    if (u >= MS_MCML_LAYERED_RADII - 3) return sum;
+    i = (int)u;
+    t = u - i;
+    for (j = 0; j < 4; ++j) at[j] = y[i > 0 || j > 0 ? i + j - 1 : 0];
+    if (side) {
+        for (j = 0; j < 4; ++j) at[j] = log(at[j] > 1e-300 ? at[j] : 1e-300);
+    }
+    d0 = i > 0 ? 0.5 * (at[2] - at[0]) : at[2] - at[1];
+    d1 = 0.5 * (at[3] - at[1]);
+    t = at[1] + t * (d0 + t * (3 * (at[2] - at[1]) - 2 * d0 - d1 + t * (2 * (at[1] - at[2]) + d0 + d1)));
+    return sum + (side ? exp(t) : t);
+}
+
 MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options, ms_mcml_layered *out,
                                        ms_error *error)
 {
@@ -4520,9 +4548,9 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     order = o.order;
     if (order == 0 && o.moment && !isotropic) order = 15;
     for (l = 1; order == 0; l += 2)
-        if (isotropic || (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.04 : 0.13)) || l == MS_MCML__ORDER_MAX) order = l;
+        if (isotropic || (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.015 : 0.13)) || l == MS_MCML__ORDER_MAX) order = l;
     r.order = order;
-    if (!(o.tolerance > 0)) o.tolerance = order < 4 ? 1e-6 : 1e-4; /* few moments: cheap */
+    if (!(o.tolerance > 0)) o.tolerance = order < 4 || transport < 2.5 ? 1e-6 : 1e-4; /* few moments or nodes: cheap */
     high = isotropic ? order : MS_MCML__ORDER_MAX;
     before[0] = before[1] = before[2] = 0;
     if (high > 23) {
@@ -4573,26 +4601,25 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
             r.rest[coarse][side] *= scattered / sum;
             r.multiple[coarse][side] = scattered;
         }
-        for (l = 0; l < 4; ++l) { /* where the terms have little left, the rest is only noise: it fades as they do */
+        for (l = 0; l < 4; ++l) { /* as far as 3e-7 of the energy; from there, or from where rounding makes it rise, exponentially */
             const int coarse = l & 1, side = l >> 1;
-            double *y = r.beyond[coarse][side], first = 0, part = 0, fall = 0;
-            for (i = 2; side && i < MS_MCML_LAYERED_RADII; ++i) { /* transmission: as it fell last */
-                const double r1 = r.radius_cm * exp(0.1 * (i - 1)), grow = exp(0.1) - 1;
-                if (y[i - 1] > 3e-7 * r.multiple[coarse][1] && !(fall > 0)) continue;
-                if (!(fall > 0)) fall = y[i - 1] > 0 && y[i - 2] > y[i - 1] ? log(y[i - 2] / y[i - 1]) / (r1 * (1 - exp(-0.1))) : 1e9 / r1;
-                y[i] = fall * r1 * grow < 700 ? y[i - 1] * exp(-fall * r1 * grow) : 0;
-            }
-            if (side) continue;
-            for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) {
-                double sum = 0;
-                int j;
-                for (j = 0; j < r.rates; ++j)
-                    sum += r.energy[coarse][side][j] * ms_mcml__x_bessel_k1(r.rate_per_cm[j] * r.radius_cm * exp(0.1 * i));
-                if (!(first > 0) && sum < 3e-7 * r.multiple[coarse][side] && sum > 0) {
-                    first = sum;
-                    part = y[i];
+            double here = r.multiple[coarse][side], before_here = here, low = 3e-7 * here, step = 1 - exp(-0.1);
+            r.tail_cm[coarse][side] = 1e300;
+            for (i = 0; i < MS_MCML_LAYERED_RADII && here > 0; ++i) {
+                const double radius = r.radius_cm * exp(0.1 * i), next = ms_mcml__layered_multiple(&r, coarse, side, radius);
+                if (i > 2 && !(next > low && next < here)) {
+                    const double last = r.radius_cm * exp(0.1 * (i - 1));
+                    r.tail_cm[coarse][side] = last;
+                    r.tail[coarse][side] = here;
+                    r.fall_per_cm[coarse][side] = fmax(log(before_here / here) / (last * step), r.rate_per_cm[0]);
+                    if (side && i + 1 < MS_MCML_LAYERED_RADII) { /* its slope there */
+                        r.beyond[coarse][1][i] = fmax(next, here * here / before_here);
+                        r.beyond[coarse][1][i + 1] = fmax(r.beyond[coarse][1][i + 1], r.beyond[coarse][1][i] * here / before_here);
+                    }
+                    break;
                 }
-                if (first > 0) y[i] = part * sum / first;
+                before_here = here;
+                here = next;
             }
         }
     }
@@ -4611,25 +4638,11 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
 
 static double ms_mcml__layered_beyond(const ms_mcml_layered *s, int coarse, int side, double r)
 {
-    enum { N = MS_MCML_LAYERED_RADII };
-    double sum = 0;
+    double sum = ms_mcml__layered_multiple(s, coarse, side, r);
     int i;
     for (i = 0; side == 0 && i < s->singles; ++i) {
         const double x = s->single_rate_per_cm[i] * r, e = x < 700 ? exp(-x) : 0;
         if (e > s->single_end[i]) sum += s->single_energy[i] * (e - s->single_end[i]);
-    }
-    for (i = 0; i < s->rates && s->rate_per_cm[i] * r < 700; ++i)
-        sum += s->energy[coarse][side][i] * ms_mcml__x_bessel_k1(s->rate_per_cm[i] * r);
-    { /* cubic through the nearest four of the table; a paraboloid before its start */
-        const double *y = s->beyond[coarse][side], u = 10 * log(r / s->radius_cm), rest = s->rest[coarse][side];
-        double t, d0, d1;
-        if (u <= 0) return sum + rest - (rest - y[0]) * (r / s->radius_cm) * (r / s->radius_cm);
-        if (u >= N - 3) return sum;
-        i = (int)u;
-        t = u - i;
-        d0 = i > 0 ? 0.5 * (y[i + 1] - y[i - 1]) : y[1] - y[0];
-        d1 = 0.5 * (y[i + 2] - y[i]);
-        sum += y[i] + t * (d0 + t * (3 * (y[i + 1] - y[i]) - 2 * d0 - d1 + t * (2 * (y[i] - y[i + 1]) + d0 + d1)));
     }
     return sum;
 }

@@ -809,6 +809,23 @@ static void skin_profile_of_a_color(void)
     }
     CHECK(p.within[p.rings / 2] < p.within[2 * (p.rings + 1) + p.rings / 2] * p.total[0] / p.total[2]); /* red goes farther than blue */
     ms_mcml_profile_destroy(&p);
+    { /* far out, where rounding would rule: rings fall, none is negative, out to where doubles end */
+        ms_mcml_profile_options o;
+        double edge[121];
+        for (i = 0; i < 121; ++i) edge[i] = 0.05 * (pow(1.08, i) - 1);
+        memset(&o, 0, sizeof o);
+        o.edge_mm = edge;
+        o.rings = 120;
+        skin.g = 0.8;
+        CHECK_INT(ms_mcml_skin_profile(&p, &skin, &o, NULL), MS_OK);
+        for (c = 0; c < 3; ++c)
+            for (i = 1; i < 120; ++i) {
+                const double *rd = p.rd_per_mm2 + c * 120 + i, *ap = p.ap_per_mm + c * 120 + i;
+                CHECK(rd[0] >= 0 && rd[0] <= rd[-1] && ap[0] >= 0 && ap[0] <= ap[-1]);
+            }
+        CHECK(p.rd_per_mm2[119] > 0 && p.rd_per_mm2[119] < 1e-20); /* 480 mm from the beam */
+        ms_mcml_profile_destroy(&p);
+    }
 }
 
 static void skin_refused(void)
