@@ -746,7 +746,11 @@ typedef enum ms_sss_step {
     MS_SSS_STEP_PREPARE = 2,/* optional, before both: gathers what X reads into one texture */
     MS_SSS_STEP_DOWN = 3,   /* of half resolution, before both: one texel from four pixels */
     MS_SSS_STEP_NORMAL = 4, /* of half resolution, with_normal: their normal */
-    MS_SSS_STEP_UP = 5      /* of half resolution, after both: the picture */
+    MS_SSS_STEP_UP = 5,     /* of half resolution, after both: the picture */
+    MS_SSS_STEP_BASE = 6,   /* of a pyramid: its level 0; */
+    MS_SSS_STEP_SHRINK = 7, /* from one level the next; */
+    MS_SSS_STEP_GATHER = 8, /* a level's sums of light from the next; */
+    MS_SSS_STEP_RESOLVE = 9 /* the picture, from level 0 and the sums of level 1 */
 } ms_sss_step;
 
 /* One step, as a fragment shader for a full-screen triangle or as a compute shader. All zero but tap_count: the first
@@ -873,6 +877,55 @@ MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, siz
    MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
 MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
                                           ms_error *error);
+
+/* ms_sss_pyramid_filter as fragment shaders: with n = ms_sss_shader_levels(width, height) levels, of which level l has
+   ceil(width / 2^l) x ceil(height / 2^l) pixels, draw a full-screen triangle for each line, into two targets but for RESOLVE.
+   All targets are RGBA of 32-bit floats: 43 bytes a pixel of the picture, and 11 for the sums.
+
+     step     of level        reads (name: image)                                                  writes
+     BASE     0               the first step's of X; with_normal: ms_sss_normal                    light[0], surface[0]
+     SHRINK   0, 1 to n - 2   colour: light[l], surface: surface[l]                                light[l+1], surface[l+1]
+     GATHER   n - 2 to 1      as SHRINK; coarse: light[l+1], coarse_surface: surface[l+1],
+                              sum: sums[l+1], weight: weights[l+1] (l = n - 2: anything)           sums[l], weights[l]
+     RESOLVE  0               as GATHER; input: the input, with_strength: ms_sss_strength          the result, alpha 1
+
+   light: colour, -1 / depth (perspective) or depth; surface: area to a pixel's, change of that depth a pixel along x and y.
+   Names begin with ms_sss_; ms_sss_surface is n = 8 of the list above, coarse 9, coarse_surface 10, weight 11. The texts are
+   the same for all levels, the constants are not: ms_sss_shader_pyramid. Several profiles: all steps for each, its index in
+   `profile`, RESOLVE's input being what RESOLVE wrote for the one before. tap_count and kernels do not matter.
+   Texels read, depth in alpha, on what faces the camera (more on slopes): BASE 5 (5 to 7 at outlines, with_normal 2), RESOLVE
+   35 for each pixel, SHRINK 44 and GATHER 40 for each that they write: 68 a pixel in all, whatever the radius.
+   MS_UNSUPPORTED: compute, half_target, and as ms_sss_pyramid_filter. Equal to that within 1e-4 of the largest input, but where
+   the last bit of a depth decides which of two slopes is the smaller. */
+MS_API int ms_sss_shader_levels(int width, int height);
+
+/* The constants of a step of a level (of SHRINK: that it reads): one ms_sss_shader_level, then weights by size of the kernel,
+   as in ms_sss_pyramid.weight, {red, green, blue, 0}: GATHER [MS_SSS_PYRAMID_SIZES] those of level + 1; RESOLVE three such
+   tables: those of level 1, of the pixel's own light, of its neighbours.
+   profile   index that takes part, with shader->profile; else 0
+   out       [ms_sss_shader_constant_count()][4]: 6 for BASE and SHRINK, 55, 153
+   MS_INVALID_ARGUMENT: a NULL, a size, a level out of range. out untouched. At a resize all change. */
+MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width, int height,
+                                           const ms_sss_shader *shader, int level, int profile, float (*out)[4], ms_error *error);
+
+typedef struct ms_sss_shader_level {
+    float width, height; /*  0,  4: pixels of the picture */
+    float gain;          /*  8: 1 - fade */
+    float profile;       /* 12 */
+    float size, size_max; /* 16, 20: the kernel's radius in pixels; in perspective times depth; its limit */
+    float step;          /* 24: scene units a pixel; in perspective at depth 1 */
+    float tangent;       /* 28: of a pixel's ray; 0 orthographic */
+    float reach;         /* 32: from a tangent plane, in radii */
+    float upright;       /* 36: 1 - flat */
+    float cells;         /* 40: pixels of the picture in one of the next coarser level */
+    float square;        /* 44: of the radius of the gather's taps */
+    float quarter[3];    /* 48: elevation / 4 */
+    float norm;          /* 60: 1 / sum of the gather's taps */
+    float most[3];       /* 64: 1 / reflectance */
+    float mean, spread;  /* 76, 80: mean r / mean r^2, mean r^2 / mean r^4 of the taps' distances */
+    float rough, grain;  /* 84, 88: what rounding of depths makes of the taps' distance from the plane, and of slopes */
+    float coarser;       /* 92: 0: no level is coarser; 1: the next is the last; 2: it has sums */
+} ms_sss_shader_level;
 
 #ifdef __cplusplus
 }
@@ -5949,6 +6002,33 @@ static int ms_sss__tower_takes(const ms_sss_filter_options *o)
            !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
 }
 
+/* What all levels share, of a job whose kernel is set. */
+static void ms_sss__tower_start(ms_sss__growth *growth, const ms_sss__job *job, const ms_sss_pyramid *pyramid, int with_depth, float flat)
+{
+    const ms_sss_filter_options *o = &job->options;
+    double sigma;
+    int c;
+    memset(growth, 0, sizeof *growth);
+    growth->table = pyramid->weight;
+    growth->perspective = job->pass.perspective;
+    growth->shaped = with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE;
+    growth->upright = growth->shaped ? 1 - flat : 0;
+    growth->size = job->pass.size * pyramid->radius_mm;
+    growth->size_max = job->pass.size_max * pyramid->radius_mm;
+    growth->step = 1 / job->pass.focal[0];
+    growth->grain = job->pass.grain + (growth->perspective ? 1.2e-7f : 0); /* rounded once more when inverted */
+    growth->middle[0] = 0.5f * (float)job->full_width;
+    growth->middle[1] = 0.5f * (float)job->full_height;
+    growth->tangent = growth->perspective ? growth->step : 0;
+    sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm
+                                        : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
+    growth->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* where (1 - q)^4 has the Gaussian's width */
+    for (c = 0; c < 3; ++c) {
+        growth->quarter[c] = pyramid->elevation[c] * (growth->upright / 4);
+        growth->most[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
+    }
+}
+
 /* Filters the pixels of one of several profiles. */
 static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid, int profile, int profiles,
                                       const ms_sss_filter_options *options, void *workspace, ms_error *error)
@@ -5959,7 +6039,6 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
     ms_sss_filter_options upright;
     ms_status status;
     size_t before;
-    double sigma;
     float *at, *end;
     int c, l;
     ms_sss__tower_plan(frame->width, frame->height, &before);
@@ -5989,25 +6068,7 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
     ms_sss__set_kernel(job, &tower->kernel, profile);
     ms_sss__set_term(job, 0);
     if (!(job->gain > 0)) job->idle = 1;
-    memset(growth, 0, sizeof *growth);
-    growth->table = pyramid->weight;
-    growth->perspective = job->pass.perspective;
-    growth->shaped = frame->depth.channel[0] != NULL && options->depth_mode == MS_SSS_DEPTH_AWARE;
-    growth->upright = growth->shaped ? 1 - options->flat : 0;
-    growth->size = job->pass.size * pyramid->radius_mm;
-    growth->size_max = job->pass.size_max * pyramid->radius_mm;
-    growth->step = 1 / job->pass.focal[0];
-    growth->grain = job->pass.grain + (growth->perspective ? 1.2e-7f : 0); /* rounded once more when inverted */
-    growth->middle[0] = 0.5f * (float)frame->width;
-    growth->middle[1] = 0.5f * (float)frame->height;
-    growth->tangent = growth->perspective ? growth->step : 0;
-    sigma = options->depth_sigma_mm > 0 ? (double)options->depth_sigma_mm
-                                        : (0.12 + 0.13 * (1 - (double)options->flat)) * (double)pyramid->radius_mm;
-    growth->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* where (1 - q)^4 has the Gaussian's width */
-    for (c = 0; c < 3; ++c) {
-        growth->quarter[c] = pyramid->elevation[c] * (growth->upright / 4);
-        growth->most[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
-    }
+    ms_sss__tower_start(growth, job, pyramid, frame->depth.channel[0] != NULL, options->flat); /* the job's own is 1 */
     ms_sss__run(job, 0, frame->height, ms_sss__tower_load);
     if (job->idle) return MS_OK;
     if (tower->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__tower_join);
@@ -6130,8 +6191,6 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     }
     return MS_OK;
 }
-
-#undef MS_SSS__GATHER
 
 #ifndef MS_SSS_NO_DESIGN
 /* ---- gather code ----------------------------------------------------------------------------------------------- */
@@ -6491,11 +6550,7 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
    declaration, braces everywhere, no ?: and no assignment to components. ms_sss__say_line turns a line into a language,
    and lines of #if NAME, #if !NAME, #else and #endif choose by ms_sss__feature. The comments of FILTER KERNELS hold for
    these lines too. */
-static const char *const ms_sss__shader_body[] = {
-    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n",
-    "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n",
-    "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n",
-    "\n",
+static const char *const ms_sss__source_body[] = {
     "// By bits: compilers may take it that no number is NaN.\n",
     "bool finite(float x)\n",
     "{\n",
@@ -6561,11 +6616,15 @@ static const char *const ms_sss__shader_body[] = {
     "    float profile = profile_at(c.a);\n",
     "#endif\n",
     "#endif\n",
+    "#if TOWER\n",
+    "    part = part && abs(profile - constant[0].w) < 0.5;\n",
+    "#else\n",
     "    part = part && profile < float(PROFILES);\n",
     "#if BOTH\n",
     "    c = float4(c.rg, code_of(c.b, profile), c.a);\n",
     "#else\n",
     "    depth = profile + 1.0;\n",
+    "#endif\n",
     "#endif\n",
     "#endif\n",
     "    return pick(none, float4(c.rgb, depth), part);\n",
@@ -6578,6 +6637,12 @@ static const char *const ms_sss__shader_body[] = {
     "    return pick(none, c, c.a > 0.0);\n",
     "#endif\n",
     "}\n",
+    "\n"};
+
+static const char *const ms_sss__shader_body[] = {
+    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n",
+    "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n",
+    "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n",
     "\n",
     "bool inside(int2 p)\n",
     "{\n",
@@ -7086,6 +7151,381 @@ static const char *const ms_sss__shader_body[] = {
     "}\n",
     "#endif\n"};
 
+/* The steps of the pyramid; the comments of PYRAMID KERNELS hold for these lines too. */
+static const char *const ms_sss__tower_body[] = {
+    "// constant: 0 width, height, gain, profile; 1 radius in pixels (perspective: times depth), its limit, step of d a pixel at\n",
+    "// slope 1 (perspective: times d), tangent of a pixel's ray; 2 reach in radii, upright, pixels of the picture in one of the\n",
+    "// coarser level, square of the taps' radius; 3 K / 4, norm; 4 1 / reflectance, mean; 5 spread, rounding of the taps, of d,\n",
+    "// whether there is a coarser level (1) with sums (2); from 6 on weights by size: of the gather, and of RESOLVE of the\n",
+    "// pixel and its neighbours.\n",
+    "// d is linear on planes: -1 / depth in perspective, else depth; 0 where nothing takes part. A level is two textures: light\n",
+    "// and d; share of the surface, changes of d a pixel along x and y.\n",
+    "\n",
+    "// How many pixels of the picture a step of d is deep.\n",
+    "float deep_of(float d)\n",
+    "{\n",
+    "#if SHAPE\n",
+    "#if PERSPECTIVE\n",
+    "    return -1.0 / (constant[1].z * d);\n",
+    "#else\n",
+    "    return 1.0 / constant[1].z;\n",
+    "#endif\n",
+    "#else\n",
+    "    return 0.0;\n",
+    "#endif\n",
+    "}\n",
+    "\n",
+    "// The kernel's radius in pixels of the picture.\n",
+    "float radius_of(float d)\n",
+    "{\n",
+    "#if PERSPECTIVE\n",
+    "    return min(-constant[1].x * d, constant[1].y);\n",
+    "#else\n",
+    "    return min(constant[1].x, constant[1].y);\n",
+    "#endif\n",
+    "}\n",
+    "\n",
+    "#if !BASE\n",
+    "bool inside(int2 p)\n",
+    "{\n",
+    "    float2 first = float2(float(p.x), float(p.y)) * (0.5 * constant[2].z);\n",
+    "    return p.x >= 0 && p.y >= 0 && first.x < constant[0].x && first.y < constant[0].y;\n",
+    "}\n",
+    "\n",
+    "float beside(float away)\n",
+    "{\n",
+    "    float f = max(1.0 - away * away, 0.0);\n",
+    "    return f * f * f * f;\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "#if !SHRINK\n",
+    "// How much larger the surface is than its picture; middle: the pixel's place in the picture.\n",
+    "float area_of(float2 slope, float2 middle)\n",
+    "{\n",
+    "    float towards = dot(slope, (middle - 0.5 * constant[0].xy) * constant[1].w) + 1.0;\n",
+    "    return sqrt(dot(slope, slope) + towards * towards);\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "#if BASE\n",
+    "float d_of(float depth)\n",
+    "{\n",
+    "    float d = 0.0;\n",
+    "    if (depth > 0.0) {\n",
+    "#if PERSPECTIVE\n",
+    "        d = -1.0 / depth;\n",
+    "#else\n",
+    "#if SHAPE\n",
+    "        d = depth;\n",
+    "#else\n",
+    "        d = 1.0;\n",
+    "#endif\n",
+    "#endif\n",
+    "    }\n",
+    "    return d;\n",
+    "}\n",
+    "\n",
+    "#if SLOPES\n",
+    "float d_at(int2 p)\n",
+    "{\n",
+    "    float d = 0.0;\n",
+    "    if (p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y)) {\n",
+    "        d = d_of(source(p).a);\n",
+    "    }\n",
+    "    return d;\n",
+    "}\n",
+    "\n",
+    "// The slope from d before and after: their mean where the surface turns little, else the smaller one, steeper by what its\n",
+    "// step exceeds the next: near outlines depth goes as a root.\n",
+    "float slope_of(int2 p, int2 way, float own, float deep, float radius)\n",
+    "{\n",
+    "    float before = d_at(p - way);\n",
+    "    float after = d_at(p + way);\n",
+    "    float a = (own - before) * deep;\n",
+    "    float b = (after - own) * deep;\n",
+    "    bool on_a = abs(before) > 0.0 && abs(a) < radius;\n",
+    "    bool on_b = abs(after) > 0.0 && abs(b) < radius;\n",
+    "    float slope = 0.5 * (pick(0.0, a, on_a) + pick(0.0, b, on_b));\n",
+    "    if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n",
+    "        bool back = !on_b || (on_a && abs(a) < abs(b));\n",
+    "        float next = pick(after, before, back);\n",
+    "        float step = own - next;\n",
+    "        float inner = next - d_at(p + way * pick(2, -2, back));\n",
+    "        float more = abs(step) - abs(inner) - 2.0 * constant[5].z * abs(own);\n",
+    "        if (!(on_a && on_b)) {\n",
+    "            slope = slope + slope;\n",
+    "        }\n",
+    "        if (on_a && on_b && abs(a) < abs(b)) {\n",
+    "            slope = a;\n",
+    "        }\n",
+    "        if (on_a && on_b && abs(b) < abs(a)) {\n",
+    "            slope = b;\n",
+    "        }\n",
+    "        if (more > 0.0 && (step * deep) * (inner * deep) > 0.0) {\n",
+    "            more = min(more / abs(inner), 0.85);\n",
+    "            slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n",
+    "        }\n",
+    "    }\n",
+    "    return slope;\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "// Level 0.\n",
+    "float4 filter_pixel(int2 p)\n",
+    "{\n",
+    "    float4 own = source(p);\n",
+    "    float d = d_of(own.a);\n",
+    "    float2 slope = float2(0.0, 0.0);\n",
+    "    float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n",
+    "    ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "    if (!(abs(d) > 0.0)) {\n",
+    "        return ms_sss_other;\n",
+    "    }\n",
+    "#if WITH_NORMAL\n",
+    "    float3 normal = fetch_normal(p).rgb;\n",
+    "    float2 ray = (middle - 0.5 * constant[0].xy) * constant[1].w;\n",
+    "    float facing = max(normal.z - dot(ray, normal.xy), 0.125 * max(abs(normal.x), abs(normal.y)));\n",
+    "    if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) {\n",
+    "        slope = normal.xy / facing;\n",
+    "    }\n",
+    "#endif\n",
+    "#if SLOPES\n",
+    "    float deep = deep_of(d);\n",
+    "    float radius = radius_of(d);\n",
+    "    slope = float2(slope_of(p, int2(1, 0), d, deep, radius), slope_of(p, int2(0, 1), d, deep, radius));\n",
+    "#endif\n",
+    "    slope = clamp(slope, float2(-8.0, -8.0), float2(8.0, 8.0)) * constant[2].y;\n",
+    "    float step = constant[1].z;\n",
+    "#if PERSPECTIVE\n",
+    "    step = -step * d;\n",
+    "#endif\n",
+    "    ms_sss_other = float4(min(area_of(slope, middle), 10.0), slope.x * step, slope.y * step, 0.0);\n",
+    "    return float4(own.rgb, d);\n",
+    "}\n",
+    "#endif\n",
+    "#if SHRINK\n",
+    "// A pixel of the next level from 4 x 4: what lies near the tangent plane of the nearest of the middle four that has a\n",
+    "// quarter of the largest share.\n",
+    "float4 filter_pixel(int2 p)\n",
+    "{\n",
+    "    float most = 0.0;\n",
+    "    for (int i = 0; i < 4; i++) {\n",
+    "        int2 q = p * 2 + int2(i % 2, i / 2);\n",
+    "        if (inside(q)) {\n",
+    "            most = max(most, fetch_surface(q).r);\n",
+    "        }\n",
+    "    }\n",
+    "    ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "    if (!(most > 0.0)) {\n",
+    "        return ms_sss_other;\n",
+    "    }\n",
+    "    float nearest = 3e38;\n",
+    "    float2 change = float2(0.0, 0.0);\n",
+    "    float2 at = change;\n",
+    "    for (int i = 0; i < 4; i++) {\n",
+    "        int2 q = p * 2 + int2(i % 2, i / 2);\n",
+    "        if (!inside(q)) {\n",
+    "            continue;\n",
+    "        }\n",
+    "        float4 surface = fetch_surface(q);\n",
+    "        float d = fetch_colour(q).a;\n",
+    "        if (surface.r > 0.25 * most && d < nearest) {\n",
+    "            nearest = d;\n",
+    "            change = surface.gb;\n",
+    "            at = float2(float(i % 2) - 0.5, float(i / 2) - 0.5);\n",
+    "        }\n",
+    "    }\n",
+    "    float scale = deep_of(nearest) / radius_of(nearest);\n",
+    "    float middle = nearest - dot(at, change);\n",
+    "    float least = nearest;\n",
+    "    float greatest = nearest;\n",
+    "    float4 light = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "    float3 surfaces = float3(0.0, 0.0, 0.0);\n",
+    "    for (int i = 0; i < 16; i++) {\n",
+    "        int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n",
+    "        if (!inside(q)) {\n",
+    "            continue;\n",
+    "        }\n",
+    "        float4 there = fetch_colour(q);\n",
+    "        float4 surface = fetch_surface(q);\n",
+    "        float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);\n",
+    "        float rise = dot(away, change);\n",
+    "        float f = beside((there.a - rise - middle) * scale / constant[2].x) * surface.r;\n",
+    "        f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);\n",
+    "        if (f > 0.0 && abs((there.a - nearest) * scale) < 1.0) {\n",
+    "            least = min(least, there.a);\n",
+    "            greatest = max(greatest, there.a);\n",
+    "            light = light + f * float4(there.rgb, there.a - rise);\n",
+    "            surfaces = surfaces + f * float3(1.0, surface.g, surface.b);\n",
+    "        }\n",
+    "    }\n",
+    "    if (!(surfaces.r > 1e-20)) {\n",
+    "        return ms_sss_other;\n",
+    "    }\n",
+    "    light = light / surfaces.r;\n",
+    "    change = 2.0 * surfaces.gb / surfaces.r;\n",
+    "    ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);\n",
+    "    return float4(light.rgb, clamp(light.a, least, greatest));\n",
+    "}\n",
+    "#endif\n",
+    "#if GATHERS\n",
+    "// Weights of kernels of this radius in pixels, linear between the sizes of the table.\n",
+    "float3 weight_at(float size, int table)\n",
+    "{\n",
+    "    int i = clamp((int(bits_of(size)) - 0x3f800000) >> 21u, 0, LAST_SIZE);\n",
+    "    float low = float_of(uint(0x3f800000 + (i << 21u)));\n",
+    "    float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));\n",
+    "    float t = clamp((size - low) / (high - low), 0.0, 1.0);\n",
+    "    return constant[table + i].rgb + t * (constant[table + i + 1].rgb - constant[table + i].rgb);\n",
+    "}\n",
+    "\n",
+    "// light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square of sin(theta), of which grain may\n",
+    "// be rounding.\n",
+    "float raise(float light, float moment, float square, float grain, float quarter, float most)\n",
+    "{\n",
+    "    float mean = 0.0;\n",
+    "    if (abs(light) > 0.0) {\n",
+    "        mean = moment / light;\n",
+    "    }\n",
+    "    mean = clamp(mean - clamp(mean, -grain, grain), -1.0, 1.0);\n",
+    "    float u = max(quarter * mean + 1.0, 0.0);\n",
+    "    float spread = max(square - (grain * grain + mean * mean), 0.0);\n",
+    "    return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);\n",
+    "}\n",
+    "\n",
+    "// The light of the next coarser level from up to 6 x 6 pixels around, counted by its distance in space and lifted by how far\n",
+    "// it lies below the tangent plane, and the sums of that level; sums of weights to ms_sss_other.\n",
+    "float3 gather(int2 p, float d, float2 change)\n",
+    "{\n",
+    "    float cells = constant[2].z;\n",
+    "    float deep = deep_of(d) / cells;\n",
+    "    float radius = radius_of(d);\n",
+    "    float2 slope = change * (2.0 * deep);\n",
+    "    float area = area_of(slope, float2(float(p.x) + 0.5, float(p.y) + 0.5) * (0.5 * cells));\n",
+    "    float cap = min(area, 1.5);\n",
+    "    float limit = radius / cells;\n",
+    "    float near_plane = 1.0 / (limit * constant[2].x);\n",
+    "    float wide = cap * cap * constant[2].w;\n",
+    "    float weight = 0.0;\n",
+    "    float square = 0.0;\n",
+    "    float3 light = float3(0.0, 0.0, 0.0);\n",
+    "    float3 moment = light;\n",
+    "    float3 sums = light;\n",
+    "    float3 weights = light;\n",
+    "    for (int j = 0; j < 6; j++) {\n",
+    "        for (int k = 0; k < 6; k++) {\n",
+    "            int2 q = int2(p.x / 2 + k - 3 + p.x % 2, p.y / 2 + j - 3 + p.y % 2);\n",
+    "            float2 away = float2(float(k) - 2.75 + 0.5 * float(p.x % 2), float(j) - 2.75 + 0.5 * float(p.y % 2));\n",
+    "            if (dot(away, away) > wide || !inside(q * 2)) {\n",
+    "                continue;\n",
+    "            }\n",
+    "            float4 there = fetch_coarse(q);\n",
+    "            float dz = (there.a - d) * deep;\n",
+    "            if (!(abs(there.a) > 0.0 && dz * dz < limit * limit)) {\n",
+    "                continue;\n",
+    "            }\n",
+    "            float below = dz - dot(away, slope);\n",
+    "            float t = max(1.0 - (dz * dz + dot(away, away)) / wide, 0.0);\n",
+    "            float w = t * t * fetch_coarse_surface(q).r;\n",
+    "            weight = weight + w;\n",
+    "            light = light + w * there.rgb;\n",
+    "            moment = moment + w * below * there.rgb;\n",
+    "            square = square + w * below * below;\n",
+    "            if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && constant[5].w > 1.5) {\n",
+    "                t = beside(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);\n",
+    "                sums = sums + t * fetch_sum(q).rgb;\n",
+    "                weights = weights + t * fetch_weight(q).rgb;\n",
+    "            }\n",
+    "        }\n",
+    "    }\n",
+    "#if TILTED\n",
+    "    float facing = 1.0 / (cap * area);\n",
+    "    float turn = facing * constant[4].w;\n",
+    "    float grain = turn * constant[5].y;\n",
+    "#if !PERSPECTIVE\n",
+    "    grain = grain * d;\n",
+    "#endif\n",
+    "    // Too steep for a tangent plane on this level.\n",
+    "    if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) {\n",
+    "        square = 0.0;\n",
+    "        moment = float3(0.0, 0.0, 0.0);\n",
+    "    }\n",
+    "    if (weight > 0.0) {\n",
+    "        square = square / weight;\n",
+    "    }\n",
+    "    square = square * facing * facing * constant[5].x;\n",
+    "    light = float3(raise(light.r, moment.r * turn, square, grain, constant[3].r, constant[4].r),\n",
+    "                   raise(light.g, moment.g * turn, square, grain, constant[3].g, constant[4].g),\n",
+    "                   raise(light.b, moment.b * turn, square, grain, constant[3].b, constant[4].b));\n",
+    "#endif\n",
+    "    float3 share = weight_at(radius / cap, 6) * (constant[3].w / (cap * cap));\n",
+    "    weights = weights + share * weight;\n",
+    "    ms_sss_other = float4(weights.r, weights.g, weights.b, 0.0);\n",
+    "    return sums + share * light;\n",
+    "}\n",
+    "\n",
+    "#endif\n",
+    "#if GATHER\n",
+    "float4 filter_pixel(int2 p)\n",
+    "{\n",
+    "    float d = fetch_colour(p).a;\n",
+    "    float3 sum = float3(0.0, 0.0, 0.0);\n",
+    "    ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n",
+    "    if (abs(d) > 0.0) {\n",
+    "        sum = gather(p, d, fetch_surface(p).gb);\n",
+    "    }\n",
+    "    return float4(sum, 0.0);\n",
+    "}\n",
+    "#endif\n",
+    "#if RESOLVE\n",
+    "// The pixel's own light, that of its neighbours as far as they lie near its tangent plane, and the sums.\n",
+    "float4 filter_pixel(int2 p)\n",
+    "{\n",
+    "    float4 own = fetch_colour(p);\n",
+    "    if (!(abs(own.a) > 0.0)) {\n",
+    "        return float4(fetch_input(p).rgb, 1.0);\n",
+    "    }\n",
+    "    float4 surface = fetch_surface(p);\n",
+    "    float deep = deep_of(own.a);\n",
+    "    float radius = radius_of(own.a);\n",
+    "    float size = radius / clamp(surface.r, 1.0, 1.5);\n",
+    "    float3 keep = weight_at(size, 6 + SIZES);\n",
+    "    float3 pass_on = weight_at(size, 6 + 2 * SIZES);\n",
+    "    float3 sum = keep * own.rgb;\n",
+    "    float3 weight = keep;\n",
+    "    for (int i = 0; i < 9; i++) {\n",
+    "        int2 q = p + int2(i % 3 - 1, i / 3 - 1);\n",
+    "        if (!inside(q)) {\n",
+    "            continue;\n",
+    "        }\n",
+    "        float4 there = fetch_colour(q);\n",
+    "        float rise = float(i % 3 - 1) * surface.g + float(i / 3 - 1) * surface.b;\n",
+    "        float away = (there.a - own.a - rise) * deep;\n",
+    "        float f = max(1.0 - 0.25 * away * away, 0.0);\n",
+    "        f = f * f * pick(0.25, 0.5, i % 3 == 1) * pick(0.25, 0.5, i / 3 == 1);\n",
+    "        if (abs(there.a) > 0.0) {\n",
+    "            sum = sum + f * pass_on * there.rgb;\n",
+    "            weight = weight + f * pass_on;\n",
+    "        }\n",
+    "    }\n",
+    "    if (constant[5].w > 0.5) {\n",
+    "        sum = sum + gather(p, own.a, surface.gb);\n",
+    "        weight = weight + ms_sss_other.rgb;\n",
+    "    }\n",
+    "    float strength = constant[0].z;\n",
+    "#if WITH_STRENGTH\n",
+    "    strength = strength * min(fetch_strength(p).r, 1.0);\n",
+    "#endif\n",
+    "    if (!(radius > 0.5)) {\n",
+    "        strength = 0.0;\n",
+    "    }\n",
+    "    float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30), pick(own.g, sum.g / weight.g, weight.g > 1e-30),\n",
+    "                          pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n",
+    "    return float4(own.rgb + strength * (light - own.rgb), 1.0);\n",
+    "}\n",
+    "#endif\n"};
+
 static const char *const ms_sss__transmission_body[] = {
     "float ms_sss_through(float reflectance, float decay, float thickness, float parallel)\n",
     "{\n",
@@ -7121,7 +7561,8 @@ static const char *const ms_sss__transmission_body[] = {
     X(PREPARE) X(SECOND) X(RAW) X(TAPS) X(STRIDE) X(PROFILES) X(CORNERS) X(HALF_KERNEL) X(WITH_STRENGTH) X(WITH_NORMAL)  \
     X(DEPTH) X(DEPTH_TEXTURE) X(DEPTH_ALPHA) X(PROFILE) X(PROFILE_TEXTURE) X(PROFILE_ALONE) X(READS_PROFILE) \
     X(BOTH) X(BOTH_ALPHA) X(PERSPECTIVE) X(FOLLOW) X(EXACT) X(TURNED) X(SHAPE) X(COMPUTE) X(TILED) X(LATER) X(GROUP_X)   \
-    X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y) X(PASS) X(HALVED) X(NEARNESS) X(DOWN) X(NORMAL) X(SMALLER) X(UP) X(TERMS)
+    X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y) X(PASS) X(HALVED) X(NEARNESS) X(DOWN) X(NORMAL) X(SMALLER) X(UP) X(TERMS) \
+    X(TOWER) X(BASE) X(SHRINK) X(GATHER) X(RESOLVE) X(GATHERS) X(TILTED) X(SLOPES) X(SIZES) X(LAST_SIZE)
 
 enum {
 #define MS_SSS__FEATURE_ENUM(name) MS_SSS__HAS_##name,
@@ -7289,17 +7730,21 @@ static void ms_sss__say_body(ms_sss__text *text, const char *const *line, size_t
     }
 }
 
-enum { MS_SSS__PICTURE_HEAD = 3, MS_SSS__PROFILE_HEAD = 5 }; /* float4 of the structs */
+enum { MS_SSS__PICTURE_HEAD = 3, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 6 }; /* float4 of the structs */
 
 static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + (s->half_kernel ? s->tap_count / 2 + 1 : s->tap_count); }
 
 static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
+
+static int ms_sss__shader_tower(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
 
 /* Terms whose constants a step reads. */
 static int ms_sss__shader_terms(const ms_sss_shader *s) { return s->step == MS_SSS_STEP_UP && s->term_count > 1 ? s->term_count : 1; }
 
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
+    if (shader->step == MS_SSS_STEP_RESOLVE) return MS_SSS__LEVEL_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
+    if (ms_sss__shader_tower(shader)) return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
     return MS_SSS__PICTURE_HEAD + ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
 }
 
@@ -7312,7 +7757,7 @@ MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis)
    work group, $z texels of the tile. */
 typedef struct ms_sss__dialect {
     int column; /* of ms_sss__word */
-    const char *version, *constants, *texture, *tile, *fragment;
+    const char *version, *constants, *texture, *tile, *fragment, *other, *fragments; /* other: a variable; fragments: to two targets */
 } ms_sss__dialect;
 
 #define MS_SSS__PICK "#define pick(b, a, c) ((c) ? (a) : (b))\n"
@@ -7322,22 +7767,30 @@ typedef struct ms_sss__dialect {
     "shared vec4 ms_sss_tile[$z];\nivec2 ms_sss_corner = ivec2(0, 0);\nvoid filter_group(ivec2 group, int index);\n"   \
     "void store(ivec2 p, vec4 c) { imageStore(ms_sss_target, p, c); }\n"                                               \
     "void main() { filter_group(ivec2(gl_WorkGroupID.xy), int(gl_LocalInvocationIndex)); }\n"
+#define MS_SSS__GLSL_OTHER "vec4 ms_sss_other = vec4(0.0);\n"
+#define MS_SSS__GLSL_MAINS                                                                                             \
+    "layout(location = 0) out vec4 ms_sss_out;\nlayout(location = 1) out vec4 ms_sss_out_other;\nvec4 filter_pixel(ivec2 p);\n"                       \
+    "void main() {\n    ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));\n    ms_sss_out_other = ms_sss_other;\n}\n"
 #define MS_SSS__GLSL_MAIN "ms_sss_out;\nvec4 filter_pixel(ivec2 p);\nvoid main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }\n"
 
 static const ms_sss__dialect ms_sss__dialects[5] = {
     {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "layout($f" MS_SSS__GLSL_TILE,
-     "out vec4 " MS_SSS__GLSL_MAIN},
+     "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
     {1, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" MS_SSS__PICK,
-     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "", "out vec4 " MS_SSS__GLSL_MAIN},
+     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "", "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
     {1, "#version 450\n" MS_SSS__PICK, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[$n]; };\n",
      "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(set = 0, binding = 8, $f" MS_SSS__GLSL_TILE,
-     "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN},
+     "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
     {2, MS_SSS__PICK, "cbuffer ms_sss_block : register(b0) { float4 ms_sss[$n]; };\n",
      "Texture2D<float4> ms_sss_$s : register(t$t);\nfloat4 fetch_$s(int2 p) { return ms_sss_$s.Load(int3(p, 0)); }\n",
      "RWTexture2D<float4> ms_sss_target : register(u0);\ngroupshared float4 ms_sss_tile[$z];\nstatic int2 ms_sss_corner;\n"
      "void filter_group(int2 group, int index);\nvoid store(int2 p, float4 c) { ms_sss_target[p] = c; }\n[numthreads($x, $y, 1)]\n"
      "void main(uint3 group : SV_GroupID, uint index : SV_GroupIndex) { filter_group(int2(group.xy), int(index)); }\n",
-     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target { return filter_pixel(int2(position.xy)); }\n"},
+     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target { return filter_pixel(int2(position.xy)); }\n",
+     "static float4 ms_sss_other;\n",
+     "struct ms_sss_targets { float4 out_first : SV_Target0; float4 out_other : SV_Target1; };\nfloat4 filter_pixel(int2 p);\n"
+     "ms_sss_targets main(float4 position : SV_Position) {\n    ms_sss_targets to;\n    to.out_first = filter_pixel(int2(position.xy));\n"
+     "    to.out_other = ms_sss_other;\n    return to;\n}\n"},
     {3, "", "struct ms_sss_block { v: array<vec4<f32>, $n> };\n@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n",
      "@group(0) @binding($b) var ms_sss_$s: texture_2d<f32>;\n"
      "fn fetch_$s(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$s, p, 0); }\n",
@@ -7347,9 +7800,15 @@ static const ms_sss__dialect ms_sss__dialects[5] = {
      "fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) index: u32) {\n"
      "    filter_group(vec2<i32>(group.xy), i32(index));\n}\n",
      "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {\n"
-     "    return filter_pixel(vec2<i32>(position.xy));\n}\n"}};
+     "    return filter_pixel(vec2<i32>(position.xy));\n}\n",
+     "var<private> ms_sss_other: vec4<f32>;\n",
+     "struct ms_sss_targets { @location(0) out_first: vec4<f32>, @location(1) out_other: vec4<f32> };\n"
+     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> ms_sss_targets {\n"
+     "    let first = filter_pixel(vec2<i32>(position.xy));\n    return ms_sss_targets(first, ms_sss_other);\n}\n"}};
 
 #undef MS_SSS__GLSL_MAIN
+#undef MS_SSS__GLSL_MAINS
+#undef MS_SSS__GLSL_OTHER
 #undef MS_SSS__GLSL_TILE
 #undef MS_SSS__GLSL_TEXTURE
 
@@ -7382,17 +7841,22 @@ static int ms_sss__shader_shaped(const ms_sss_shader *s, const ms_sss_filter_opt
 
 static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
-    static const char *const name[7] = {"colour", "depth", "strength", "input", "profile", "sum", "normal"};
+    enum { NAMES = 12 };
+    static const char *const name[NAMES] = {"colour", "depth", "strength", "input", "profile", "sum", "normal", "",
+                                            "surface", "coarse", "coarse_surface", "weight"};
+    const int tower = ms_sss__shader_tower(s), base = s->step == MS_SSS_STEP_BASE, resolve = s->step == MS_SSS_STEP_RESOLVE;
+    const int gathers = resolve || s->step == MS_SSS_STEP_GATHER;
     const ms_sss__dialect *d = &ms_sss__dialects[s->language];
     const int second = s->step == MS_SSS_STEP_Y, pass = second || s->step == MS_SSS_STEP_X, up = s->step == MS_SSS_STEP_UP;
     const int halved = pass && s->half_resolution, smaller = s->step == MS_SSS_STEP_DOWN || s->step == MS_SSS_STEP_NORMAL;
     const int both = s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE;
     const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
     const int shape = ms_sss__shader_shaped(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
-    const int raw = !pass || (!second && !s->prepared && !halved);
+    const int raw = tower ? base : !pass || (!second && !s->prepared && !halved);
     const int again = both && !raw && s->half_target; /* blue of 16 bits can't hold the index as well */
-    const int used[7] = {1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || (second && !halved)), second || up,
-                         s->profile == MS_SSS_TEXTURE && (raw || again), s->later || up, s->with_normal && shape && (pass || s->step == MS_SSS_STEP_NORMAL)};
+    const int used[NAMES] = {1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || (second && !halved) || resolve), second || up || resolve,
+                             s->profile == MS_SSS_TEXTURE && (raw || (again && !tower)), s->later || up || gathers,
+                             s->with_normal && shape && (pass || base || s->step == MS_SSS_STEP_NORMAL), 0, tower && !base, gathers, gathers, gathers};
     int *f = text->feature, i;
     text->column = d->column;
     f[MS_SSS__HAS_PREPARE] = s->step == MS_SSS_STEP_PREPARE;
@@ -7412,7 +7876,7 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     f[MS_SSS__HAS_CORNERS] = turned ? 4 : 2;
     f[MS_SSS__HAS_HALF_KERNEL] = s->half_kernel;
     f[MS_SSS__HAS_WITH_STRENGTH] = s->with_strength;
-    f[MS_SSS__HAS_WITH_NORMAL] = s->with_normal;
+    f[MS_SSS__HAS_WITH_NORMAL] = s->with_normal && (shape || !tower);
     f[MS_SSS__HAS_DEPTH] = s->depth != MS_SSS_NONE;
     f[MS_SSS__HAS_DEPTH_TEXTURE] = s->depth == MS_SSS_TEXTURE;
     f[MS_SSS__HAS_DEPTH_ALPHA] = s->depth == MS_SSS_ALPHA;
@@ -7426,7 +7890,17 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     f[MS_SSS__HAS_FOLLOW] = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
     f[MS_SSS__HAS_EXACT] = o->exact;
     f[MS_SSS__HAS_TURNED] = turned;
-    f[MS_SSS__HAS_SHAPE] = shape && pass;
+    f[MS_SSS__HAS_SHAPE] = tower ? s->depth != MS_SSS_NONE && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass;
+    f[MS_SSS__HAS_TOWER] = tower;
+    f[MS_SSS__HAS_BASE] = base;
+    f[MS_SSS__HAS_SHRINK] = s->step == MS_SSS_STEP_SHRINK;
+    f[MS_SSS__HAS_GATHER] = s->step == MS_SSS_STEP_GATHER;
+    f[MS_SSS__HAS_RESOLVE] = resolve;
+    f[MS_SSS__HAS_GATHERS] = gathers;
+    f[MS_SSS__HAS_TILTED] = shape;
+    f[MS_SSS__HAS_SLOPES] = shape && !s->with_normal;
+    f[MS_SSS__HAS_SIZES] = MS_SSS_PYRAMID_SIZES;
+    f[MS_SSS__HAS_LAST_SIZE] = MS_SSS_PYRAMID_SIZES - 2;
     f[MS_SSS__HAS_COMPUTE] = s->compute;
     f[MS_SSS__HAS_TILED] = s->compute && pass;
     f[MS_SSS__HAS_LATER] = s->later;
@@ -7440,11 +7914,14 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     if (s->compute && s->language == MS_SSS_GLSL_330) ms_sss__say(text, "#version 430\n" MS_SSS__PICK);
     else ms_sss__say(text, d->version);
     ms_sss__say_dialect(text, d->constants, s, "", 0);
-    for (i = 0; i < 7; ++i)
+    for (i = 0; i < NAMES; ++i)
         if (used[i]) ms_sss__say_dialect(text, d->texture, s, name[i], i);
-    ms_sss__say_dialect(text, s->compute ? d->tile : d->fragment, s, "", 0);
+    if (tower) ms_sss__say(text, d->other);
+    ms_sss__say_dialect(text, s->compute ? d->tile : tower && !resolve ? d->fragments : d->fragment, s, "", 0);
     ms_sss__say(text, "\n");
-    ms_sss__say_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
+    if (!tower || base) ms_sss__say_body(text, ms_sss__source_body, sizeof ms_sss__source_body / sizeof ms_sss__source_body[0]);
+    if (tower) ms_sss__say_body(text, ms_sss__tower_body, sizeof ms_sss__tower_body / sizeof ms_sss__tower_body[0]);
+    else ms_sss__say_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
 }
 
 static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filter_options *o, ms_error *error)
@@ -7454,7 +7931,12 @@ static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filte
     if ((status = ms_sss__check_options(o, error)) != MS_OK) return status;
     if ((int)s->language < 0 || (int)s->language > (int)MS_SSS_WGSL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "language %d is unknown", (int)s->language);
-    if (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0)
+    if ((int)s->step < 0 || (int)s->step > (int)MS_SSS_STEP_RESOLVE)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d is unknown", (int)s->step);
+    if (ms_sss__shader_tower(s)) {
+        if (s->compute || s->half_target || !ms_sss__tower_takes(o))
+            return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has fragment shaders and targets of 32 bits, and is round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW");
+    } else if (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tap_count %d: expected an odd number from 1 to %d", s->tap_count, MS_SSS_TAPS_MAX);
     if (s->profile_count < 0 || s->profile_count > MS_SSS_SHADER_PROFILES_MAX)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile_count %d is not within 0 to %d", s->profile_count, MS_SSS_SHADER_PROFILES_MAX);
@@ -7464,9 +7946,7 @@ static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filte
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile_count %d needs profile, the source of the index", s->profile_count);
     if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fov_degrees %g needs depth", (double)o->fov_degrees);
-    if ((int)s->step < 0 || (int)s->step > (int)MS_SSS_STEP_UP)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d is unknown", (int)s->step);
-    if (s->half_resolution ? s->step == MS_SSS_STEP_PREPARE || s->prepared : (int)s->step >= (int)MS_SSS_STEP_DOWN)
+    if (!ms_sss__shader_tower(s) && (s->half_resolution ? s->step == MS_SSS_STEP_PREPARE || s->prepared : (int)s->step >= (int)MS_SSS_STEP_DOWN))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "half_resolution %d: its first step is DOWN, that of others is PREPARE or X", s->half_resolution);
     if (s->step == MS_SSS_STEP_NORMAL && !(s->with_normal && ms_sss__shader_shaped(s, o)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step NORMAL without with_normal, or where slopes do not count");
@@ -7556,6 +8036,7 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
     double mm, pixels;
     if (!kernels || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernels or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
+    if (ms_sss__shader_tower(shader)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
     if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
     mm = options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1;
@@ -7627,12 +8108,86 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
     return MS_OK;
 }
 
+MS_API int ms_sss_shader_levels(int width, int height)
+{
+    int levels = 1;
+    while (levels < MS_SSS_PYRAMID_LEVELS && (width > 2 || height > 2)) {
+        width = (width + 1) / 2;
+        height = (height + 1) / 2;
+        ++levels;
+    }
+    return levels;
+}
+
+MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width, int height,
+                                           const ms_sss_shader *shader, int level, int profile, float (*out)[4], ms_error *error)
+{
+    ms_sss_shader_level at;
+    ms_sss_kernel kernel;
+    ms_sss__job job;
+    ms_sss__growth growth;
+    ms_status status;
+    int levels, i, c;
+    if (!pyramid || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pyramid or out is NULL");
+    if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
+    if (!ms_sss__shader_tower(shader)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
+    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
+    levels = ms_sss_shader_levels(width, height);
+    if (level < 0 || level >= levels) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "level %d is not within the picture's %d", level, levels);
+    memset(&kernel, 0, sizeof kernel);
+    kernel.tap_count = kernel.term_count = 1;
+    kernel.radius_mm = pyramid->radius_mm;
+    memset(&job, 0, sizeof job);
+    job.frame.width = job.full_width = width;
+    job.frame.height = job.full_height = height;
+    job.coarse = 1;
+    job.options = *options;
+    job.options.flat = 1;
+    ms_sss__set_kernel(&job, &kernel, 0);
+    ms_sss__tower_start(&growth, &job, pyramid, shader->depth != MS_SSS_NONE, options->flat);
+    ms_sss__tower_taps(&growth, level);
+    memset(&at, 0, sizeof at);
+    at.width = (float)width;
+    at.height = (float)height;
+    at.gain = 1.0f - options->fade;
+    at.profile = (float)profile;
+    at.size = growth.perspective ? growth.size / job.depth_scale : growth.size; /* of depth as it is given */
+    at.size_max = growth.size_max;
+    at.step = growth.perspective ? growth.step : growth.step / job.depth_scale;
+    at.tangent = growth.tangent;
+    at.reach = growth.reach;
+    at.upright = growth.upright;
+    at.cells = (float)(1 << (level + 1));
+    at.square = MS_SSS__GATHER(level);
+    at.norm = growth.norm;
+    at.mean = growth.mean;
+    at.spread = growth.spread;
+    at.rough = growth.perspective ? growth.rough : growth.rough * job.depth_scale;
+    at.grain = growth.grain;
+    at.coarser = level + 2 < levels ? 2.0f : level + 1 < levels ? 1.0f : 0.0f;
+    for (c = 0; c < 3; ++c) {
+        at.quarter[c] = growth.quarter[c];
+        at.most[c] = growth.most[c];
+    }
+    memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
+    memcpy(out, &at, sizeof at);
+    for (i = 0; i < MS_SSS_PYRAMID_SIZES && ms_sss_shader_constant_count(shader) > MS_SSS__LEVEL_HEAD; ++i) {
+        float(*to)[4] = out + MS_SSS__LEVEL_HEAD + i;
+        if (level + 1 < MS_SSS_PYRAMID_LEVELS) memcpy(to, pyramid->weight[i][level + 1][1], 3 * sizeof(float));
+        for (c = 0; c < 2 && shader->step == MS_SSS_STEP_RESOLVE; ++c)
+            memcpy(to + (c + 1) * MS_SSS_PYRAMID_SIZES, pyramid->weight[i][0][c], 3 * sizeof(float));
+    }
+    return MS_OK;
+}
+
 #undef MS_SSS__FEATURE_LIST
 #undef MS_SSS__PICK
 #undef MS_SSS__INLINE
 #undef MS_SSS__APART
 #undef MS_SSS__AWAY
 #undef MS_SSS__FALLOFF_END
+#undef MS_SSS__GATHER
 #endif /* MS_SSS_IMPLEMENTATION */
 
 #ifdef MS_SSS__PASS /* one inclusion a level, from FILTER CODE above */

@@ -1,6 +1,6 @@
 // Runs what tests/pkg_sss_gpu.c wrote: the steps of each case in WebGL 2 or WebGPU, and compares with the CPU's result (NaN: with none).
 // data = {api, width, height, targets: {name: [width, height]}, images: {name: base64 of RGBA floats}, cases: [{input, profile, expected, tolerance, steps: [{text,
-// constants, read: {name: image}, write: image, groups}]}], compile: texts that only have to compile}. Logs what is off or an error, then "sss worst E over N cases".
+// constants, read: {name: image}, write: [image], groups}]}], compile: texts that only have to compile}. Logs what is off or an error, then "sss worst E over N cases".
 const count = data.width * data.height * 4;
 const lines = [];
 const say = line => lines.push(line);
@@ -19,7 +19,10 @@ function webgl() {
         return s;
     };
     gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-    const attach = image => gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, image.texture, 0);
+    const attach = images => {
+        for (let i = 0; i < 2; ++i) gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, images[i] ? images[i].texture : null, 0);
+        gl.drawBuffers(images.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
+    };
     return {
         name: () => gl.getParameter(gl.VERSION),
         async compile(text) { stage(gl.FRAGMENT_SHADER, text); },
@@ -45,13 +48,13 @@ function webgl() {
             });
             gl.uniform4fv(gl.getUniformLocation(p, 'ms_sss'), step.constants);
             attach(write);
-            gl.viewport(0, 0, write.width, write.height);
+            gl.viewport(0, 0, write[0].width, write[0].height);
             gl.drawArrays(gl.TRIANGLES, 0, 3);
             if (gl.getError()) throw 'an error of OpenGL';
         },
         async pixels(image) {
             const out = new Float32Array(count);
-            attach(image);
+            attach([image]);
             gl.readPixels(0, 0, data.width, data.height, gl.RGBA, gl.FLOAT, out);
             return out;
         }
@@ -84,7 +87,7 @@ async function webgpu() {
             device.queue.writeBuffer(constants, 0, new Float32Array(step.constants));
             const layout = [{binding: 0, visibility: stage, buffer: {}}], entries = [{binding: 0, resource: {buffer: constants}}];
             for (const [, binding, name] of step.text.matchAll(/@binding\((\d+)\) var (ms_sss_\w+): /g)) {
-                const target = name === 'ms_sss_target', image = target ? write : read.find(r => r.name === name).image;
+                const target = name === 'ms_sss_target', image = target ? write[0] : read.find(r => r.name === name).image;
                 layout.push(target ? {binding: +binding, visibility: stage, storageTexture: {format: 'rgba32float'}}
                                     : {binding: +binding, visibility: stage, texture: {sampleType: 'unfilterable-float'}});
                 entries.push({binding: +binding, resource: image.createView()});
@@ -96,9 +99,9 @@ async function webgpu() {
                 pass = commands.beginComputePass();
                 pass.setPipeline(device.createComputePipeline({layout: all, compute: {module, entryPoint: 'main'}}));
             } else {
-                pass = commands.beginRenderPass({colorAttachments: [{view: write.createView(), loadOp: 'clear', storeOp: 'store'}]});
+                pass = commands.beginRenderPass({colorAttachments: write.map(t => ({view: t.createView(), loadOp: 'clear', storeOp: 'store'}))});
                 pass.setPipeline(device.createRenderPipeline({layout: all, vertex: {module: corner, entryPoint: 'main'},
-                    fragment: {module, entryPoint: 'main', targets: [{format: 'rgba32float'}]}, primitive: {topology: 'triangle-list'}}));
+                    fragment: {module, entryPoint: 'main', targets: write.map(() => ({format: 'rgba32float'}))}, primitive: {topology: 'triangle-list'}}));
             }
             pass.setBindGroup(0, device.createBindGroup({layout: group, entries}));
             if (compute) pass.dispatchWorkgroups(...step.groups);
@@ -133,8 +136,8 @@ async function webgpu() {
             const images = {...shared, input: gpu.image(input, data.width, data.height), profile: gpu.image(floats(c.profile), data.width, data.height)};
             let error = 0;
             for (const step of c.steps)
-                gpu.run(step, Object.entries(step.read).map(([name, image]) => ({name, image: images[image]})), images[step.write]);
-            const out = await gpu.pixels(images[c.steps[c.steps.length - 1].write]);
+                gpu.run(step, Object.entries(step.read).map(([name, image]) => ({name, image: images[image]})), step.write.map(w => images[w]));
+            const out = await gpu.pixels(images[c.steps[c.steps.length - 1].write[0]]);
             for (let k = 0; k < count; ++k) {
                 if (k % 4 === 3 || !Number.isFinite(input[k]) || Number.isNaN(expected[k])) continue;
                 const e = Math.abs(out[k] - expected[k]);
