@@ -212,7 +212,7 @@ def kernels(b):
         print("no WebGL 2 with float targets in this Chromium: the kernel designer was not tried")
         return
     b.until("designer.idle()", WAIT)
-    check("twelve materials", b.value("document.querySelectorAll('[data-material]').length") == 12)
+    check("thirteen materials", b.value("document.querySelectorAll('[data-material]').length") == 13)
 
     def agree(name):
         r = b.value("designer.check()")
@@ -248,6 +248,31 @@ def kernels(b):
     agree("the sliced profile")
     b.slide("#model", "0")
     moved("the default method", 2e-5)
+    for way, name in ((1, "half resolution"), (2, "a pyramid")):
+        b.slide("#way", str(way))
+        moved(name, 2e-5)
+        agree(name)
+        b.slide("#elevation", 0)
+        moved(name + ", without elevation", 2e-5)
+        agree(name + ", without elevation")
+        b.slide("#elevation", 1)
+        moved(name + ", with it", 2e-5)
+        b.value("designer.copied = ''")
+        b.click("[data-shader='4']")
+        b.until("designer.copied", WAIT)
+        check("steps of " + name, b.value("designer.copied").count("@fragment") == (5 if way == 1 else 4))
+    b.slide("#way", "0")
+    moved("two passes")
+    b.click("[data-material='skin, mixed']")
+    moved("skin of melanin and blood")
+    before = b.value("designer.kernel.reflectance")
+    for name, to in (("melanin", -0.8), ("blood", -1.2)):
+        b.slide("#" + name, to)
+        moved(name)
+        after = b.value("designer.kernel.reflectance")
+        check("less light with more " + name, after[0] < before[0] and after[1] < before[1], (before, after))
+        before = after
+    agree("mixed skin")
     b.click("[data-material=marble]")
     moved("marble")
     agree("marble")

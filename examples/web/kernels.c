@@ -10,11 +10,13 @@
 
 #define CALL(type, name, arguments) type web_##name arguments; __attribute__((export_name(#name))) type web_##name arguments
 
-enum { SIDE = 1024, CURVE = 96, TEXT = 1 << 17, CONSTANTS = 64 };
+enum { SIDE = 1024, CURVE = 96, TEXT = 1 << 17, CONSTANTS = 160 };
 
 static ms_error error;
 static ms_sss_profile *profile;
 static ms_sss_kernel kernel;
+static ms_sss_pyramid pyramid;
+static int grown; /* the pyramid is of this profile */
 static ms_sss_errors errors;
 static ms_sss_filter_options view;
 static double number[64 + 8 * CURVE];
@@ -52,7 +54,17 @@ static ms_status make_profile(int material, const double *own)
     const ms_mcml_material *all = ms_mcml_materials(&count);
     ms_mcml_profile_options options;
     ms_sss_profile *made;
-    if (material < 0) {
+    if (material == -2) {
+        ms_mcml_skin skin = ms_mcml_skin_defaults();
+        skin.melanin = own[0];
+        skin.blood = own[1];
+        skin.g = 0; /* reduced scattering, several times faster */
+        status = ms_mcml_skin_profile(&rings, &skin, NULL, &error);
+        if (status != MS_OK) return status;
+        for (c = 0; c < 3; ++c) rd[c] = rings.rd_per_mm2 + c * rings.rings;
+        status = ms_sss_profile_from_rings(&made, rings.rings, rings.edge_mm, rd, 1, NULL, &error);
+        ms_mcml_profile_destroy(&rings);
+    } else if (material < 0) {
         for (c = 0; c < 3; ++c) d[c] = ms_sss_burley_d_mm(own[c], own[3 + c]);
         status = ms_sss_profile_from_burley(&made, own, d, NULL, &error);
     } else {
@@ -69,10 +81,12 @@ static ms_status make_profile(int material, const double *own)
     if (status != MS_OK) return status;
     ms_sss_profile_destroy(profile);
     profile = made;
+    grown = 0;
     return MS_OK;
 }
 
-/* A kernel (rough: its errors are not measured): material, or -1 and numbers 0 to 5, colour and mean free paths in mm; its place on the screen by pixels a millimetre of
+/* A kernel (rough: its errors are not measured): material; -1 and numbers 0 to 5, colour and mean free paths in mm; -2 and
+   numbers 0 and 1, melanin and blood of skin; its place on the screen by pixels a millimetre of
    material. Numbers then: 0 to 6 errors, 7 taps, 8 radius in mm, 9 radius in pixels, 10 to 12 reflectance, 13 to 15 decay; from 64 on
    CURVE rows of r, R_d in three channels, x, a_p in three channels. */
 CALL(int, design, (int material, int taps, int model, double pixels_per_mm, int rough))
@@ -130,45 +144,58 @@ CALL(int, taps, (void))
 
 /* -------------------------------------------------------------------------------------------------------------- texts */
 
-static void see(double mm_per_unit, double flat)
+/* How the light is filtered: 0 taps, 1 taps at half resolution, 2 a pyramid. */
+static void see(double mm_per_unit, double flat, int way)
 {
     view = ms_sss_filter_defaults();
     view.fov_degrees = 24;
     view.mm_per_unit = (float)mm_per_unit;
     view.flat = (float)flat;
+    view.method = way == 2 ? MS_SSS_METHOD_PYRAMID : way ? MS_SSS_METHOD_HALF : MS_SSS_METHOD_TAPS;
+    view.pyramids = &pyramid;
 }
 
-static ms_sss_shader pass_of(int language, int step)
+static ms_sss_shader pass_of(int language, int way, int step, double flat)
 {
     ms_sss_shader shader;
     memset(&shader, 0, sizeof shader);
     shader.language = (ms_sss_language)language;
-    shader.step = step ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
+    shader.step = (ms_sss_step)step;
     shader.tap_count = kernel.tap_count;
     shader.half_kernel = 1;
     shader.depth = MS_SSS_ALPHA;
-    shader.with_normal = 1;
+    shader.with_normal = flat < 1;
+    shader.half_resolution = way == 1;
     return shader;
 }
 
-/* A pass of the kernel, depth in alpha, normals in a texture, into text. */
-CALL(int, pass, (int language, int step, double mm_per_unit, double flat))
+/* The pyramid of the profile, once. */
+CALL(int, grow, (void))
 {
-    ms_sss_shader shader = pass_of(language, step);
-    see(mm_per_unit, flat);
-    shader.with_normal = flat < 1;
+    const ms_status status = grown ? MS_OK : ms_sss_pyramid_make(&pyramid, profile, &error);
+    grown = status == MS_OK;
+    return (int)status;
+}
+
+CALL(int, levels, (int size)) { return ms_sss_shader_levels(size, size); }
+
+/* A step of a way to filter (ms_sss_step), depth in alpha, normals in a texture, into text. */
+CALL(int, pass, (int language, int way, int step, double mm_per_unit, double flat))
+{
+    ms_sss_shader shader = pass_of(language, way, step, flat);
+    see(mm_per_unit, flat, way);
     return ms_sss_shader_text(&shader, &view, text, sizeof text, &error) ? 0 : (int)error.status;
 }
 
 CALL(int, through, (int language)) { return ms_sss_transmission_text((ms_sss_language)language, text, sizeof text) ? 0 : (int)MS_INVALID_ARGUMENT; }
 
 /* How many float4 there are in constants(), 0: message() says why not. */
-CALL(int, fill, (int width, int height, double mm_per_unit, double flat))
+CALL(int, fill, (int width, int height, int way, int step, int level, double mm_per_unit, double flat))
 {
-    ms_sss_shader shader = pass_of(MS_SSS_GLSL_ES_300, 0);
+    ms_sss_shader shader = pass_of(MS_SSS_GLSL_ES_300, way, step, flat);
     int count = ms_sss_shader_constant_count(&shader);
-    see(mm_per_unit, flat);
-    shader.with_normal = flat < 1;
+    see(mm_per_unit, flat, way);
+    if (way == 2) return count <= CONSTANTS && ms_sss_shader_pyramid(&pyramid, &view, width, height, &shader, level, 0, constant, &error) == MS_OK ? count : 0;
     return count <= CONSTANTS && ms_sss_shader_constants(&kernel, 0, &view, width, height, &shader, constant, &error) == MS_OK ? count : 0;
 }
 
@@ -204,14 +231,14 @@ CALL(int, code, (int kind))
 /* -------------------------------------------------------------------------------------------------------- the CPU's filter */
 
 /* light [height][width][4] with depth in alpha, normals [height][width][4]; out [height][width][4], which may not be the light. */
-CALL(int, filter, (const float *light, const float *normals, float *out, int width, int height, double mm_per_unit, double flat))
+CALL(int, filter, (const float *light, const float *normals, float *out, int width, int height, int way, double mm_per_unit, double flat))
 {
     ms_sss_frame frame;
     ms_status status;
     size_t size;
     void *workspace;
     memset(&frame, 0, sizeof frame);
-    see(mm_per_unit, flat);
+    see(mm_per_unit, flat, way);
     frame.width = width;
     frame.height = height;
     frame.input = ms_sss_interleaved(light, 4, 0);

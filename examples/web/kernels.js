@@ -158,10 +158,11 @@ function program(text) {
   const places = {};
   return { p, at: name => name in places ? places[name] : places[name] = gl.getUniformLocation(p, name) };
 }
-function texture(format, type, kind, pixels = null) {
+function texture(format, type, kind, pixels = null, side = size) {
   const t = gl.createTexture();
+  t.side = side;
   gl.bindTexture(gl.TEXTURE_2D, t);
-  gl.texImage2D(gl.TEXTURE_2D, 0, format, size, size, 0, kind, type, pixels);
+  gl.texImage2D(gl.TEXTURE_2D, 0, format, side, side, 0, kind, type, pixels);
   for (const f of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, f, gl.NEAREST);
   for (const f of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, f, gl.CLAMP_TO_EDGE);
   return t;
@@ -184,13 +185,42 @@ function onto(...to) {
     for (let i = 0; i < 3; ++i) gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, to[i] || null, 0);
     gl.drawBuffers(to.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
   }
-  gl.viewport(0, 0, size, size);
+  const side = to.length ? to[0].side : size;
+  gl.viewport(0, 0, side, side);
+}
+// The targets of a way to filter, made when it is first drawn: half the size, or the levels of a pyramid.
+const floats = side => texture(gl.RGBA32F, gl.FLOAT, gl.RGBA, null, side);
+function half() { return targets.half = targets.half || { light: floats(size + 1 >> 1), normal: floats(size + 1 >> 1), middle: floats(size + 1 >> 1), after: floats(size + 1 >> 1) }; }
+function levels(l) {
+  targets.levels = targets.levels || [];
+  while (targets.levels.length <= l) {
+    let side = size;
+    for (let k = targets.levels.length; k > 0; --k) side = side + 1 >> 1;
+    targets.levels.push({ light: floats(side), surface: floats(side), sum: floats(side), weight: floats(side) });
+  }
+  return targets.levels[l];
+}
+// What a step of ms_sss.h (numbered as ms_sss_step) reads, and what it writes.
+function wiring(way, step, level, normal) {
+  const input = targets.light;
+  if (way === 2) {
+    const own = levels(level), next = step > 6 ? levels(level + 1) : own, all = { ms_sss_colour: own.light, ms_sss_surface: own.surface, ms_sss_coarse: next.light,
+      ms_sss_coarse_surface: next.surface, ms_sss_sum: next.sum, ms_sss_weight: next.weight, ms_sss_input: input };
+    return step === 6 ? [{ ms_sss_colour: input, ms_sss_normal: normal }, own.light, own.surface] : step === 7 ? [{ ms_sss_colour: own.light, ms_sss_surface: own.surface }, next.light, next.surface]
+      : step === 8 ? [all, own.sum, own.weight] : [all, targets.after];
+  }
+  if (way === 1) {
+    const h = half();
+    return { 3: [{ ms_sss_colour: input }, h.light], 4: [{ ms_sss_colour: input, ms_sss_normal: normal }, h.normal], 0: [{ ms_sss_colour: h.light, ms_sss_normal: h.normal }, h.middle],
+      1: [{ ms_sss_colour: h.middle, ms_sss_input: h.light, ms_sss_normal: h.normal }, h.after], 5: [{ ms_sss_colour: input, ms_sss_input: h.light, ms_sss_sum: h.after }, targets.after] }[step];
+  }
+  return step ? [{ ms_sss_colour: targets.middle, ms_sss_input: input, ms_sss_normal: normal }, targets.after] : [{ ms_sss_colour: input, ms_sss_normal: normal }, targets.middle];
 }
 const triangle = () => gl.drawArrays(gl.TRIANGLES, 0, 3);
 
 const objects = [null, null];
 const value = id => Number($(id).value);
-const state = () => ({ mm: Math.pow(10, value('scale')), flat: 1 - value('elevation') });
+const state = () => ({ mm: Math.pow(10, value('scale')), flat: 1 - value('elevation'), way: value('way') });
 const lamps = () => {
   const bust = designer.object === 0, far = bust ? 697 : 289, a = value('azimuth') * Math.PI / 180, h = value('height') * Math.PI / 180, p = value('power');
   const key = [far * Math.sin(a) * Math.cos(h), far * Math.sin(h), far * Math.cos(a) * Math.cos(h)];
@@ -217,12 +247,13 @@ function draw() {
   set(p, 'plane', size);
   gl.uniform1i(p.at('object'), designer.object);
   triangle();
-  programs.passes.forEach((pass, step) => { // ms_sss.h's own text
-    onto(step ? targets.after : targets.middle);
-    use(pass, { ms_sss_colour: step ? targets.middle : targets.light, ms_sss_input: targets.light, ms_sss_normal: o.surface });
-    gl.uniform4fv(pass.at('ms_sss'), k.constants);
+  for (const { step, level, text, constants } of k.steps) { // ms_sss.h's own text
+    const pass = programs.steps.get(text), [read, ...to] = wiring(k.way, step, level, o.surface);
+    onto(...to);
+    use(pass, read);
+    gl.uniform4fv(pass.at('ms_sss'), constants);
     triangle();
-  });
+  }
   p = programs.compose;
   onto();
   use(p, { before: targets.light, after: targets.after, shine: targets.shine, behind: targets.behind, tint: o.tint });
@@ -245,6 +276,7 @@ function redraw() {
 let maker, sculptors;
 const own = () => {
   const c = $('colour').value.match(/\w\w/g).map(h => Math.min(0.97, Math.max(0.02, Math.pow(parseInt(h, 16) / 255, 2.2))));
+  if (designer.material === -2) return [Math.pow(10, value('melanin')), Math.pow(10, value('blood')), 0, 0, 0, 0];
   return [...c, ...[0, 1, 2].map(i => Math.pow(10, value('mfp' + i)))];
 };
 const perMm = () => size / (2 * 0.2126 * (designer.object ? 265 : 660)) / state().mm;
@@ -254,19 +286,29 @@ const design = latest(async () => {
   took(k);
   facts(k);
 });
-const look = latest(async () => { if (designer.kernel) took({ ...designer.kernel, ...await maker.ask('look', { size, ...state() }) }); });
+const look = latest(async () => {
+  if (!designer.kernel) return;
+  took({ ...designer.kernel, ...await maker.ask('look', { size, ...state() }) });
+  facts(designer.kernel);
+});
 function took(k) {
   const old = designer.kernel;
   if (!old || old.through !== k.through) programs.light = program(light.replace('THROUGH', k.through));
-  if (!old || old.texts[0] !== k.texts[0] || old.texts[1] !== k.texts[1]) programs.passes = k.texts.map(program);
+  const steps = new Map();
+  for (const { text } of k.steps) if (!steps.has(text)) steps.set(text, programs.steps && programs.steps.get(text) || program(text));
+  programs.steps = steps;
   designer.kernel = k;
   redraw();
+}
+function reads(k) { // as ms_sss.h says beside the steps
+  const shaped = value('elevation') > 0, taps = 4 * k.taps - 2 + (shaped ? 2 : 0);
+  return k.way === 2 ? (shaped ? 65 : 68) : k.way === 1 ? Math.round(10 + taps / 4 + (shaped ? 1 : 0)) : taps + 1;
 }
 function facts(k) {
   const taps = k.taps, percent = v => (100 * v).toFixed(v < 0.1 ? 1 : 0) + '%', list = [
     [percent(k.errors.texture), 'error on pictures', k.errors.texture > 0.1], [percent(k.errors.vertical), 'upright edge', k.errors.vertical > 0.1],
     [percent(k.errors.diagonal), 'slanted edge', k.errors.diagonal > 0.1], [k.errors.bands.toFixed(0), k.errors.bands > 24 ? 'bands: stairs are seen' : 'bands, seen from 24', k.errors.bands > 24],
-    [String(4 * taps - 1 + (value('elevation') > 0 ? 2 : 0)), 'texels read a pixel'], [String(taps), 'taps a pass, two passes'],
+    [String(reads(k)), 'texels read a pixel'], k.way === 2 ? [String(k.steps.length), 'passes'] : [String(taps), 'taps a pass, two passes'],
     [k.pixels.toFixed(0) + ' px', `reach on the screen, ${k.radius < 10 ? k.radius.toFixed(1) : k.radius.toFixed(0)} mm`], [k.spent.toFixed(0) + ' ms', 'to make the kernel']];
   $('numbers').replaceChildren(...list.map(([v, what, bad]) => make('div', { className: bad ? 'bad' : '' }, make('b', { textContent: v }), what)));
   plot(k);
@@ -307,10 +349,11 @@ function said() {
   const s = state(), text = { taps: value('taps'), scale: (s.mm < 0.995 ? '÷ ' + (1 / s.mm).toFixed(1) : s.mm > 1.005 ? '× ' + s.mm.toFixed(1) : 'life size'), elevation: Math.round(100 * value('elevation')) + '%',
     through: Math.round(100 * value('through')) + '%', azimuth: value('azimuth') + '°', height: value('height') + '°', power: value('power').toFixed(1) + '×' };
   for (let i = 0; i < 3; ++i) text['mfp' + i] = Math.pow(10, value('mfp' + i)).toPrecision(2) + ' mm';
+  for (const id of ['melanin', 'blood']) text[id] = (100 * Math.pow(10, value(id))).toPrecision(2) + '%';
   for (const id in text) $(id).nextElementSibling.textContent = text[id];
 }
-for (const id of ['taps', 'model', 'scale', 'colour', 'mfp0', 'mfp1', 'mfp2']) $(id).addEventListener('input', () => { said(); design(); });
-$('elevation').addEventListener('input', () => { said(); look(); if (designer.kernel) facts(designer.kernel); });
+for (const id of ['taps', 'model', 'scale', 'colour', 'mfp0', 'mfp1', 'mfp2', 'melanin', 'blood']) $(id).addEventListener('input', () => { said(); design(); });
+for (const id of ['elevation', 'way']) $(id).addEventListener('input', () => { said(); look(); });
 for (const id of ['through', 'azimuth', 'height', 'power']) $(id).addEventListener('input', () => { said(); redraw(); });
 for (const b of document.querySelectorAll('[data-object]')) b.onclick = () => pick(b, 'data-object', () => { designer.object = Number(b.dataset.object); $('says').hidden = !!objects[designer.object]; design(); });
 for (const b of document.querySelectorAll('[data-mode]')) b.onclick = () => pick(b, 'data-mode', () => {
@@ -446,11 +489,11 @@ designer.idle = () => !!designer.kernel && objects.every(o => o && o.whole) && !
   sculptors = [worker()];
   const rest = sculpt(0);
   const names = await maker.ready;
-  [...names, 'your own'].forEach((name, i) => {
+  [...names, 'skin, mixed', 'your own'].forEach((name, i) => {
     const b = make('button', { ariaPressed: String(i === designer.material) }, make('i'), name), tints = { apple: '#e9d28a', chicken1: '#dba98c', chicken2: '#d99f85', cream: '#fdf3dd', ketchup: '#8f1d0d', marble: '#eceae6', potato: '#e2cf8e', skimmilk: '#eef2f4', skin1: '#b97e63', skin2: '#d5a78b', wholemilk: '#fbf8f0' };
     b.setAttribute('data-material', name);
     b.firstChild.style.setProperty('--c', tints[name] || 'conic-gradient(#f66,#fc6,#6d6,#6cf,#c6f,#f66)');
-    b.onclick = () => pick(b, 'data-material', () => { designer.material = i < names.length ? i : -1; $('own').hidden = designer.material >= 0; design(); });
+    b.onclick = () => pick(b, 'data-material', () => { designer.material = i < names.length ? i : i - names.length - 2; $('own').hidden = designer.material !== -1; $('skin').hidden = designer.material !== -2; design(); });
     $('materials').append(b);
   });
   design();

@@ -18,31 +18,45 @@ const calls = {
     return words(wasm.text()).trim().split('\n');
   },
   // A kernel with all that is shown of it, and what draws it in WebGL 2.
-  design({ material, own, taps, model, pixels, rough, size, mm, flat }) {
+  design({ material, own, taps, model, pixels, rough, ...view }) {
     new Float64Array(wasm.memory.buffer, wasm.numbers(), 6).set(own);
     const t = performance.now();
     check(wasm.design(material, taps, model, pixels, rough ? 1 : 0));
     const spent = performance.now() - t, n = numbers(0, 16), curves = numbers(64, 8 * 96), count = wasm.taps();
     const result = { errors: { texture: n[0 + 5], vertical: n[0], diagonal: n[1], dot: n[4], bands: n[6] }, taps: count, radius: n[8], pixels: n[9], reflectance: n.slice(10, 13),
       decay: n.slice(13, 16), curves, kernel: numbers(64, 4 * count), spent };
-    return Object.assign(result, calls.look({ size, mm, flat }));
+    return Object.assign(result, calls.look(view));
   },
-  look({ size, mm, flat }) {
-    const texts = [0, 1].map(step => { check(wasm.pass(1, step, mm, flat)); return words(wasm.text()); });
+  // Steps as ms_sss_step numbers them, in the order in which they are drawn.
+  plan({ way, size, flat }) {
+    if (way === 0) return [[0, 0], [1, 0]];
+    if (way === 1) return [[3, 0], ...(flat < 1 ? [[4, 0]] : []), [0, 0], [1, 0], [5, 0]];
+    const n = wasm.levels(size), plan = [[6, 0]];
+    for (let l = 0; l + 1 < n; ++l) plan.push([7, l]);
+    for (let l = n - 2; l > 0; --l) plan.push([8, l]);
+    return [...plan, [9, 0]];
+  },
+  look({ size, way, mm, flat }) {
+    if (way === 2) check(wasm.grow());
+    const steps = calls.plan({ way, size, flat }).map(([step, level]) => {
+      check(wasm.pass(1, way, step, mm, flat));
+      const text = words(wasm.text()), count = wasm.fill(size, size, way, step, level, mm, flat);
+      if (!count) check(1);
+      return { step, level, text, constants: new Float32Array(wasm.memory.buffer, wasm.constants(), 4 * count).slice() };
+    });
     check(wasm.through(1));
-    const through = words(wasm.text()), count = wasm.fill(size, size, mm, flat);
-    if (!count) check(1);
-    return { texts, through, constants: new Float32Array(wasm.memory.buffer, wasm.constants(), 4 * count).slice() };
+    return { way, steps, through: words(wasm.text()) };
   },
   code({ kind }) { check(wasm.code(kind)); return words(wasm.text()); },
-  shader({ language, mm, flat }) {
-    return [0, 1].map(step => { check(wasm.pass(language, step, mm, flat)); return words(wasm.text()); }).join('\n');
+  shader({ language, way, mm, flat }) { // each text once: it serves all levels
+    return [...new Set(calls.plan({ way, size: 8, flat }).map(s => s[0]))].map(step => { check(wasm.pass(language, way, step, mm, flat)); return words(wasm.text()); }).join('\n');
   },
-  filter({ light, normals, size, mm, flat }) {
+  filter({ light, normals, size, way, mm, flat }) {
+    if (way === 2) check(wasm.grow());
     const bytes = 16 * size * size, at = [0, 1, 2].map(() => wasm.room(bytes)), floats = k => new Float32Array(wasm.memory.buffer, at[k], bytes / 4);
     floats(0).set(light);
     floats(1).set(normals);
-    const status = wasm.filter(at[0], at[1], at[2], size, size, mm, flat), out = floats(2).slice();
+    const status = wasm.filter(at[0], at[1], at[2], size, size, way, mm, flat), out = floats(2).slice();
     at.forEach(a => wasm.leave(a));
     check(status);
     return { picture: out };
