@@ -3329,7 +3329,7 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
     found = few ? ms_gpr__minimize(&s, fit->q, fit->work) : ms_gpr__fit_polish(fit, &s);
     if (found.stopped) return found;
     s.tolerance = 0.1;
-    if (s.evaluations > 10 + 6000 / (int)n) s.evaluations = 10 + 6000 / (int)n; /* each takes n^3 */
+    if (s.evaluations > 1 + 9000 / (int)n) s.evaluations = n < 3000 ? 1 + 9000 / (int)n : 4; /* each takes n^3 */
     fit->sample = &fit->whole;
     return few ? ms_gpr__fit_polish(fit, &s) : ms_gpr__minimize(&s, fit->q, fit->work);
 }
@@ -6667,21 +6667,25 @@ static void MS_GPR__KERNEL(go)(void *d2, const void *slope, double t, double c, 
 
 #if !MS_GPR__FLOAT
 /* A tile of 4 rows and 3 vectors, then of 1: twelve sums, three vectors of b and one of a fill 16 registers. Depth goes in slices,
-   and three vectors of a slice of b are copied together, so that they stay in the first cache and on few pages. */
+   and three vectors of a slice of b are copied together, so that they stay in the first cache and on few pages; rows go in blocks, so
+   that a slice of a stays in the second. */
 #define MS_GPR__SLICE 128
+#define MS_GPR__ROWS 256
 static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
                                    int rows, int columns, int depth, int parts)
 {
     double strip[MS_GPR__SLICE * 3 * MS_GPR__LANES];
-    int i, j, k, from, to;
-    for (from = 0; from < depth; from = to) {
-        to = depth - from > MS_GPR__SLICE ? from + MS_GPR__SLICE : depth;
+    int slices = (depth + MS_GPR__SLICE - 1) / MS_GPR__SLICE, blocks = (rows + MS_GPR__ROWS - 1) / MS_GPR__ROWS, part, i, j, k;
+    for (part = 0; part < slices * blocks; ++part) {
+        int top = part / slices * MS_GPR__ROWS, bottom = rows - top > MS_GPR__ROWS ? top + MS_GPR__ROWS : rows;
+        int from = part % slices * MS_GPR__SLICE, to = depth - from > MS_GPR__SLICE ? from + MS_GPR__SLICE : depth;
         for (j = 0; j + 3 * MS_GPR__LANES <= columns; j += 3 * MS_GPR__LANES) {
-            int wanted = (parts & MS_GPR__UPPER) && j + 3 * MS_GPR__LANES < rows ? (j + 3 * MS_GPR__LANES + 3) & ~3 : rows;
+            int wanted = (parts & MS_GPR__UPPER) && j + 3 * MS_GPR__LANES < bottom ? (j + 3 * MS_GPR__LANES + 3) & ~3 : bottom;
             int first = (parts & MS_GPR__LOWER) && j > from ? j : from;
             if (first >= to) break;
+            if (wanted <= top) continue;
             for (k = first; k < to; ++k) memcpy(strip + (k - first) * 3 * MS_GPR__LANES, b + (size_t)k * b_stride + j, 3 * MS_GPR__LANES * sizeof *strip);
-            for (i = 0; i < wanted; i += 4) {
+            for (i = top; i < wanted; i += 4) {
                 const double *ak = a + (size_t)first * a_stride + i, *bk = strip;
                 double *c0 = c + (size_t)i * c_stride + j, *c1 = c0 + c_stride, *c2 = c1 + c_stride, *c3 = c2 + c_stride;
                 MS_GPR__V c00 = MS_GPR__LOAD(c0), c01 = MS_GPR__LOAD(c0 + MS_GPR__LANES), c02 = MS_GPR__LOAD(c0 + 2 * MS_GPR__LANES);
@@ -6705,9 +6709,9 @@ static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, 
             }
         }
         for (; j < columns; j += MS_GPR__LANES) {
-            int wanted = (parts & MS_GPR__UPPER) && j + MS_GPR__LANES < rows ? (j + MS_GPR__LANES + 3) & ~3 : rows;
+            int wanted = (parts & MS_GPR__UPPER) && j + MS_GPR__LANES < bottom ? (j + MS_GPR__LANES + 3) & ~3 : bottom;
             int first = (parts & MS_GPR__LOWER) && j > from ? j : from;
-            for (i = 0; i < wanted; i += 4) {
+            for (i = top; i < wanted; i += 4) {
                 const double *ak = a + (size_t)first * a_stride + i, *bk = b + (size_t)first * b_stride + j;
                 double *c0 = c + (size_t)i * c_stride + j, *c1 = c0 + c_stride, *c2 = c1 + c_stride, *c3 = c2 + c_stride;
                 MS_GPR__V c00 = MS_GPR__LOAD(c0), c10 = MS_GPR__LOAD(c1), c20 = MS_GPR__LOAD(c2), c30 = MS_GPR__LOAD(c3);
@@ -6810,6 +6814,7 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
      MS_GPR__JOIN(ms_gpr__line_mean_f_, MS_GPR__LEVEL), MS_GPR__JOIN(ms_gpr__go_f_, MS_GPR__LEVEL)}};
 #endif /* !MS_GPR__FLOAT */
 
+#undef MS_GPR__ROWS
 #undef MS_GPR__SLICE
 #undef MS_GPR__JOIN_
 #undef MS_GPR__JOIN
