@@ -71,8 +71,8 @@ build/demo_sss: examples/demo_sss.c examples/scene.h $(IMAGE) $(PLOT) build/ms_s
 	$(BUILD) examples/demo_sss.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
 build/recommend: examples/recommend.c examples/keep.h examples/scores.h build/ms_gpr.o
 	$(BUILD) examples/recommend.c build/ms_gpr.o $(LDLIBS)
-build/latent: examples/latent.c examples/scores.h examples/maps.h $(IMAGE) build/ms_gpr.o
-	$(BUILD) examples/latent.c build/ms_gpr.o build/image.o $(LDLIBS)
+build/latent: examples/latent.c examples/scores.h examples/maps.h examples/text.h examples/neural.h $(IMAGE) build/ms_gpr.o build/ms_nn.o
+	$(BUILD) examples/latent.c build/ms_gpr.o build/ms_nn.o build/image.o $(LDLIBS)
 build/nn_info: examples/nn_info.c build/ms_nn.o
 	$(BUILD) examples/nn_info.c build/ms_nn.o $(LDLIBS)
 build/nn_run: examples/nn_run.c build/ms_nn.o
@@ -90,7 +90,7 @@ build/match: examples/match.c examples/matcher.h examples/neural.h examples/mate
 build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h $(IMAGE) build/ms_nn.o build/ms_pme.o
 	$(BUILD) examples/demo_match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 build/workflow: examples/workflow.c examples/workflow.h examples/neural.h examples/scores.h examples/studio.h \
-	examples/matcher.h examples/materialx.h examples/maps.h $(IMAGE) build/ms_gpr.o build/ms_nn.o build/ms_pme.o
+	examples/matcher.h examples/materialx.h examples/maps.h examples/text.h $(IMAGE) build/ms_gpr.o build/ms_nn.o build/ms_pme.o
 	$(BUILD) examples/workflow.c build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 
 # What it runs, no more; `make` builds the rest.

@@ -8,7 +8,7 @@ build/sss_kernel skin1 --model preintegrated --taps 7 >$out/skin1_kernel.txt
 echo "light under the skin, marble, kernel models: before and after"
 build/demo_sss $out --width 1088 >/dev/null # as wide as the page shows them
 build/recommend examples/data/scores.csv --count 300 --out $out/glass.csv 2>$out/recommend.txt
-build/latent examples/data/scores.csv $out/latent.png >/dev/null
+build/latent examples/data/scores.csv $out/latent.png examples/data/renderer_64.safetensors >/dev/null
 if [ -f examples/data/renderer_128.safetensors ]; then
     echo "neural previews of 64 materials"
     build/preview examples/data/renderer_128.safetensors examples/data/materials.csv $out/preview.png examples/data/materials.ppm >$out/preview_psnr.txt

@@ -1,41 +1,58 @@
 /* Maps over the latent plane of ms_gpr.h as pictures; ms_gpr.h and image.h come first.
 
      map_draw(&im, left, top, side, &grid, value, &confidence_grid, confidence);   a square of side x side pixels
-     map_dot(&im, left, top, side, &grid, latent, radius, rgb);                    a dot at a latent point in it */
+     map_dot(&im, left, top, side, &grid, latent, radius, rgb);                    a dot at a latent point in it
+     map_picture(&im, left, top, side, &grid, latent, planes, size, pixels);       a picture there, planes [3][size][size]
+     map_legend(&im, left, top, width, "score", least, most);                      the colours and what they mean, 22 pixels high */
 #ifndef EXAMPLES_MAPS_H
 #define EXAMPLES_MAPS_H
+#include "text.h"
+
+static inline void map__color(double at, float *rgb) /* at: from 0 to 1 */
+{
+    static const double stop[4][3] = {{0.27, 0.0, 0.33}, {0.19, 0.41, 0.56}, {0.21, 0.72, 0.47}, {0.99, 0.91, 0.14}};
+    int i, c;
+    at = at > 0 ? at < 1 ? 3 * at : 3 : 0;
+    i = at < 2 ? (int)at : 2;
+    for (c = 0; c < 3; ++c) rgb[c] = (float)(stop[i][c] + (at - i) * (stop[i + 1][c] - stop[i][c]));
+}
+
+/* The least and the largest value that is known to some extent. */
+static inline void map_range(const ms_gpr_grid *grid, const double *value, const ms_gpr_grid *confidence_grid, const double *confidence,
+                             double *least, double *most)
+{
+    int x, y, known = 0;
+    *least = *most = value[0];
+    for (y = 0; y < grid->rows; ++y)
+        for (x = 0; x < grid->columns; ++x) {
+            double at[2], v = value[y * grid->columns + x];
+            ms_gpr_grid_point(grid, x, y, at);
+            if (ms_gpr_grid_value(confidence_grid, confidence, at[0], at[1]) < 0.25) continue;
+            *least = !known || v < *least ? v : *least;
+            *most = !known || v > *most ? v : *most;
+            known = 1;
+        }
+}
 
 /* Violet, blue, green and yellow from the least to the largest value that is known to some extent; grey where the confidence is 0, and
    a thin line where it is a half: beyond, the map guesses. */
 static inline void map_draw(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *value,
                             const ms_gpr_grid *confidence_grid, const double *confidence)
 {
-    static const double stop[4][3] = {{0.27, 0.0, 0.33}, {0.19, 0.41, 0.56}, {0.21, 0.72, 0.47}, {0.99, 0.91, 0.14}};
-    double least = value[0], most = value[0];
-    int x, y, c, i, known = 0;
-    for (y = 0; y < grid->rows; ++y)
-        for (x = 0; x < grid->columns; ++x) {
-            double at[2];
-            ms_gpr_grid_point(grid, x, y, at);
-            i = y * grid->columns + x;
-            if (ms_gpr_grid_value(confidence_grid, confidence, at[0], at[1]) < 0.25) continue;
-            least = !known || value[i] < least ? value[i] : least;
-            most = !known || value[i] > most ? value[i] : most;
-            known = 1;
-        }
+    double least, most;
+    int x, y, c;
+    map_range(grid, value, confidence_grid, confidence, &least, &most);
     for (y = 0; y < side; ++y)
         for (x = 0; x < side; ++x) {
             double a = grid->x0 + (grid->x1 - grid->x0) * (x + 0.5) / side, b = grid->y1 - (grid->y1 - grid->y0) * (y + 0.5) / side;
-            double at = most > least ? 3 * (ms_gpr_grid_value(grid, value, a, b) - least) / (most - least) : 0;
             double sure = ms_gpr_grid_value(confidence_grid, confidence, a, b), pixel = (grid->x1 - grid->x0) / side;
             double beside = ms_gpr_grid_value(confidence_grid, confidence, a + pixel, b), below = ms_gpr_grid_value(confidence_grid, confidence, a, b + pixel);
             int edge = (sure < 0.5) != (beside < 0.5) || (sure < 0.5) != (below < 0.5);
-            at = at > 0 ? at < 3 ? at : 3 : 0;
-            i = at < 2 ? (int)at : 2;
+            float rgb[3];
+            map__color(most > least ? (ms_gpr_grid_value(grid, value, a, b) - least) / (most - least) : 0, rgb);
             sure = sure > 0 ? sure < 1 ? sure : 1 : 0;
             for (c = 0; c < 3; ++c)
-                im->pixels[3 * ((top + y) * im->width + left + x) + c] =
-                    (float)(edge ? 0.6 : sure * (stop[i][c] + (at - i) * (stop[i + 1][c] - stop[i][c])) + (1 - sure) * 0.2);
+                im->pixels[3 * ((top + y) * im->width + left + x) + c] = (float)(edge ? 0.6 : sure * (double)rgb[c] + (1 - sure) * 0.2);
         }
 }
 
@@ -48,5 +65,51 @@ static inline void map_dot(image *im, int left, int top, int side, const ms_gpr_
         for (x = 0; x < side; ++x)
             for (c = 0; c < 3; ++c)
                 if (hypot(x + 0.5 - cx, y + 0.5 - cy) < radius) im->pixels[3 * ((top + y) * im->width + left + x) + c] = rgb[c];
+}
+
+/* The middle of the picture is at the latent point, but all of it inside the map. */
+static inline void map_picture(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *latent, const float *planes, int size,
+                               int pixels)
+{
+    int cx = (int)((latent[0] - grid->x0) / (grid->x1 - grid->x0) * side) - pixels / 2, cy = (int)((grid->y1 - latent[1]) / (grid->y1 - grid->y0) * side) - pixels / 2;
+    int x, y, c, i, k;
+    cx = cx < 0 ? 0 : cx > side - pixels ? side - pixels : cx;
+    cy = cy < 0 ? 0 : cy > side - pixels ? side - pixels : cy;
+    for (y = 0; y < pixels; ++y)
+        for (x = 0; x < pixels; ++x)
+            for (c = 0; c < 3; ++c) { /* the mean of what a pixel covers */
+                int x0 = x * size / pixels, x1 = (x + 1) * size / pixels, y0 = y * size / pixels, y1 = (y + 1) * size / pixels;
+                double sum = 0, count = 0;
+                x1 = x1 > x0 ? x1 : x0 + 1;
+                y1 = y1 > y0 ? y1 : y0 + 1;
+                for (k = y0; k < y1; ++k)
+                    for (i = x0; i < x1; ++i) sum += (double)planes[(c * size + k) * size + i], count += 1;
+                im->pixels[3 * ((top + cy + y) * im->width + left + cx + x) + c] = (float)(sum / count);
+            }
+}
+
+/* name, the colours from least to most between both numbers, and the grey of what is not known. */
+static inline void map_legend(image *im, int left, int top, int width, const char *name, double least, double most)
+{
+    static const float white[3] = {1, 1, 1}, grey[3] = {0.2f, 0.2f, 0.2f};
+    char low[48], high[48];
+    int x, y, c, from, to;
+    image_text(im, left, top + 4, name, 2, white);
+    snprintf(low, sizeof low, "%.2g", least);
+    snprintf(high, sizeof high, "%.2g", most);
+    from = left + image_text_width(name, 2) + 10 + image_text_width(low, 2) + 8;
+    to = left + width - 24 - image_text_width(high, 2) - 8;
+    image_text(im, from - 8 - image_text_width(low, 2), top + 4, low, 2, white);
+    image_text(im, to + 8, top + 4, high, 2, white);
+    for (y = 2; y < 20; ++y) {
+        for (x = from; x < to; ++x) {
+            float rgb[3];
+            map__color((x + 0.5 - from) / (to - from), rgb);
+            for (c = 0; c < 3; ++c) im->pixels[3 * ((top + y) * im->width + x) + c] = rgb[c];
+        }
+        for (x = left + width - 20; x < left + width - 2; ++x)
+            for (c = 0; c < 3; ++c) im->pixels[3 * ((top + y) * im->width + x) + c] = grey[c];
+    }
+    image_text(im, left + width - 16, top + 4, "?", 2, white);
 }
 #endif

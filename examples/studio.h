@@ -437,15 +437,25 @@ static inline int studio__keeps(const studio *s)
     return s->space.low || s->space.high || s->space.steps || s->space.tie_count || s->space.list_count;
 }
 
-/* A step in the plane, in length scales, and what is seen there. */
+/* A step in the plane, in length scales, and what is seen there. It ends where the plane knows less than a quarter, but may always lead
+   to where it knows more. */
 static inline ms_status studio_move(studio *s, double dx, double dy, studio_view *view, ms_error *error)
 {
     int m = s->renderer.parameters, k;
-    double to[2], variance;
+    double to[2], variance, here, there, sf2;
     ms_status status;
+    int halvings;
     if (s->state != STUDIO_EXPLORING) return studio__refuse(error, MS_INVALID_ARGUMENT, "no material was chosen yet");
-    to[0] = s->at[0] + dx;
-    to[1] = s->at[1] + dy;
+    sf2 = exp(2 * ms_gpr_latent_theta(s->plane)[2]);
+    status = ms_gpr_latent_map(s->plane, s->at, 1, NULL, &here, error);
+    for (halvings = 0; halvings < 8 && status == MS_OK; ++halvings, dx *= 0.5, dy *= 0.5) {
+        to[0] = s->at[0] + dx;
+        to[1] = s->at[1] + dy;
+        status = ms_gpr_latent_map(s->plane, to, 1, NULL, &there, error);
+        if (status != MS_OK || there < 0.75 * sf2 || there < here) break; /* variances: knowing a quarter leaves three */
+    }
+    if (status != MS_OK) return status;
+    if (halvings == 8) memcpy(to, s->at, sizeof to);
     status = ms_gpr_latent_map(s->plane, to, 1, s->x, NULL, error);
     for (k = 0; k < m && status == MS_OK && !studio__keeps(s); ++k) s->x[k] = s->x[k] > 0 ? s->x[k] < 1 ? s->x[k] : 1 : 0;
     if (status == MS_OK) status = ms_gpr_predict(s->gp, s->x, 1, &view->score, &variance, error);

@@ -174,6 +174,8 @@ if [ -x build/recommend ]; then
     refuses "a list without names" "does not name the columns" build/recommend "$out/scores.csv" --list "$out/scores.csv"
     refuses "too few columns to avoid" "fewer columns" build/recommend "$out/scores.csv" --avoid "$out/metals.csv"
     ok "the plane" build/latent "$out/scores.csv" "$out/plane.png"
+    ok "with pictures on it" build/latent examples/data/scores.csv "$out/pictures.png" examples/data/renderer_64.safetensors
+    refuses "a renderer of other parameters" "another number of parameters" build/latent "$out/scores.csv" "$out/never.png" examples/data/renderer_64.safetensors
     printf '0.1,0.2,5\n0.1,nan,5\n' >"$out/bad.csv"
     refuses "NaN in the scores" "2" build/recommend "$out/bad.csv"
     refuses "no file" "missing.csv" build/recommend "$out/missing.csv"

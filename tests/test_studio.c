@@ -9,6 +9,7 @@
 #include "materials.h"
 #include "studio.h"
 #include "materialx.h"
+#include "maps.h"
 
 enum { M = 19 };
 
@@ -484,7 +485,7 @@ static void test_space(void)
     static const int columns[3] = {3, 4, 5};
     static const double metal[METALS][3] = {{0.95, 0.64, 0.54}, {1, 0.71, 0.29}, {0.91, 0.92, 0.92}, {0.56, 0.57, 0.58}};
     ms_gpr_list list;
-    double tie[M + 1] = {0}, x[20 * M];
+    double tie[M + 1] = {0}, x[20 * M], variance = 0;
     neural net;
     studio s;
     studio_renderer renderer = renderer_of(&net);
@@ -525,6 +526,8 @@ static void test_space(void)
         for (k = 0; k < M; ++k) kept &= at[k] >= 0 && at[k] <= 1;
     }
     CHECK(kept);
+    CHECK_INT(ms_gpr_latent_map(s.plane, s.at, 1, NULL, &variance, NULL), MS_OK); /* it led far, but not out of what is known */
+    CHECK_LE(variance, 0.75 * exp(2 * ms_gpr_latent_theta(s.plane)[2]));
     tie[M] = 2; /* no two parameters are so far apart */
     CHECK_INT(studio_recommend(&s, 20, x, NULL, &error), MS_INVALID_ARGUMENT);
     CHECK(strstr(error.message, "tie 1 contradicts the box") != NULL);
@@ -533,7 +536,52 @@ static void test_space(void)
     neural_free(&net);
 }
 
-static const test_case cases[] = {{"states", test_states}, {"space", test_space}, {"picks", test_picks},       {"session", test_session},     {"orders", test_orders},
+/* Words, legends and pictures on a map: dot by dot, cut at the edges. */
+static void test_words(void)
+{
+    static const float red[3] = {1, 0, 0};
+    static const char L[7][6] = {"#....", "#....", "#....", "#....", "#....", "#....", "#####"};
+    image im = image_new(40, 30, 3), legend = image_new(300, 22, 3);
+    ms_gpr_grid grid = {0, 0, 1, 1, 2, 2};
+    static const double middle[2] = {0.5, 0.5}, corner[2] = {1.5, -0.5}, value[4] = {1, 3, 2, 9}, sure[4] = {1, 1, 0.5, 0};
+    double low = 0, high = 0, sum = 0;
+    float planes[3 * 4 * 4];
+    int x, y, right = 1;
+    CHECK_INT(image_text_width("", 2), 0);
+    CHECK_INT(image_text_width("LL", 2), 22);
+    image_text(&im, 3, 4, "L", 2, red);
+    for (y = 0; y < 30; ++y)
+        for (x = 0; x < 40; ++x) {
+            int row = (y - 4) / 2, column = (x - 3) / 2, on = y >= 4 && x >= 3 && row < 7 && column < 5 && L[row][column] == '#';
+            right &= im.pixels[3 * (y * 40 + x)] > 0.5f ? on : !on;
+            right &= !(im.pixels[3 * (y * 40 + x) + 1] > 0);
+        }
+    CHECK(right);
+    for (x = -20; x < 60; x += 5) image_text(&im, x, x / 2, "cut at the edges \xff;", 3, red); /* the sanitizers look on */
+    map_range(&grid, value, &grid, sure, &low, &high);
+    CHECK_NEAR(low, 1, 0);
+    CHECK_NEAR(high, 3, 0); /* 9 is where nothing is known */
+    for (x = 0; x < 48; ++x) planes[x] = x < 16 ? (float)(x % 4) / 4 : 0;
+    memset(im.pixels, 0, image_count(&im) * sizeof *im.pixels);
+    map_picture(&im, 5, 5, 20, &grid, middle, planes, 4, 2);
+    CHECK_NEAR((double)im.pixels[3 * (14 * 40 + 14)], 0.125, 1e-6); /* two pixels wide, each the mean of two columns */
+    CHECK_NEAR((double)im.pixels[3 * (14 * 40 + 15)], 0.625, 1e-6);
+    map_picture(&im, 5, 5, 20, &grid, corner, planes, 4, 4); /* out there: still inside the map */
+    for (y = 21; y < 25; ++y)
+        for (x = 21; x < 25; ++x) sum += (double)im.pixels[3 * (y * 40 + x)];
+    CHECK_NEAR(sum, 16 * 0.375, 1e-5);
+    map_legend(&legend, 0, 0, 300, "score", -1, 9.5);
+    for (y = 0, x = 0; x < 280; ++x) { /* the colours rise from violet to yellow, and grey stands at the end */
+        const float *p = legend.pixels + 3 * (10 * 300 + x);
+        y += p[0] > 0.7f && p[1] > 0.8f && p[2] < 0.4f;
+    }
+    CHECK(y > 5);
+    CHECK_NEAR((double)legend.pixels[3 * (3 * 300 + 282)], 0.2, 1e-6);
+    image_free(&im);
+    image_free(&legend);
+}
+
+static const test_case cases[] = {{"states", test_states}, {"words", test_words}, {"space", test_space}, {"picks", test_picks},       {"session", test_session},     {"orders", test_orders},
                                   {"nothing liked", test_nothing_liked},     {"neural", test_neural},
                                   {"materials", test_materials}, {"materialx", test_materialx}};
 TEST_MAIN(cases)
