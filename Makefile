@@ -87,7 +87,7 @@ build/train: examples/train.c examples/train.h $(IMAGE) build/ms_nn.o
 	$(BUILD) -O3 -fno-math-errno -fno-trapping-math -D_POSIX_C_SOURCE=200809L examples/train.c build/ms_nn.o build/image.o $(LDLIBS) -lpthread
 build/match: examples/match.c examples/matcher.h examples/neural.h examples/materials.h $(IMAGE) build/ms_nn.o build/ms_pme.o
 	$(BUILD) examples/match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
-build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h $(IMAGE) build/ms_nn.o build/ms_pme.o
+build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h examples/text.h $(IMAGE) build/ms_nn.o build/ms_pme.o
 	$(BUILD) examples/demo_match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 build/workflow: examples/workflow.c examples/workflow.h examples/neural.h examples/scores.h examples/studio.h \
 	examples/matcher.h examples/materialx.h examples/maps.h examples/text.h $(IMAGE) build/ms_gpr.o build/ms_nn.o build/ms_pme.o

@@ -11,11 +11,12 @@
 #include "ms_pme.h"
 #include "matcher.h"
 #include "edits.h"
+#include "text.h"
 #include <time.h>
 
 static const char usage[] = "usage: demo_match OUT.png\n";
 
-enum { SIZE = 128, GAP = 2, PITCH = SIZE + GAP, BREAK = 12, COUNT = 8, DIFFERENCE = 4 };
+enum { SIZE = 128, GAP = 2, PITCH = SIZE + GAP, BREAK = 12, COUNT = 8, DIFFERENCE = 4, HEAD = 20 };
 
 static const struct {
     const char *edit;
@@ -50,8 +51,21 @@ static ms_status row(matcher *m, const image *edited, float *planes, image *shee
     return MS_OK;
 }
 
+/* The edit's name over the lower edge of its picture. */
+static void name(image *sheet, int left, int top, const char *text)
+{
+    static const float white[3] = {1, 1, 1};
+    int x, y, c, scale = image_text_width(text, 2) > SIZE - 6 ? 1 : 2;
+    for (y = 0; y < HEAD; ++y)
+        for (x = 0; x < SIZE; ++x)
+            for (c = 0; c < 3; ++c) sheet->pixels[3 * ((top + y) * sheet->width + left + x) + c] *= 0.3f;
+    image_text(sheet, left + (SIZE - image_text_width(text, scale)) / 2, top + (HEAD - 7 * scale) / 2, text, scale, white);
+}
+
 int main(int argc, char **argv)
 {
+    static const char *const panels[] = {"source", "edited", "match", "4 x apart"};
+    static const float ink[3] = {0.15f, 0.15f, 0.15f};
     static matcher m;
     image sheet, pictures, source, other, edited;
     const char *problem;
@@ -66,12 +80,14 @@ int main(int argc, char **argv)
         matcher_add_inversions(&m, "examples/data", &error) != MS_OK)
         return fail(error.message);
     if (m.network.size != SIZE) return fail("the renderer makes pictures of another size");
-    sheet = image_new(8 * PITCH + BREAK, COUNT / 2 * PITCH, 3);
+    sheet = image_new(8 * PITCH + BREAK, HEAD + COUNT / 2 * PITCH, 3);
     planes = (float *)malloc(2 * m.renderer.image_size * sizeof(float));
     if (sheet.pixels == NULL || planes == NULL) return fail("out of memory");
     for (i = 0; i < (int)image_count(&sheet); ++i) sheet.pixels[i] = 1;
+    for (i = 0; i < 8; ++i)
+        image_text(&sheet, i * PITCH + (i > 3 ? (int)BREAK : 0) + (SIZE - image_text_width(panels[i % 4], 2)) / 2, 3, panels[i % 4], 2, ink);
     for (i = 0; i < COUNT; ++i) {
-        int left = i % 2 * (4 * PITCH + BREAK), top = i / 2 * PITCH;
+        int left = i % 2 * (4 * PITCH + BREAK), top = HEAD + i / 2 * PITCH;
         ms_pme_match_result result;
         clock_t began;
         problem = edit_tile(&pictures, list[i].source, SIZE, &source);
@@ -83,6 +99,7 @@ int main(int argc, char **argv)
             for (x = 0; x < 3 * SIZE; ++x) sheet.pixels[3 * ((top + y) * sheet.width + left) + x] = source.pixels[3 * SIZE * y + x];
         began = clock();
         if (row(&m, &edited, planes, &sheet, left, top, &result, &error) != MS_OK) return fail(error.message);
+        name(&sheet, left + PITCH, top + SIZE - HEAD, list[i].edit);
         printf("%-15s RMSE %5.2f of 255 from %5.2f by %s, %.0f ms\n", edits[k].name, 255 * result.rmse, 255 * result.rmse_initial,
                m.name[result.best_candidate], 1e3 * (double)(clock() - began) / CLOCKS_PER_SEC);
         image_free(&source);

@@ -120,7 +120,7 @@ ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, &error);  /* CPU: e
 C
 
 section ms_gpr.h "Score a gallery, get hundreds of materials to your taste, and a plane to walk in."
-figure workflow.png "From the top: a gallery, bright as it was scored; 300 recommendations; the plane of the best (preference, similarity, product) with the chosen material in red and its variants; an edited picture and its match, and a walk through the plane"
+figure workflow.png "From a scored gallery to recommendations, the plane of the best of them, an edited picture's match and a walk through the plane"
 figure latent.png "Another taste: the plane of its best materials" 33.3:preference 33.3:similarity 33.3:product
 figure materialx.png "Eight materials by the path tracer, and by the shader that MaterialX's own library makes of the file that build/materialx writes"
 [ ! -f "$out/times.md" ] || awk 'NF == 0 {exit} {print}' "$out/times.md" | table
@@ -140,7 +140,7 @@ ms_nn_destroy(network);
 C
 
 section ms_pme.h "Paint over a picture of a material, and get the material that looks like it."
-figure match.png "Eight edits" 12.5:source 12.5:edited 12.5:match 12.5:"difference × 4" 12.5:source 12.5:edited 12.5:match 12.5:"difference × 4"
+figure match.png "Eight edited pictures, and the materials that come nearest to them"
 [ ! -f "$out/match.txt" ] || table <"$out/match.txt"
 code "build/match examples/data/renderer_128.safetensors edited.png --inversion examples/data --out-png match.png" <<'C'
 ms_pme_renderer renderer = ms_pme_renderer_defaults(); /* parameter_count, image_size, render */

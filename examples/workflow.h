@@ -7,6 +7,7 @@
 #include "maps.h"
 #include "matcher.h"
 #include "materialx.h"
+#include "text.h"
 #include <time.h>
 
 enum { M = 19, GALLERY = 120, ROUND = 20, RECOMMENDED = 300, FINE = 50, COARSE = 20, VARIANTS = 7, STEPS = 5 };
@@ -93,7 +94,25 @@ static void edit(const float *planes, int pixels, float *edited)
 
 /* ---------------------------------------------------------------------------------------------------------- the page */
 
-enum { PAGE = 1320, GAP = 8 };
+enum { PAGE = 1320, GAP = 8, HEAD = 24 };
+
+/* Words above a block of pictures, in the middle of a width where one is given. */
+static void words(image *page, int left, int top, int width, const char *text)
+{
+    static const float white[3] = {0.92f, 0.92f, 0.92f};
+    if (width) left += (width - image_text_width(text, 2)) / 2;
+    image_text(page, left, top + 5, text, 2, white);
+}
+
+/* A bar below a picture: how much of `width` is lit. */
+static void bar(image *page, int left, int top, int width, double share)
+{
+    static const float gold[3] = {1, 0.76f, 0.22f};
+    int x, y, c;
+    for (y = 0; y < 3; ++y)
+        for (x = 0; x < width; ++x)
+            for (c = 0; c < 3; ++c) page->pixels[3 * ((top + y) * page->width + left + x) + c] = x < share * width ? gold[c] : 0.2f;
+}
 
 /* A picture, averaged over boxes of shrink x shrink pixels, `light` times as bright. */
 static void tile(image *page, int left, int top, const float *planes, int size, int shrink, double light)
@@ -124,38 +143,57 @@ static void map(const flow *f, image *page, int left, int top, int side, const m
 /* Gallery and recommendations come as pictures of f->small, the walk as pictures of f->large. */
 static const char *draw_page(const flow *f, const float *gallery, const float *recommended, const float *walk, image *page)
 {
-    enum { WIDE = 40, PITCH = PAGE / WIDE, SIDE = 264 };
-    int small = f->small.size, large = f->large.size, rows = f->n < WIDE ? 1 : f->n / WIDE, i, k, top = GAP;
+    enum { WIDE = 40, PITCH = PAGE / WIDE, TALL = PITCH + 5, SIDE = 264, TILE = 132 };
+    static const char *const last[] = {"chosen", "edited", "first guess", "match", "8 x apart"};
+    int small = f->small.size, large = f->large.size, rows = f->n < WIDE ? 1 : f->n / WIDE, i, k, top = 0;
     size_t pixels = ms_nn_output_size(f->small.nn), large_pixels = ms_nn_output_size(f->large.nn);
     double best = 1e-300; /* score */
+    char text[80];
     float *planes = (float *)malloc((VARIANTS + 1) * large_pixels * sizeof(float));
-    *page = image_new(PAGE, GAP + (rows + RECOMMENDED / WIDE) * PITCH + GAP + SIDE + GAP + 132 + GAP + GAP, 3);
+    *page = image_new(PAGE, HEAD + rows * TALL + HEAD + RECOMMENDED / WIDE * PITCH + HEAD + SIDE + HEAD + TILE + GAP, 3);
     if (page->pixels == NULL || planes == NULL) return "out of memory";
     for (i = 0; i < f->n; ++i) best = fmax(best, f->y[i]);
     for (i = 0; (size_t)i < image_count(page); ++i) page->pixels[i] = 0.09f;
-    for (i = 0; i < rows * WIDE && i < f->n; ++i)
-        tile(page, i % WIDE * PITCH, top + i / WIDE * PITCH, gallery + (size_t)i * pixels, small, 2, 0.3 + 0.7 * fmax(f->y[i], 0) / best);
-    top += rows * PITCH + GAP;
+    snprintf(text, sizeof text, "gallery: %d scored materials; the bar is the score", f->n);
+    words(page, GAP, top, 0, text);
+    top += HEAD;
+    for (i = 0; i < rows * WIDE && i < f->n; ++i) {
+        tile(page, i % WIDE * PITCH, top + i / WIDE * TALL, gallery + (size_t)i * pixels, small, 2, 1);
+        bar(page, i % WIDE * PITCH, top + i / WIDE * TALL + small / 2, small / 2, fmax(f->y[i], 0) / best);
+    }
+    top += rows * TALL;
+    snprintf(text, sizeof text, "recommended: %d of %d new materials to that taste", RECOMMENDED / WIDE * WIDE, RECOMMENDED);
+    words(page, GAP, top, 0, text);
+    top += HEAD;
     for (i = 0; i < RECOMMENDED / WIDE * WIDE; ++i)
         tile(page, i % WIDE * PITCH, top + i / WIDE * PITCH, recommended + (size_t)i * pixels, small, 2, 1);
-    top += RECOMMENDED / WIDE * PITCH + GAP;
+    top += RECOMMENDED / WIDE * PITCH;
 
+    words(page, 0, top, SIDE, "preference");
+    words(page, SIDE, top, SIDE, "like the red one");
+    words(page, 2 * SIDE, top, SIDE, "both");
+    words(page, 3 * SIDE, top, TILE, "chosen");
+    words(page, 3 * SIDE + TILE, top, 3 * TILE, "variants");
+    top += HEAD;
     map(f, page, 0, top, SIDE - 2, &f->fine, f->preference);
     map(f, page, SIDE, top, SIDE - 2, &f->coarse, f->similar);
     map(f, page, 2 * SIDE, top, SIDE - 2, &f->fine, f->product);
     pictures(&f->large, f->chosen, 1, planes);
     pictures(&f->large, f->variants, VARIANTS, planes + large_pixels);
     for (i = 0; i <= VARIANTS; ++i)
-        tile(page, 3 * SIDE + i % 4 * 132, top + i / 4 * 132, planes + (size_t)i * large_pixels, large, 1, 1);
-    top += SIDE + GAP;
+        tile(page, 3 * SIDE + i % 4 * TILE, top + i / 4 * TILE, planes + (size_t)i * large_pixels, large, 1, 1);
+    top += SIDE;
 
+    for (i = 0; i < 5; ++i) words(page, i * TILE, top, TILE, last[i]);
+    words(page, 5 * TILE, top, 5 * TILE, "a walk through the plane");
+    top += HEAD;
     edit(planes, large * large, planes + large_pixels); /* of the chosen one, which stands first */
     pictures(&f->large, f->guess, 1, planes + 2 * large_pixels);
     pictures(&f->large, f->matched, 1, planes + 3 * large_pixels);
     for (k = 0; k < (int)large_pixels; ++k)
         planes[4 * large_pixels + (size_t)k] = fabsf(planes[3 * large_pixels + (size_t)k] - planes[large_pixels + (size_t)k]);
-    for (i = 0; i < 5; ++i) tile(page, i * 132, top, planes + (size_t)i * large_pixels, large, 1, i < 4 ? 1 : 8);
-    for (i = 0; i < STEPS; ++i) tile(page, (5 + i) * 132, top, walk + (size_t)i * large_pixels, large, 1, 1);
+    for (i = 0; i < 5; ++i) tile(page, i * TILE, top, planes + (size_t)i * large_pixels, large, 1, i < 4 ? 1 : 8);
+    for (i = 0; i < STEPS; ++i) tile(page, (5 + i) * TILE, top, walk + (size_t)i * large_pixels, large, 1, 1);
     free(planes);
     return NULL;
 }

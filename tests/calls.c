@@ -1,5 +1,5 @@
 /* The runtime of tests/calls.sh: catches every public call of a header while its own tests run. The environment's CALLS says what
-   for:
+   for, one or several of:
      stack   what a call takes of the stack: it is painted below the caller's frame, and the paint that is gone says how deep
      traps   a host with floating-point exceptions unmasked (invalid, division by zero, overflow): which instruction trapped
      flush   a host that flushes subnormals to zero and reads them as zero: the tests must pass all the same
@@ -24,12 +24,13 @@ typedef struct stack_use {
 
 static stack_use use[NAMES];
 static int uses;
-static __thread int inside;
+static __thread int inside, painted;
 static __thread void *home;
 static __thread char *base, *bottom;
 static __thread stack_use *current;
 static __thread unsigned host; /* the caller's control of floating point */
-static enum { NONE, STACK, TRAPS, FLUSH } mode;
+enum { STACK = 1, TRAPS = 2, FLUSH = 4 };
+static int mode;
 static struct {
     const char *name;
     void *at;
@@ -56,12 +57,12 @@ void calls_leave(void);
 void *calls_begin(const char *name, void **slot);
 void *calls_end(void);
 
-/* NULL: run it, but don't measure. */
+/* NULL: run it, and leave it alone. */
 void *calls_begin(const char *name, void **slot)
 {
     int i;
-    if (inside || mode == NONE) return NULL;
-    if (mode == STACK && bottom == NULL) {
+    if (inside || mode == 0) return NULL;
+    if (mode & STACK && bottom == NULL) {
         pthread_attr_t attributes;
         void *at = NULL;
         size_t size;
@@ -70,27 +71,29 @@ void *calls_begin(const char *name, void **slot)
         pthread_attr_destroy(&attributes);
         bottom = (char *)at;
     }
-    if (mode == STACK && (size_t)((char *)slot - bottom) < DEEP + 65536) return NULL; /* a thread with a stack of its own */
     for (i = 0; i < uses && use[i].name != name; ++i) {}
     if (i == uses) {
         if (uses == NAMES) abort();
         use[uses++].name = name;
     }
-    if (use[i].calls++ > EVERY && use[i].calls % EVERY && mode == STACK) return NULL;
+    /* not on a thread with a stack of its own, and not every one of many calls */
+    painted = mode & STACK && (size_t)((char *)slot - bottom) >= DEEP + 65536 && !(use[i].calls > EVERY && (use[i].calls + 1) % EVERY);
+    ++use[i].calls;
+    if (mode == STACK && !painted) return NULL;
     inside = 1;
     current = &use[i];
     base = (char *)slot;
     home = *slot;
     host = _mm_getcsr();
-    if (mode == STACK) paint();
-    if (mode == TRAPS) _mm_setcsr((host & ~0x3fu) & ~0x680u); /* invalid, division by zero, overflow */
-    if (mode == FLUSH) _mm_setcsr(host | 0x8040u);
+    if (painted) paint();
+    if (mode & TRAPS) _mm_setcsr((host & ~0x3fu) & ~0x680u); /* invalid, division by zero, overflow */
+    if (mode & FLUSH) _mm_setcsr(_mm_getcsr() | 0x8040u);
     return (void *)(size_t)calls_leave;
 }
 
 void *calls_end(void)
 {
-    long deep = mode == STACK ? measure() : 0;
+    long deep = painted ? measure() : 0;
     _mm_setcsr(host);
     if (deep > current->deepest) current->deepest = deep;
     inside = 0;
@@ -117,13 +120,13 @@ __attribute__((constructor)) static void begin(void)
 {
     const char *name = getenv("CALLS");
     struct sigaction action;
-    if (name && strcmp(name, "stack") == 0) mode = STACK;
-    if (name && strcmp(name, "traps") == 0) mode = TRAPS;
-    if (name && strcmp(name, "flush") == 0) mode = FLUSH;
+    if (name && strstr(name, "stack")) mode |= STACK;
+    if (name && strstr(name, "traps")) mode |= TRAPS;
+    if (name && strstr(name, "flush")) mode |= FLUSH;
     memset(&action, 0, sizeof action);
     action.sa_sigaction = trapped;
     action.sa_flags = SA_SIGINFO;
-    if (mode == TRAPS) sigaction(SIGFPE, &action, NULL);
+    if (mode & TRAPS) sigaction(SIGFPE, &action, NULL);
 }
 
 __attribute__((destructor)) static void report(void)

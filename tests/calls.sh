@@ -11,6 +11,7 @@ set -u
 out=$1
 header=$2
 modes=$(echo "$3" | tr , ' ')
+case $modes in *stack*flush*) modes="stack,flush $(echo "$modes" | sed 's/stack//; s/flush//')" ;; esac # of one run
 level=${4:--O2}
 mkdir -p "$out"
 case $level in -O0) limit=65536 ;; *) limit=32768 ;; esac

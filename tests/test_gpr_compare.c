@@ -395,7 +395,7 @@ static void test_odd(void)
         CHECK_INT(ms_gpr_fit(x, y, 8, 1, &o, &gp, &report, NULL), MS_OK);
         CHECK_INT(ms_gpr_predict(gp, x, 4, mean, NULL, NULL), MS_OK);
         CHECK(mean[3] >= top);
-        CHECK(ms__finite(report.likelihood) && ms__finite(mean[0]));
+        CHECK(isfinite(report.likelihood) && isfinite(mean[0]));
         ms_gpr_destroy(gp);
     }
     for (i = 0; i < 8; ++i) y[i] = 3; /* equal scores and a comparison: the comparison is learned */
@@ -406,7 +406,7 @@ static void test_odd(void)
     for (i = 0; i < 8; ++i) x[i] = 0.5; /* all materials equal: no column is left */
     CHECK_INT(ms_gpr_fit(x, y, 8, 1, &o, &gp, NULL, NULL), MS_OK);
     CHECK_INT(ms_gpr_predict(gp, x, 4, mean, NULL, NULL), MS_OK);
-    CHECK(ms__finite(mean[0]));
+    CHECK(isfinite(mean[0]));
     ms_gpr_destroy(gp);
 }
 
