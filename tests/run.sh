@@ -7,7 +7,8 @@
 #   sh tests/run.sh thread     thread sanitizer;   valgrind, fuzz, soak: as they say
 #   sh tests/run.sh calls      every public call: stack, traps, flushed subnormals, at -O2 and -O0
 #   sh tests/run.sh cross      other machines and C libraries, those whose compiler (and emulator) is installed
-# Called by make from the repository's root. CC, CXX, CFLAGS, JOBS (2), FILTER (parts of jobs' names), FUZZ_SECONDS (20).
+# Called by make from the repository's root. CC, CXX, CFLAGS, JOBS (2), FILTER (parts of jobs' names), FUZZ_SECONDS (20), SINCE (a commit:
+# style and sanitize only for the files that differ from it, headers without their rarer options).
 # Each job writes build/run/GROUP/NAME.log; the log of a failed one is shown. The seconds are those of the clock.
 set -u
 
@@ -68,6 +69,18 @@ job() {
     printf '%s\n' "$2" >"$out/$number-$1.job"
 }
 
+# since FILE...: has one of them changed since that commit? Always where none is given
+changes=""
+[ -z "${SINCE:-}" ] || changes=$(git diff --name-only "$SINCE" -- | tr '\n' ' ')
+since() {
+    [ -n "${SINCE:-}" ] || return 0
+    for file; do case " $changes" in *" $file "*) return 0 ;; esac; done
+    return 1
+}
+# reached FILE: the libraries that it includes; beside FILE: what else it includes
+reached() { grep -o -h 'include "ms_[a-z]*\.h"' "$1" | cut -d'"' -f2; }
+beside() { grep -o -h 'include "[a-z_/]*\.h"' "$1" | cut -d'"' -f2 | grep -v '^ms_' | sed 's/.*/examples\/& tests\/& tests\/bench\/&/'; }
+
 have() { command -v "$1" >/dev/null 2>&1; }
 
 # compiles FLAGS: can this compiler build and link an empty program with them?
@@ -105,6 +118,7 @@ test_jobs() {
     for t in tests/test_*.c; do
         n=$(basename "$t" .c)
         case "$group: $long " in "check:"*" $n "*) continue ;; esac
+        case $group in sanitize) since "$t" $(reached "$t") $(beside "$t") || continue ;; esac
         with=$(linked "$t")
         # The headers are what is tested: a program that has none of them inside need not be fast; what stands in for the C library
         # waits for the disk.
@@ -123,6 +137,7 @@ test_jobs() {
 replay_jobs() {
     for f in tests/fuzz/fuzz_*.c; do
         n=$(basename "$f" .c)
+        since "$f" $(reached "$f") $(beside "$f") || continue
         job "replay_$n" "$CC $posix $paths -std=c99 $1 $f tests/fuzz/replay.c -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}"
     done
 }
@@ -181,17 +196,26 @@ style_jobs() {
     for compiler in gcc clang; do
         have $compiler || { job "style_$compiler" "echo 'no $compiler on this machine'; exit 77"; continue; }
         cxx=$(echo $compiler | sed 's/gcc/g++/; s/clang/clang++/')
-        for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c; do
-            [ -f "$f" ] || continue
-            n=$(basename "$f" .c)
-            job "${compiler}_$n" "$compiler -std=c99 $posix $paths -Werror $warn_c$(linked "$f") -O3 -c $f -o $out/${compiler}_$n.o &&
-$cxx -x c++ -std=c++11 $posix $paths -Werror $warn$(linked "$f") -O1 -c $f -o $out/${compiler}_$n.o"
+        for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c examples/web/*.c; do
+            [ -f "$f" ] && since "$f" $(beside "$f") || continue
+            n=$(echo "${f%.c}" | sed 's/.*\(tests\|examples\)\///; s/\//_/g')
+            attributes="" # those of WebAssembly are unknown here
+            case $f in examples/web/*) attributes="-Wno-attributes $([ $compiler = gcc ] || echo -Wno-unknown-attributes)" ;; esac
+            job "${compiler}_$n" "$compiler -std=c99 $posix $paths -Werror $warn_c $attributes$(linked "$f") -O3 -c $f -o $out/${compiler}_$n.o &&
+$cxx -x c++ -std=c++11 $posix $paths -Werror $warn $attributes$(linked "$f") -O1 -c $f -o $out/${compiler}_$n.o"
         done
         for h in $headers; do
+            since "$h" || continue
             n=${h%.h}
             upper=$(echo "$n" | tr a-z A-Z)
             c="$out/${compiler}_$n.c"
             printf '#define %s_IMPLEMENTATION\n#include "%s"\n' "$upper" "$h" >"$c"
+            if [ -n "${SINCE:-}" ]; then # `make test` compiles it at -O2 and -O3, as C and as C++
+                job "${compiler}_$n" "$compiler -std=c99 -I. -Werror $warn_c -DMS_NO_SIMD -O2 -c $c -o $c.o &&
+$compiler -std=c99 -I. -Werror $warn_c -D${upper}_NO_STDIO -DMS_DEF=static -O0 -c $c -o $c.o &&
+$cxx -x c++ -std=c++20 -I. -Werror $warn -O1 -c $c -o $c.o"
+                continue
+            fi
             for flags in "" "-DMS_NO_SIMD" "-D${upper}_NO_STDIO" "-DMS_DEF=static" $(test $n != ms_gpr || echo -DMS_GPR_NO_PLANE); do
                 job "${compiler}_${n}$(echo "$flags" | tr -d ' ')" "for o in -O0 -O2 -O3; do $compiler -std=c99 -I. -Werror $warn_c $flags \$o -c $c -o $c.o || exit 1; done
 for s in c++11 c++17 c++20; do $cxx -x c++ -std=\$s -I. -Werror $warn $flags -O2 -c $c -o $c.o || exit 1; done"
@@ -254,5 +278,5 @@ esac
 for job in "$out"/objects/*.job; do [ ! -f "$job" ] || echo "$job"; done | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 for o in "$out"/objects/*ms_mcml.o; do [ ! -f "$o" ] || ar rcs "${o%_mcml.o}.a" "${o%mcml.o}"*.o; done
 ls "$out"/*.job 2>/dev/null | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
-cat "$out"/*.counts "$out"/objects/*.counts 2>/dev/null | awk -v group="$group" '{p += $1; f += $2; s += $3}
-    END {printf "%s: %d passed, %d failed, %d skipped\n", group, p, f, s; exit f > 0 || p == 0}'
+cat "$out"/*.counts "$out"/objects/*.counts 2>/dev/null | awk -v group="$group" -v since="${SINCE:+1}" '{p += $1; f += $2; s += $3}
+    END {printf "%s: %d passed, %d failed, %d skipped\n", group, p, f, s; exit f > 0 || (p == 0 && !since)}'
