@@ -119,12 +119,11 @@ static inline double number_read(const char *text, char decimal, char **end)
     size_t n = 0, at = 0, length = strlen(point);
     double value;
     char *stop;
-    while (n < 100 && p[n] != 0 && strchr("+-.0123456789eEinfatyINFATYxX", p[n]) != NULL) ++n;
+    for (; n < 100 && p[n] != 0 && strchr("+-.0123456789eEinfatyINFATYxX", p[n]) != NULL; ++n) copy[n] = p[n];
     if (n > 0 && n < 100 && decimal != '.' && p[n] == decimal && memchr(p, '.', n) == NULL) { /* 1,5 */
-        ++n;
-        while (n < 100 && p[n] != 0 && strchr("+-0123456789eE", p[n]) != NULL) ++n;
+        copy[n++] = decimal;
+        for (; n < 100 && p[n] != 0 && strchr("+-0123456789eE", p[n]) != NULL; ++n) copy[n] = p[n];
     }
-    memcpy(copy, p, n);
     copy[n] = 0;
     for (at = 0; at < n && copy[at] != '.' && (copy[at] != decimal || decimal == '.'); ++at) {}
     if (at < n && length > 0 && length < 8) { /* the locale's point in its place */
