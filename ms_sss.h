@@ -3600,6 +3600,13 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #define MS_SSS__INLINE inline
 #endif
 
+#if defined(MS__X64)
+#define MS_SSS__PREFETCH(p) _mm_prefetch((p), _MM_HINT_T0)
+#elif defined(__GNUC__)
+#define MS_SSS__PREFETCH(p) __builtin_prefetch(p)
+#else
+#define MS_SSS__PREFETCH(p) ((void)(p))
+#endif
 #if defined(__GNUC__) || defined(__clang__)
 #define MS_SSS__APART __attribute__((noinline))
 #else
@@ -3688,6 +3695,8 @@ typedef struct ms_sss__line {
     float *to[3];
     ptrdiff_t to_group;
     int stream;
+    const char *ahead[4];      /* the caller's next row, to be fetched by then, ahead_step bytes a pixel; 0: none */
+    ptrdiff_t ahead_step[4];
 } ms_sss__line;
 
 /* A row of a pyramid level, even and odd columns apart: colour, d, share, changes of d. */
@@ -4334,6 +4343,9 @@ static void ms_sss__find_nearest(ms_sss__job *job)
 
 /* --- the passes: admit, first, second, compose --- */
 
+/* Floats of a row in the ring: two cache lines more than it holds, so that rows side by side do not fall on the same few sets of the cache. */
+static ptrdiff_t ms_sss__ring_row(int padded) { return 4 * (ptrdiff_t)padded + 32; }
+
 /* Rows of a band between which nothing has to stay for its neighbours lie in a ring of this many. */
 static int ms_sss__ring_rows(const ms_sss__sweep *s) { return 2 * s->reach + MS_SSS__STEP; }
 
@@ -4573,6 +4585,13 @@ static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const 
     l.plane = mine[1] - mine[0];
     l.to_group = 4 * s->lanes;
     l.plan = plan;
+    for (c = 0; c < 4; ++c) {
+        const ms_sss_image *image = c < 3 ? &job->frame.input : &job->frame.depth;
+        const ptrdiff_t size = image->half ? 2 : 4, next = y + s->rows / 2 + 1;
+        if (next >= job->frame.height || !image->channel[c % 3] || (c % 3 && image->pixel_stride > 1)) continue;
+        l.ahead[c] = (const char *)image->channel[c % 3] + next * image->row_stride * size;
+        l.ahead_step[c] = image->pixel_stride * size;
+    }
     for (c = 0; c < 3; ++c) {
         l.own[c] = temp[2 + c];
         l.to[c] = row + c * s->lanes;
@@ -4599,7 +4618,7 @@ static void ms_sss__sweep_band(void *context, int task)
         for (; admitted <= y + ahead; ++admitted)
             ms_sss__admit(s, task, admitted, admitted < begin || admitted >= end, plane[(admitted + s->rows) % s->rows]);
         s->slot[y] = job->first[y] < job->last[y] ? ms_sss__slot(s, task, y) : 0;
-        s->row[y] = (ptrdiff_t)s->slot[y] * 4 * s->padded;
+        s->row[y] = (ptrdiff_t)s->slot[y] * ms_sss__ring_row(s->padded);
         if (s->slot[y]) ms_sss__first(s, task, y, (float *const(*)[4])plane, temp);
         while (done < last_done && (y + 1 == end || y + 1 >= done + MS_SSS__STEP + s->reach)) {
             const int stop = done + MS_SSS__STEP < last_done ? done + MS_SSS__STEP : last_done;
@@ -4700,7 +4719,7 @@ static void ms_sss__both_passes(ms_sss__job *job)
     s.window_row = s.padded + 2 * MS_SSS__MARGIN;
     s.window_size = 20 * s.window_row + 5 * s.padded;
     s.ring = job->planes;
-    s.own = s.ring + (ptrdiff_t)(height + 1) * 4 * s.padded;
+    s.own = s.ring + (height + 1) * ms_sss__ring_row(s.padded);
     s.window = job->window;
     s.row = (ptrdiff_t *)(void *)(s.window + MS_SSS__TASKS * s.window_size) + MS_SSS__MARGIN;
     s.column = s.row + height + 2 * MS_SSS__MARGIN;
@@ -4850,7 +4869,7 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     l.planes = kind == MS_SSS__PLANES ? 4 : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 : 0;
     l.ring = l.sweep = 0;
     if (kind == MS_SSS__PASSES && !ms_sss__turns(options)) {
-        l.ring = ms__size_mul((size_t)l.padded, (rows + 1) * (ms_sss__may_shape(options) ? 7 : 4));
+        l.ring = ms__size_mul(rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
         l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (lanes > 1 ? (MS_SSS__PAIRS + 4) / 4 * 4 : 4), (size_t)l.padded / lanes);
         l.sweep = ms__size_add(l.sweep, sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
                                             (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (3 * rows + 2) * sizeof(int) + 2 * sizeof(ms_sss__fixed));
@@ -8185,6 +8204,7 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #undef MS_SSS__PICK
 #undef MS_SSS__INLINE
 #undef MS_SSS__APART
+#undef MS_SSS__PREFETCH
 #undef MS_SSS__AWAY
 #undef MS_SSS__FALLOFF_END
 #undef MS_SSS__GATHER
@@ -8701,7 +8721,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
 {
     const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f);
     const ptrdiff_t *step = l->step, plane = l->plane;
-    MS_SSS__V h[MS_SSS__CHUNK][MS_SSS__PAIRS][6], sum[MS_SSS__CHUNK][MS_SSS__PAIRS][2], sine[MS_SSS__CHUNK][MS_SSS__PAIRS][2];
+    MS_SSS__V h[MS_SSS__PAIRS][MS_SSS__CHUNK][6], sum[MS_SSS__PAIRS][MS_SSS__CHUNK][2], sine[MS_SSS__PAIRS][MS_SSS__CHUNK][2];
     int g, k, j, side, c;
     for (g = 0; g < n; ++g) {
         const unsigned char *plan = l->plan + (x / MS_SSS__LANES + g) * s->plan_size;
@@ -8741,16 +8761,16 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
                     dz = MS_SSS__SUB(there, z);
                     if (shaped) dz = p->perspective ? MS_SSS__LESSEN(gain, there, dz) : MS_SSS__SUB(dz, gain);
                     f = MS_SSS__MUL(share[j], MS_SSS__NAME(falloff)(dz));
-                    h[g][k][3 * side + j] = f;
+                    h[k][g][3 * side + j] = f;
                     all = j ? MS_SSS__ADD(all, f) : f;
                     if (shaped) {
                         below = j ? MS_SSS__MADD(f, dz, below) : MS_SSS__MUL(f, dz);
                         gain = side ? MS_SSS__SUB(gain, rise) : MS_SSS__ADD(gain, rise);
                     }
                 }
-                sum[g][k][side] = all;
+                sum[k][g][side] = all;
                 if (shaped)
-                    sine[g][k][side] = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(MS_SSS__NAME(beyond)(below, least), MS_SSS__MUL(facing, MS_SSS__LOAD(s->nearness[k]))), one), MS_SSS__SET(p->least));
+                    sine[k][g][side] = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(MS_SSS__NAME(beyond)(below, least), MS_SSS__MUL(facing, MS_SSS__LOAD(s->nearness[k]))), one), MS_SSS__SET(p->least));
             }
         }
     }
@@ -8771,7 +8791,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
         for (k = 0; k < s->pairs; ++k) {
             const int two = plan[k + 1] & MS_SSS__BESIDE, i = plan[k + 1] - two;
             const float *a0 = here + step[i], *a1 = here + step[i + 1], *b0 = here + step[-i], *b1 = here + step[-i - 1];
-            const MS_SSS__V *q = h[g][k];
+            const MS_SSS__V *q = h[k][g];
             MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) {
                 const MS_SSS__V w = MS_SSS__LOAD(s->weight[k + 1][c]);
@@ -8784,11 +8804,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
                     else v = MS_SSS__MADD(q[2], a2, v);
                     v = MS_SSS__MADD(q[5], b2, v);
                 }
-                norm[c] = MS_SSS__MADD(w, MS_SSS__ADD(sum[g][k][0], sum[g][k][1]), norm[c]);
+                norm[c] = MS_SSS__MADD(w, MS_SSS__ADD(sum[k][g][0], sum[k][g][1]), norm[c]);
                 if (shaped) {
-                    const MS_SSS__V rise = MS_SSS__NAME(lift)(p, c, sine[g][k][0]), drop = MS_SSS__NAME(lift)(p, c, sine[g][k][1]);
+                    const MS_SSS__V rise = MS_SSS__NAME(lift)(p, c, sine[k][g][0]), drop = MS_SSS__NAME(lift)(p, c, sine[k][g][1]);
                     v = MS_SSS__MADD(rise, u, MS_SSS__MUL(drop, v));
-                    lifted[c] = MS_SSS__MADD(w, MS_SSS__MADD(rise, sum[g][k][0], MS_SSS__MUL(drop, sum[g][k][1])), lifted[c]);
+                    lifted[c] = MS_SSS__MADD(w, MS_SSS__MADD(rise, sum[k][g][0], MS_SSS__MUL(drop, sum[k][g][1])), lifted[c]);
                 }
                 r[c] = MS_SSS__MADD(w, v, r[c]);
             }
@@ -8890,6 +8910,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
             const int n = (l->last - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (l->last - x) / MS_SSS__LANES : MS_SSS__CHUNK;
             MS_SSS__V out[MS_SSS__CHUNK][3];
             if (x < l->first || x >= l->last) continue;
+            for (c = 0; c < 4; ++c) {
+                const char *ahead = l->ahead[c] + x * l->ahead_step[c];
+                ptrdiff_t b;
+                for (b = 0; b < n * MS_SSS__LANES * l->ahead_step[c]; b += 64) MS_SSS__PREFETCH(ahead + b);
+            }
 #if MS_SSS__LANES > 1
             MS_SSS__NAME(chunk)(s, p, shaped, l, x, n, out);
 #else
