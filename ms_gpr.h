@@ -59,7 +59,7 @@
    with its variance n^2 / 2 more. 300 recommendations take 30 to 150 thousand means, more the rarer they are. Figures and what fits are
    worth: tests/bench/RESULTS.md, made by `make bench`. What is shown and asked is worth the most: after 60 answers recommendations are
    better than after 250 scores of uniform materials where the first answers are clicks on the best 2 of 9 of five active galleries, or on
-   none of them; after 80 to 100 of scores of active galleries alone as good. One of several separate classes in ten is missed, as there.
+   none of them; after 80 to 100 of scores of active galleries alone as good. Recommendations scored in rounds need 250 for what 80 do. One of several separate classes in ten is missed, as there.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
@@ -78,7 +78,7 @@
    MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_GPR_FILENAME  this file's name, if it is not "ms_gpr.h"
    MS_GPR_NO_STDIO  no files, no <stdio.h>
-   MS_GPR_NO_PLANE  no latent space, maps and variants
+   MS_GPR_NO_PLANE  no latent space, maps and variants: a sixth of the object less
    MS_NO_SIMD       scalar text only
    MS_ASSERT        checks of the header's own invariants (nothing)
 
@@ -483,7 +483,9 @@ typedef struct ms_gpr_recommend_report {
    mean    [count] out, or NULL: predicted scores
    sigma   [count] out, or NULL: their standard deviation
    report  or NULL
-   The same seed gives the same sequence: count says how much of it, skip where it begins.
+   The same seed gives the same sequence: count says how much of it, skip where it begins. Separate modes get the shares that they have of
+   the region: by rejection exactly, by subset simulation without bias but with an error that grows with each level, to a standard deviation
+   of some 0.03 where one in 1e3 of the box is left and 0.1 to 0.15 where one in 1e9 is.
    MS_NOT_CONVERGED: the model predicts no score above the floor (all scores are equal, or there are none); nothing reaches the
    threshold with that caution; or the search gave up, MS_CANCELLED: the first report->found rows of x are valid then, and mean and
    sigma of them. MS_INVALID_ARGUMENT: an option out of range, a space that contradicts itself, count < 1. MS_OUT_OF_MEMORY.

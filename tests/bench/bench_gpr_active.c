@@ -1,4 +1,4 @@
-/* ms_gpr.h: what answers are worth: uniform galleries, active galleries of scores, and those after five galleries of "the best 2 of 9", on
+/* ms_gpr.h: what answers are worth: uniform galleries, the thesis's rounds, active galleries of scores, and those after five galleries of "the best 2 of 9", on
    users of twelve kinds (tests/users.h). Writes build/bench/gpr_active.md: mean true score of 300 recommendations (tau 0.6), Jensen-Shannon
    divergence, share of the liked classes that are recommended. */
 #define MS_GPR_IMPLEMENTATION
@@ -6,7 +6,7 @@
 #include "users.h"
 #include "bench.h"
 
-enum { USERS = 3, MANY = 38, HELD = 1200, COUNT = 300, ROUND = 10, SHOWN = 9, GALLERIES = 5, STEPS = 8 };
+enum { USERS = 3, MANY = 38, HELD = 1200, COUNT = 300, ROUND = 10, SHOWN = 9, GALLERIES = 5, STEPS = 10 };
 
 typedef struct worth {
     double score, jsd, lobes;
@@ -83,7 +83,27 @@ static int click(const user *u, int n, uint64_t *state)
     return best[1] < 0 ? 1 : 2;
 }
 
-/* One user by all ways: uniform 100 and 250; active 60, 80, 100; clicks first, 60, 80, 100 answers. */
+/* The thesis's rounds: a first gallery of uniform materials, then twice `more` recommendations are scored and learned from as well. */
+static worth rounds(const user *u, int first, int more, int seed, uint64_t *state)
+{
+    int n = first, k;
+    pair_count = 0;
+    user_gallery(u, first, x, y, state);
+    while (n < first + 2 * more) {
+        ms_gpr_recommend_options o;
+        ms_gpr *gp = fit(n, u->m);
+        memset(&o, 0, sizeof o);
+        o.seed = (uint64_t)(seed + n);
+        user_gallery(u, more, x + n * u->m, y + n, state); /* stays where nothing is liked yet */
+        if (ms_gpr_recommend(gp, &o, more, x + n * u->m, NULL, NULL, NULL, NULL) == MS_OK)
+            for (k = n; k < n + more; ++k) y[k] = user_score(u, x + k * u->m, state);
+        ms_gpr_destroy(gp);
+        n += more;
+    }
+    return judge(u, n);
+}
+
+/* One user by all ways: uniform 100 and 250; active 60, 80, 100; clicks first, 60, 80, 100 answers; the thesis's rounds to 100 and 250. */
 static void try_user(const user *u, int seed, uint64_t state, worth *w)
 {
     int way, g, n, answers, k;
@@ -115,6 +135,8 @@ static void try_user(const user *u, int seed, uint64_t state, worth *w)
             answers += count;
         }
     }
+    w[8] = rounds(u, 50, 25, seed, &state);
+    w[9] = rounds(u, 150, 50, seed, &state);
 }
 
 /* What a click and a score cost in a session: thread time, medians of five sessions. */
@@ -181,17 +203,17 @@ static int ascending(const void *a, const void *b)
 int main(void)
 {
     static const char *const column[STEPS] = {"100 uniform", "250 uniform", "60 active", "80 active", "100 active", "60, clicks first",
-                                              "80, clicks first", "100, clicks first"};
+                                              "80, clicks first", "100, clicks first", "100, the thesis's rounds", "250, the thesis's rounds"};
     static double score[STEPS][USER_KINDS * USERS], jsd[STEPS][USER_KINDS * USERS];
     FILE *md = bench_open("gpr_active.md");
     worth all[STEPS];
     int kind, i, k, m;
     fprintf(md, "Users of twelve kinds, %d each: mean true score of %d recommendations / divergence / share of the liked classes that are\n"
                 "recommended, after so many answers; active galleries in batches of %d. Clicks first: of five active galleries of %d the user\n"
-                "clicks on the best two or as many as are liked, or on \"none of these\"; every click is an answer, then come scores.\n\n| user |",
+                "clicks on the best two or as many as are liked, or on \"none of these\"; every click is an answer, then come scores. The thesis's rounds: 50 uniform materials, then twice 25 recommendations (150 and 50).\n\n| user |",
             (int)USERS, (int)COUNT, (int)ROUND, (int)SHOWN);
     for (k = 0; k < STEPS; ++k) fprintf(md, " %s |", column[k]);
-    fprintf(md, "\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    fprintf(md, "\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 19; m <= MANY; m += 19) {
         int users = m == 19 ? USERS : 1, count = 0;
         memset(all, 0, sizeof all);
