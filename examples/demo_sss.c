@@ -564,8 +564,12 @@ static void show_models(FILE *page)
         design.guide_k = models[m].guide_k;
         need_ok(ms_sss_kernel_build(&kernel, designer, &design, NULL), models[m].name);
         need_ok(ms_sss_kernel_measure(&e, &kernel, designer), models[m].name);
-        options.rotation = 0.5f; /* the workspace has to do for turned axes too */
-        size = ms_sss_filter_workspace(FIELD, FIELD, &kernel, 1, &options);
+        for (size = 0, k = 0; k < 2; ++k) { /* of turned axes and of others, whichever is larger */
+            size_t wanted;
+            options.rotation = 0.5f * (float)k;
+            wanted = ms_sss_filter_workspace(FIELD, FIELD, &kernel, 1, &options);
+            size = wanted > size ? wanted : size;
+        }
         workspace = realloc(workspace, size);
         if (workspace == NULL) need("out of memory", models[m].name);
         for (k = 0; k < SIGNALS; ++k) {
