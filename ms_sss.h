@@ -606,7 +606,8 @@ typedef struct ms_sss_filter_options {
     ms_parallel parallel;
     float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                                 1: not at all, as if every pixel faced the camera; between: slopes are that much less */
-    int exact;               /* depth weights, 0: (1 - (dz / (3.0746 sigma))^2)^4; 1: the Gaussian, for comparisons */
+    int exact;               /* depth weights, 0: (1 - (dz / (3.0746 sigma))^2)^4; 1: the Gaussian, for comparisons. Pyramid: 1 gathers more
+                                widely, see there */
     ms_sss_method method;
     float budget;            /* AUTO: root mean square that half resolution may differ by from taps, over the picture's standard deviation
                                 (0.03 + 0.35 / radius in pixels on pictures with edges); 0: nothing, so never half */
@@ -662,10 +663,10 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
 
 /* The round 2D kernel of a profile as a sum over the levels of a pyramid, for radii from about 16 pixels on: the cost does
    not depend on the radius. [0][0] is the weight of a pixel's own light, [0][1] of its neighbours', [l][1] of what is
-   gathered from level l; all are >= 0 and add up to 1. */
+   gathered from level l; all are >= 0 and add up to 1. Those of options.exact gather more widely. */
 typedef struct ms_sss_pyramid {
     float radius_mm; /* that holds 99% of the light of the widest channel */
-    float weight[MS_SSS_PYRAMID_SIZES][MS_SSS_PYRAMID_LEVELS][2][3]; /* [size][level][blurred][channel] */
+    float weight[2][MS_SSS_PYRAMID_SIZES][MS_SSS_PYRAMID_LEVELS][2][3]; /* [exact][size][level][blurred][channel] */
     float elevation[3];   /* see ELEVATION; of index 1 */
     float reflectance[3]; /* the profile's total; the weights add up to 1 */
 } ms_sss_pyramid;
@@ -680,7 +681,8 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 /* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE light counts by its
    distance in space and by the area of surface that a pixel shows, and is lifted by (1 + K sin(theta) / 4)^4, see ELEVATION:
    every pixel gathers from 8 to 16 pixels of the next coarser level, in levels from 1 on up to 36, at exact distances, K sin(theta) entering by its mean
-   and variance, and passes its sums on to the finer level. A level's mean factor is at most 1 / reflectance, so that an even
+   and variance, and passes its sums on to the finer level. options.exact 1, nearer to the truth for more time: from up
+   to 64 pixels, each with its own sin(theta), so that a level sees the shape as the next finer one has it. A level's mean factor is at most 1 / reflectance, so that an even
    light never comes out stronger than it went in. options.flat 1: as if all pixels faced the camera.
    A pixel of a coarser level belongs to one surface, the nearest that covers it; only light from within reach of its
    tangent plane gets in, and from there only to pixels of the same surface: nothing crosses a depth edge wider than the
@@ -895,7 +897,7 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
    `profile`, RESOLVE's input being what RESOLVE wrote for the one before. tap_count and kernels do not matter.
    Texels read, depth in alpha, on what faces the camera (more on slopes): BASE 5 (5 to 7 at outlines, with_normal 2), RESOLVE
    35 for each pixel, SHRINK 44 and GATHER 40 for each that they write: 68 a pixel in all, whatever the radius.
-   MS_UNSUPPORTED: compute, half_target, and as ms_sss_pyramid_filter. Equal to that within 1e-4 of the largest input, but where
+   MS_UNSUPPORTED: compute, half_target, and as ms_sss_pyramid_filter. Equal to that (exact 0) within 1e-4 of the largest input, but where
    the last bit of a depth decides which of two slopes is the smaller. */
 MS_API int ms_sss_shader_levels(int width, int height);
 
@@ -3715,22 +3717,25 @@ typedef struct ms_sss__halving {
     float scale;    /* of depths of the scene */
 } ms_sss__halving;
 
-#define MS_SSS__GATHER(level) ((level) > 0 ? 4.84f : 3.0625f) /* square of the radius of a level's gather, in pixels of the next: 2.2^2 (wider ones lose detail), 1.75^2 */
+/* Square of the radius of a level's gather, in pixels of the next. Wider ones see the shape from nearer by, narrower ones cost less: 1.75 and
+   2.2 of what six pixels hold, wide 2.75 and 3.5 of eight. */
+#define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
 
 /* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective, else
    depth; 0 where nothing takes part. Rows of a level: colour, d, share (surface there, in pixels of the level), the change
    of d a pixel along x and y. */
 typedef struct ms_sss__growth {
     const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
-    int perspective, shaped, level; /* level: of the rows that are made by gather */
+    int perspective, shaped, wide, level; /* wide: options.exact; level: of the rows that are made by gather */
     float weight[2][3];   /* of the level where all pixels have one size */
     float size, size_max; /* the kernel's radius in pixels: min(size d, size_max) */
     float step;           /* change of d a pixel at slope 1: times d in perspective */
     float upright;        /* 1 - flat; 0: the depth counts for the size alone */
-    float reach;          /* distance from a tangent plane at which nothing is left, in radii */
+    float reach, join;    /* distance from a tangent plane at which nothing is left, in radii: of sums on the way up, of pixels that become one */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
     float quarter[3], most[3]; /* K / 4; 1 / reflectance */
     float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
+    float blur;           /* variance of a place in a pixel of the next level */
     float grain; /* twice the relative error of d */
     float rough; /* on planes the gather's taps are less than this from the tangent plane, in pixels of their level (times d, not in perspective) */
 } ms_sss__growth;
@@ -3756,7 +3761,7 @@ typedef struct ms_sss__kernels {
                  int count, float *blur);
     void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first, int count, float *const out[3]);
     void (*shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int first, int count, float *const out[7]);
-    int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *const *const coarse[6], int first, int count, int y,
+    int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *const *const coarse[8], int first, int count, int y,
                   float *const out[6]);
     int (*settle)(const ms_sss__growth *s, const ms_sss__split row[3], const float *const slope[3], const float *const sum[6], int first, int count,
                   float *const out[3]);
@@ -5576,9 +5581,9 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
 /* ---- pyramid code ---------------------------------------------------------------------------------------------- */
 
 #ifndef MS_SSS_NO_DESIGN
-/* Minimises x'A x / 2 - b'x for x >= 0, n <= 24: active sets (Lawson and Hanson 1974, Solving Least Squares Problems,
+/* Minimises x'A x / 2 - b'x for x >= 0, n <= 24, rows of A stride apart: active sets (Lawson and Hanson 1974, Solving Least Squares Problems,
    chapter 23). */
-static void ms_sss__fit_positive(const double *A, const double *b, int n, double *x)
+static void ms_sss__fit_positive(const double *A, int stride, const double *b, int n, double *x)
 {
     double part[24 * 24], step[24];
     int in[24], used[24], i, j, round, m, enter;
@@ -5588,7 +5593,7 @@ static void ms_sss__fit_positive(const double *A, const double *b, int n, double
         enter = -1;
         for (i = 0; i < n; ++i) { /* the variable that the residual pulls most */
             double w = b[i];
-            for (j = 0; j < n; ++j) w -= A[i * n + j] * x[j];
+            for (j = 0; j < n; ++j) w -= A[i * stride + j] * x[j];
             if (!used[i] && w > best) {
                 best = w;
                 enter = i;
@@ -5602,7 +5607,7 @@ static void ms_sss__fit_positive(const double *A, const double *b, int n, double
             for (m = 0, i = 0; i < n; ++i)
                 if (used[i]) in[m++] = i;
             for (i = 0; i < m; ++i) {
-                for (j = 0; j < m; ++j) part[i * m + j] = A[in[i] * n + in[j]] * (i == j ? 1 + 1e-12 : 1);
+                for (j = 0; j < m; ++j) part[i * m + j] = A[in[i] * stride + in[j]] * (i == j ? 1 + 1e-12 : 1);
                 step[i] = b[in[i]];
             }
             if (m == 0 || !ms_sss__cholesky_solve(part, step, m)) return;
@@ -5624,26 +5629,43 @@ static void ms_sss__fit_positive(const double *A, const double *b, int n, double
 static double ms_sss__step_wave(double k) { const double c = cos(k / 2); return c * c * c; }
 
 /* Of a level's gather from the next: taps (1 - r^2 / MS_SSS__GATHER)^2 at distances r of its pixels, a quarter pixel off their middle. */
-static double ms_sss__gather_wave(double kx, double ky, int level)
+static double ms_sss__gather_wave(double kx, double ky, int wide, int level)
 {
     double sum = 0, n = 0;
     int i;
-    for (i = 0; i < 36; ++i) {
-        const double x = i % 6 - 2.75, y = i / 6 - 2.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(level);
+    for (i = 0; i < 64; ++i) {
+        const double x = i % 8 - 3.75, y = i / 8 - 3.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(wide, level);
         if (!(t > 0)) continue;
-        sum += t * t * cos(kx * x) * cos(ky * y); /* the odd parts cancel between neighbours */
-        n += t * t;
+        sum += (wide ? t * t * t : t * t) * cos(kx * x) * cos(ky * y); /* the odd parts cancel between neighbours */
+        n += wide ? t * t * t : t * t;
     }
     return sum / n;
+}
+
+enum { MS_SSS__WAVE_TERMS = 2 * MS_SSS_PYRAMID_LEVELS };
+
+/* What each term of a pyramid keeps of a wave of k radians a pixel: halfway between an axis and a diagonal, as the levels
+   are nearly round. */
+static void ms_sss__pyramid_wave(int wide, double k, double wave[MS_SSS__WAVE_TERMS])
+{
+    const double kx = k * 0.923879532511287, ky = k * 0.38268343236509;
+    double both = 1; /* down to the level, and up from the finer one that gathers from it */
+    int l;
+    for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
+        const double u = kx * (1 << l), v = ky * (1 << l), one = ms_sss__step_wave(u) * ms_sss__step_wave(v);
+        wave[2 * l] = l == 0;
+        wave[2 * l + 1] = l ? both * ms_sss__gather_wave(u, v, wide, l - 1) : (0.5 + 0.5 * cos(u)) * (0.5 + 0.5 * cos(v));
+        both *= l ? one * ms_sss__step_wave(u / 2) * ms_sss__step_wave(v / 2) : one;
+    }
 }
 
 MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error)
 {
     /* A wave of k radians a mm keeps T(k) = integral of a_p(x) cos(k x) dx of its height. T is tabled on a grid whose
        steps are those of the pixel frequencies below, so that a change of size is a shift. */
-    enum { STEPS = 16, LOW = 14, HIGH = 14, TABLE = STEPS * (LOW + HIGH) + 1, CELLS = 4000 };
-    double T[TABLE], total[3], radius[3], widest = 0, previous[3];
-    int size, c, i, j, l;
+    enum { STEPS = 16, LOW = 14, HIGH = 14, TABLE = STEPS * (LOW + HIGH) + 1, CELLS = 4000, TERMS = MS_SSS__WAVE_TERMS };
+    double T[TABLE], A[TERMS * TERMS], b[MS_SSS_PYRAMID_SIZES][TERMS], wave[TERMS], x[TERMS], total[3], radius[3], widest = 0, previous;
+    int size, c, i, j, l, m, wide;
     if (!pyramid || !profile) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pyramid or profile is NULL");
     ms_sss_profile_reflectance(profile, total);
     ms_sss_profile_radius(profile, 0.99, radius);
@@ -5656,52 +5678,41 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
         pyramid->elevation[c] = (float)ms_sss_elevation(total[c], 1);
         pyramid->reflectance[c] = (float)total[c];
         for (i = 0; i < TABLE; ++i) T[i] = 0;
-        previous[c] = 0;
+        previous = 0;
         for (j = 0; j < CELLS && total[c] > 0; ++j) { /* the light of strips |x| < x_j, x_j growing from 1e-5 to 20 radii */
             const double x0 = j ? widest * 1e-5 * pow(2e6, (double)(j - 1) / (double)(CELLS - 2)) : 0;
             const double x1 = widest * 1e-5 * pow(2e6, (double)j / (double)(CELLS - 2));
             double strip[3], light;
             ms_sss_profile_strip(profile, x1, strip);
-            light = (strip[c] - previous[c]) / total[c];
-            previous[c] = strip[c];
+            light = (strip[c] - previous) / total[c];
+            previous = strip[c];
             if (!(light > 0)) continue;
             for (i = 0; i < TABLE; ++i) T[i] += light * cos(pow(2.0, (double)i / (double)STEPS - (double)LOW) * 0.5 * (x0 + x1) / widest);
         }
-        for (size = 0; size < MS_SSS_PYRAMID_SIZES; ++size) {
-            const double pixels = (double)ms_sss__index_size(size); /* of the radius */
-            enum { TERMS = 2 * MS_SSS_PYRAMID_LEVELS };
-            double A[TERMS * TERMS], b[TERMS], x[TERMS], sum = 0;
-            int levels = 1, terms;
-            while (levels < MS_SSS_PYRAMID_LEVELS && (double)(1 << levels) < 4 * pixels) ++levels;
-            terms = 2 * levels;
+        for (wide = 0; wide < 2; ++wide) {
             memset(A, 0, sizeof A);
             memset(b, 0, sizeof b);
             for (i = 0; i <= 10 * STEPS + 1; ++i) { /* frequencies up to pi: a 1/f spectrum has equal power an octave */
-                if (total[c] > 0) { /* halfway between an axis and a diagonal: the levels are nearly round */
-                    const double k = i ? 3.14159265358979 * pow(2.0, (double)(i - 1) / (double)STEPS - 10) : 0;
-                    const double at = i ? (log2(k * pixels) + (double)LOW) * (double)STEPS : -1, weight = i ? 1 : 1e3; /* energy first */
+                const double k = i ? 3.14159265358979 * pow(2.0, (double)(i - 1) / (double)STEPS - 10) : 0, weight = i ? 1 : 1e3; /* energy first */
+                ms_sss__pyramid_wave(wide, k, wave);
+                for (l = 0; l < TERMS; ++l)
+                    for (m = 0; m < TERMS; ++m) A[l * TERMS + m] += weight * wave[l] * wave[m];
+                for (size = 0; size < MS_SSS_PYRAMID_SIZES; ++size) {
+                    const double at = i ? (log2(k * (double)ms_sss__index_size(size)) + (double)LOW) * (double)STEPS : -1;
                     const int cell = at < 0 ? 0 : at < (double)(TABLE - 2) ? (int)at : TABLE - 2;
                     const double t = at < 0 ? 0 : at > (double)(TABLE - 1) ? 1 : at - cell, target = at < 0 ? 1 : T[cell] + t * (T[cell + 1] - T[cell]);
-                    const double kx = k * 0.923879532511287, ky = k * 0.38268343236509;
-                    double wave[TERMS];
-                    int m;
-                    double both = 1; /* down to the level, and up from the finer one that gathers from it */
-                    for (l = 0; l < levels; ++l) {
-                        const double u = kx * (1 << l), v = ky * (1 << l), one = ms_sss__step_wave(u) * ms_sss__step_wave(v);
-                        wave[2 * l] = l == 0;
-                        wave[2 * l + 1] = l ? both * ms_sss__gather_wave(u, v, l - 1) : (0.5 + 0.5 * cos(u)) * (0.5 + 0.5 * cos(v));
-                        both *= l ? one * ms_sss__step_wave(u / 2) * ms_sss__step_wave(v / 2) : one;
-                    }
-                    for (l = 0; l < terms; ++l) {
-                        b[l] += weight * wave[l] * target;
-                        for (m = 0; m < terms; ++m) A[l * terms + m] += weight * wave[l] * wave[m];
-                    }
+                    for (l = 0; l < TERMS; ++l) b[size][l] += weight * wave[l] * target;
                 }
             }
-            if (total[c] > 0) ms_sss__fit_positive(A, b, terms, x);
-            else for (l = 0; l < terms; ++l) x[l] = l == 0; /* a dark channel stays as it is */
-            for (l = 0; l < terms; ++l) sum += x[l];
-            for (l = 0; l < terms; ++l) pyramid->weight[size][l / 2][l % 2][c] = (float)(x[l] / sum);
+            for (size = 0; size < MS_SSS_PYRAMID_SIZES; ++size) {
+                int levels = 1;
+                double sum = 0;
+                while (levels < MS_SSS_PYRAMID_LEVELS && (double)(1 << levels) < 4 * (double)ms_sss__index_size(size)) ++levels;
+                if (total[c] > 0) ms_sss__fit_positive(A, TERMS, b[size], 2 * levels, x);
+                else for (l = 0; l < 2 * levels; ++l) x[l] = l == 0; /* a dark channel stays as it is */
+                for (l = 0; l < 2 * levels; ++l) sum += x[l];
+                for (l = 0; l < 2 * levels; ++l) pyramid->weight[wide][size][l / 2][l % 2][c] = (float)(x[l] / sum);
+            }
         }
     }
     return MS_OK;
@@ -5924,8 +5935,8 @@ static void ms_sss__tower_grow(void *context, int task)
     int y, i, c;
     for (y = begin; y < end; ++y) {
         const int first = v->first[y] / 32 * 32, last = ms_sss__round_up(v->last[y], 32);
-        const float *from[6][11], *own[3];
-        const float *const *near_by[6];
+        const float *from[8][11], *own[3];
+        const float *const *near_by[8];
         float *sum[6], *lie[3], *blur[3];
         if (v->first[y] >= v->last[y]) continue;
         for (i = 0; i < 6; ++i)
@@ -5933,8 +5944,8 @@ static void ms_sss__tower_grow(void *context, int task)
         if (tower->at + 1 == tower->levels) {
             for (i = 0; i < 6; ++i) memset(sum[i], 0, (size_t)last * sizeof(float));
         } else {
-            for (i = 0; i < 6; ++i) {
-                const int j = y / 2 - 3 + y % 2 + i;
+            for (i = 0; i < 8; ++i) {
+                const int j = y / 2 - 4 + y % 2 + i;
                 near_by[i] = NULL;
                 if (j < 0 || j >= coarse->height || coarse->first[j] >= coarse->last[j]) continue;
                 for (c = 0; c < 11; ++c) from[i][c] = coarse->plane[c] + j * coarse->stride;
@@ -5976,8 +5987,8 @@ static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
     const double coarse = 0.5 * (1 - pow(4, -level - 1)), fine = 0.125 * (1 - pow(4, -level));
     double n = 0, r1 = 0, r2 = 0, r4 = 0;
     int i;
-    for (i = 0; i < 36; ++i) {
-        const double x = i % 6 - 2.75, y = i / 6 - 2.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(level), w = t > 0 ? t * t : 0;
+    for (i = 0; i < 64; ++i) {
+        const double x = i % 8 - 3.75, y = i / 8 - 3.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(growth->wide, level), w = t > 0 ? t * t * (growth->wide ? t : 1) : 0;
         const double r = x * x + y * y + coarse - fine;
         n += w;
         r1 += w * sqrt(x * x + y * y + coarse);
@@ -5988,6 +5999,7 @@ static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
     growth->norm = (float)(1 / n);
     growth->mean = (float)(r1 / r2);
     growth->spread = (float)(r2 / r4);
+    growth->blur = (float)coarse;
     /* Two depths' errors, and of slopes, which average over the level, as much again for each of their pixels of 3.5 there and
        back; each level's sums round a few times more. */
     growth->rough = 10 * (0.5f * growth->grain + 2.4e-7f * (float)(level + 1)) / (growth->step * (float)(1 << (level + 1)));
@@ -6028,7 +6040,8 @@ static void ms_sss__tower_start(ms_sss__growth *growth, const ms_sss__job *job, 
     double sigma;
     int c;
     memset(growth, 0, sizeof *growth);
-    growth->table = pyramid->weight;
+    growth->table = pyramid->weight[o->exact];
+    growth->wide = o->exact;
     growth->perspective = job->pass.perspective;
     growth->shaped = with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE;
     growth->upright = growth->shaped ? 1 - flat : 0;
@@ -6042,6 +6055,7 @@ static void ms_sss__tower_start(ms_sss__growth *growth, const ms_sss__job *job, 
     sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm
                                         : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
     growth->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* where (1 - q)^4 has the Gaussian's width */
+    growth->join = o->depth_sigma_mm > 0 ? growth->reach : growth->reach + (1.5f - 0.7686f) * (1 - flat); /* as far as a gather reaches */
     for (c = 0; c < 3; ++c) {
         growth->quarter[c] = pyramid->elevation[c] * (growth->upright / 4);
         growth->most[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
@@ -7361,6 +7375,7 @@ static const char *const ms_sss__tower_body[] = {
     "    float greatest = nearest;\n",
     "    float4 light = float4(0.0, 0.0, 0.0, 0.0);\n",
     "    float3 surfaces = float3(0.0, 0.0, 0.0);\n",
+    "    float seen = 0.0;\n",
     "    for (int i = 0; i < 16; i++) {\n",
     "        int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n",
     "        if (!inside(q)) {\n",
@@ -7376,14 +7391,16 @@ static const char *const ms_sss__tower_body[] = {
     "            least = min(least, there.a);\n",
     "            greatest = max(greatest, there.a);\n",
     "            light = light + f * float4(there.rgb, there.a - rise);\n",
-    "            surfaces = surfaces + f * float3(1.0, surface.g, surface.b);\n",
+    "            float part = f / max(surface.r, 1.0);\n",
+    "            surfaces = surfaces + float3(f, part * surface.g, part * surface.b);\n",
+    "            seen = seen + part;\n",
     "        }\n",
     "    }\n",
     "    if (!(surfaces.r > 1e-20)) {\n",
     "        return ms_sss_other;\n",
     "    }\n",
     "    light = light / surfaces.r;\n",
-    "    change = 2.0 * surfaces.gb / surfaces.r;\n",
+    "    change = 2.0 * surfaces.gb / seen;\n",
     "    ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);\n",
     "    return float4(light.rgb, clamp(light.a, least, greatest));\n",
     "}\n",
@@ -8163,6 +8180,7 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
     job.coarse = 1;
     job.options = *options;
     job.options.flat = 1;
+    job.options.exact = 0;
     ms_sss__set_kernel(&job, &kernel, 0);
     ms_sss__tower_start(&growth, &job, pyramid, shader->depth != MS_SSS_NONE, options->flat);
     ms_sss__tower_taps(&growth, level);
@@ -8175,10 +8193,10 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
     at.size_max = growth.size_max;
     at.step = growth.perspective ? growth.step : growth.step / job.depth_scale;
     at.tangent = growth.tangent;
-    at.reach = growth.reach;
+    at.reach = shader->step == MS_SSS_STEP_SHRINK ? growth.join : growth.reach;
     at.upright = growth.upright;
     at.cells = (float)(1 << (level + 1));
-    at.square = MS_SSS__GATHER(level);
+    at.square = MS_SSS__GATHER(0, level);
     at.norm = growth.norm;
     at.mean = growth.mean;
     at.spread = growth.spread;
@@ -8193,9 +8211,9 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
     memcpy(out, &at, sizeof at);
     for (i = 0; i < MS_SSS_PYRAMID_SIZES && ms_sss_shader_constant_count(shader) > MS_SSS__LEVEL_HEAD; ++i) {
         float(*to)[4] = out + MS_SSS__LEVEL_HEAD + i;
-        if (level + 1 < MS_SSS_PYRAMID_LEVELS) memcpy(to, pyramid->weight[i][level + 1][1], 3 * sizeof(float));
+        if (level + 1 < MS_SSS_PYRAMID_LEVELS) memcpy(to, pyramid->weight[0][i][level + 1][1], 3 * sizeof(float));
         for (c = 0; c < 2 && shader->step == MS_SSS_STEP_RESOLVE; ++c)
-            memcpy(to + (c + 1) * MS_SSS_PYRAMID_SIZES, pyramid->weight[i][0][c], 3 * sizeof(float));
+            memcpy(to + (c + 1) * MS_SSS_PYRAMID_SIZES, pyramid->weight[0][i][0][c], 3 * sizeof(float));
     }
     return MS_OK;
 }
@@ -9258,7 +9276,7 @@ static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split ro
     int i, y, x;
     for (i = first; i < count; i += MS_SSS__LANES) {
         MS_SSS__V most = zero, d = zero, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least = zero, greatest = zero;
-        MS_SSS__V r = zero, g = zero, b = zero, dd = zero, gx = zero, gy = zero;
+        MS_SSS__V r = zero, g = zero, b = zero, dd = zero, gx = zero, gy = zero, seen = zero;
         MS_SSS__MASK taken;
         for (y = 1; y < 3; ++y)
             for (x = 0; x < 2 && row[y].plane[0][0]; ++x) most = MS_SSS__MAX(most, MS_SSS__LOAD(row[y].plane[x][4] + i));
@@ -9279,7 +9297,7 @@ static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split ro
         if (MS_SSS__BITS(MS_SSS__LESS(zero, most))) {
             const MS_SSS__V safe = MS_SSS__SELECT(MS_SSS__LESS(zero, most), d, MS_SSS__SET(-1.0f));
             const MS_SSS__V scale = MS_SSS__DIV(MS_SSS__NAME(deep)(s, safe), MS_SSS__NAME(radius)(s, safe));
-            const MS_SSS__V narrow = MS_SSS__MUL(scale, MS_SSS__SET(1 / s->reach)), nearest = d;
+            const MS_SSS__V narrow = MS_SSS__MUL(scale, MS_SSS__SET(1 / s->join)), nearest = d;
             least = greatest = d;
             d = MS_SSS__SUB(d, MS_SSS__MADD(bx, dx, MS_SSS__MUL(by, dy))); /* at the middle */
             for (y = 0; y < 4; ++y) {
@@ -9300,9 +9318,11 @@ static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split ro
                     r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
                     g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
                     b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
+                    n = MS_SSS__ADD(n, f);
+                    f = MS_SSS__DIV(f, MS_SSS__MAX(MS_SSS__LOAD(p[4] + at), MS_SSS__SET(1.0f))); /* normals add up by area, slopes by what is seen of it */
                     gx = MS_SSS__MADD(f, MS_SSS__LOAD(p[5] + at), gx);
                     gy = MS_SSS__MADD(f, MS_SSS__LOAD(p[6] + at), gy);
-                    n = MS_SSS__ADD(n, f);
+                    seen = MS_SSS__ADD(seen, f);
                 }
             }
         }
@@ -9313,8 +9333,8 @@ static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split ro
             MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(some, MS_SSS__DIV(b, n), zero));
             MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(some, MS_SSS__MIN(MS_SSS__MAX(MS_SSS__DIV(dd, n), least), greatest), zero));
             MS_SSS__STORE(out[4] + i, MS_SSS__SELECT(some, n, zero));
-            MS_SSS__STORE(out[5] + i, MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gx, gx), n), zero));
-            MS_SSS__STORE(out[6] + i, MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gy, gy), n), zero));
+            MS_SSS__STORE(out[5] + i, MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gx, gx), seen), zero));
+            MS_SSS__STORE(out[6] + i, MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gy, gy), seen), zero));
         }
     }
 }
@@ -9357,8 +9377,23 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(raise)(const ms_sss__growth *s, int
     return MS_SSS__MUL(light, MS_SSS__MIN(MS_SSS__MUL(u, m), MS_SSS__SET(s->most[channel])));
 }
 
+/* w times (1 + K sin(theta) / 4)^4 */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lifted)(const ms_sss__growth *s, int channel, MS_SSS__V sine, MS_SSS__V w)
+{
+    MS_SSS__V u = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__SET(s->quarter[channel]), sine, MS_SSS__SET(1.0f)), MS_SSS__SET(0.0f));
+    u = MS_SSS__MUL(u, u);
+    return MS_SSS__MUL(w, MS_SSS__MUL(u, u));
+}
+
+/* What keeps the mean factor, lifted / n, at most at this. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(bounded)(MS_SSS__V n, MS_SSS__V lifted, float most)
+{
+    const MS_SSS__V limit = MS_SSS__MUL(n, MS_SSS__SET(most));
+    return MS_SSS__SELECT(MS_SSS__LESS(limit, lifted), MS_SSS__DIV(limit, MS_SSS__MAX(lifted, MS_SSS__SET(1e-30f))), MS_SSS__SET(1.0f));
+}
+
 /* gather for the even (odd 0) or odd columns of columns 2 i on. */
-static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const MS_SSS__V own[3], const float *const *const coarse[6],
+static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const MS_SSS__V own[3], const float *const *const coarse[8],
                                                     const int odd, int i, int y, MS_SSS__V ry, MS_SSS__V result[6])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
@@ -9367,9 +9402,10 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
     const MS_SSS__V d = own[0];
     const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
     const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f));
-    MS_SSS__V radius, deep, sx, sy, rx, area, cap, inverse, fall, limit, near_plane, weight[3], n = zero, v = zero, norm;
+    MS_SSS__V radius, deep, sx, sy, rx, area, cap, inverse, fall, limit, near_plane, rough = zero, weight[3], n = zero, v = zero, norm;
     MS_SSS__V r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero, s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
-    const float square = MS_SSS__GATHER(s->level);
+    MS_SSS__V rise = zero, fr = zero, fg = zero, fb = zero; /* wide: facing, 0 where there is no tangent plane; sums of factors */
+    const float square = MS_SSS__GATHER(wide, s->level);
     float widest, caps[MS_SSS__LANES];
     if (!MS_SSS__BITS(part)) {
         for (c = 0; c < 6; ++c) result[c] = zero;
@@ -9393,23 +9429,42 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
     limit = MS_SSS__MUL(radius, MS_SSS__SET(1 / cells));
     near_plane = MS_SSS__DIV(one, MS_SSS__MUL(limit, MS_SSS__SET(s->reach)));
     limit = MS_SSS__MUL(limit, limit);
-    for (j = 0; j < 6; ++j) {
+    if (wide) {
+        const MS_SSS__MASK sound = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ADD(MS_SSS__ABS(sx), MS_SSS__ABS(sy)), MS_SSS__SET(0.5f * cells)), radius);
+        rise = MS_SSS__SELECT(sound, MS_SSS__DIV(one, area), zero);
+        rough = s->perspective ? MS_SSS__SET(s->rough) : MS_SSS__MUL(d, MS_SSS__SET(s->rough));
+    }
+    for (j = wide ? 0 : 1; j < (wide ? 8 : 7); ++j) {
         const float *const *p = coarse[j];
-        const float oy = (y & 1 ? -2.25f : -2.75f) + (float)j;
+        const float oy = (y & 1 ? -3.25f : -3.75f) + (float)j;
         const MS_SSS__V by = MS_SSS__MUL(sy, MS_SSS__SET(oy));
         if (!p || oy * oy > widest) continue;
-        for (k = 0; k < 6; ++k) {
-            const float ox = (odd ? -2.25f : -2.75f) + (float)k;
-            const ptrdiff_t at = i + k - 3 + odd;
+        for (k = wide ? 0 : 1; k < (wide ? 8 : 7); ++k) {
+            const float ox = (odd ? -3.25f : -3.75f) + (float)k;
+            const ptrdiff_t at = i + k - 4 + odd;
             MS_SSS__V dz, off, q, t, w;
             if (ox * ox + oy * oy > widest) continue;
             dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), d), deep);
             off = MS_SSS__SUB(dz, MS_SSS__MADD(MS_SSS__SET(ox), sx, by));
             q = MS_SSS__MUL(dz, dz);
             t = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__ADD(q, MS_SSS__SET(ox * ox + oy * oy)), fall, one), zero);
-            w = MS_SSS__SELECT(MS_SSS__LESS(q, limit), MS_SSS__MUL(MS_SSS__MUL(t, t), MS_SSS__LOAD(p[4] + at)), zero);
+            if (wide) w = MS_SSS__MUL(MS_SSS__MUL(t, t), t);
+            else w = MS_SSS__MUL(t, t);
+            w = MS_SSS__SELECT(MS_SSS__LESS(q, limit), MS_SSS__MUL(w, MS_SSS__LOAD(p[4] + at)), zero);
             n = MS_SSS__ADD(n, w);
-            {
+            if (wide) {
+                const MS_SSS__V square_away = MS_SSS__ADD(q, MS_SSS__SET(ox * ox + oy * oy + s->blur));
+                const MS_SSS__V sine = MS_SSS__DIV(MS_SSS__MUL(MS_SSS__NAME(beyond)(off, rough), rise), MS_SSS__SQRT(square_away));
+                MS_SSS__V f = MS_SSS__NAME(lifted)(s, 0, sine, w);
+                fr = MS_SSS__ADD(fr, f);
+                r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
+                f = MS_SSS__NAME(lifted)(s, 1, sine, w);
+                fg = MS_SSS__ADD(fg, f);
+                g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
+                f = MS_SSS__NAME(lifted)(s, 2, sine, w);
+                fb = MS_SSS__ADD(fb, f);
+                b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
+            } else {
                 const MS_SSS__V e0 = MS_SSS__LOAD(p[0] + at), e1 = MS_SSS__LOAD(p[1] + at), e2 = MS_SSS__LOAD(p[2] + at);
                 r = MS_SSS__MADD(w, e0, r);
                 g = MS_SSS__MADD(w, e1, g);
@@ -9434,7 +9489,11 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
         }
     }
     norm = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), MS_SSS__SET(s->norm));
-    if (s->upright > 0) {
+    if (wide) { /* an even light never comes out stronger than it went in */
+        r = MS_SSS__MUL(r, MS_SSS__NAME(bounded)(n, fr, s->most[0]));
+        g = MS_SSS__MUL(g, MS_SSS__NAME(bounded)(n, fg, s->most[1]));
+        b = MS_SSS__MUL(b, MS_SSS__NAME(bounded)(n, fb, s->most[2]));
+    } else if (s->upright > 0) {
         const MS_SSS__V facing = MS_SSS__DIV(inverse, area), turn = MS_SSS__MUL(facing, MS_SSS__SET(s->mean)), grain = MS_SSS__MUL(turn, s->perspective ? MS_SSS__SET(s->rough) : MS_SSS__MUL(d, MS_SSS__SET(s->rough)));
         const MS_SSS__V spread = MS_SSS__MUL(MS_SSS__MUL(facing, facing), MS_SSS__SET(s->spread));
         /* planes so steep that four pixels are a radius deep have no tangent plane on this level: see shrink */
@@ -9461,11 +9520,11 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
 
 /* Weighted sums of row y of a level: the light of the next coarser level from up to 6 x 6 pixels around, counted by its
    distance in space and lifted by how far it lies below the tangent plane, and the sums of that level, bilinear.
-   row: d and its changes; coarse: rows y/2 - 3 to y/2 + 2 (y odd: - 2 to + 3; NULL: outside), each colour, d, share, three
+   row: d and its changes; coarse: rows y/2 - 4 to y/2 + 3 (y odd: - 3 to + 4; NULL: outside), each colour, d, share, three
    sums of light, three of weights; first, count: columns / 2; out: the two times three sums. Returns whether any kernel is under
    half a pixel. */
-static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const row[3], const float *const *const coarse[6],
-                                int first, int count, int y, float *const out[6])
+static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, const int wide, const float *const row[3],
+                                                   const float *const *const coarse[8], int first, int count, int y, float *const out[6])
 {
     const float cells = (float)(1 << (s->level + 1)); /* pixels of the picture in one of the coarse level */
     const MS_SSS__V ry = MS_SSS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
@@ -9478,17 +9537,23 @@ static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const row[
         own[0] = MS_SSS__EVEN(d0, d1);
         own[1] = MS_SSS__EVEN(x0, x1);
         own[2] = MS_SSS__EVEN(y0, y1);
-        tiny |= MS_SSS__NAME(gather_side)(s, own, coarse, 0, i, y, ry, result[0]);
+        tiny |= MS_SSS__NAME(gather_side)(s, wide, own, coarse, 0, i, y, ry, result[0]);
         own[0] = MS_SSS__ODD(d0, d1);
         own[1] = MS_SSS__ODD(x0, x1);
         own[2] = MS_SSS__ODD(y0, y1);
-        tiny |= MS_SSS__NAME(gather_side)(s, own, coarse, 1, i, y, ry, result[1]);
+        tiny |= MS_SSS__NAME(gather_side)(s, wide, own, coarse, 1, i, y, ry, result[1]);
         for (c = 0; c < 6; ++c) {
             MS_SSS__STORE(out[c] + 2 * i, MS_SSS__ZIP_LOW(result[0][c], result[1][c]));
             MS_SSS__STORE(out[c] + 2 * i + MS_SSS__LANES, MS_SSS__ZIP_HIGH(result[0][c], result[1][c]));
         }
     }
     return tiny;
+}
+
+static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const row[3], const float *const *const coarse[8],
+                                int first, int count, int y, float *const out[6])
+{
+    return s->wide ? MS_SSS__NAME(gather_row)(s, 1, row, coarse, first, count, y, out) : MS_SSS__NAME(gather_row)(s, 0, row, coarse, first, count, y, out);
 }
 
 /* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its

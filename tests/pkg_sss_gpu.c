@@ -161,6 +161,7 @@ static void make_tower_case(one_case *t, int i, ms_sss_language language)
     t->shader.tap_count = 0;
     t->options.method = MS_SSS_METHOD_PYRAMID;
     t->options.pyramids = pyramid;
+    t->options.exact = 0; /* the wide gathers are the CPU's */
     t->options.rotation = t->options.jitter = 0;
     t->options.uv_steps = 0;
     t->options.pixels_per_mm[1] = 0;

@@ -183,6 +183,18 @@ static void check_order(scene_object object, const char *name, int samples)
         TEST_NOTE("error of 7 taps flat %.1f%%, shaped %.1f%%, gathered in space %.1f%%", 100 * flat.relative,
                   100 * shaped.relative, 100 * gathered.relative);
         CHECK(shaped.relative < 0.95 * flat.relative && gathered.relative < 0.85 * shaped.relative);
+        { /* the pyramid is nearer than taps, its wide gathers nearer than its narrow ones */
+            ms_sss_pyramid pyramid;
+            truth_error narrow, wide;
+            CHECK(ms_sss_pyramid_make(&pyramid, t.profile, NULL) == MS_OK);
+            CHECK(truth_pyramid(&t, &pyramid, 0, 0, &picture) == MS_OK);
+            narrow = truth_compare(&t, &picture);
+            CHECK(truth_pyramid(&t, &pyramid, 0, 1, &picture) == MS_OK);
+            wide = truth_compare(&t, &picture);
+            TEST_NOTE("pyramid %.1f%%, exact %.1f%%", 100 * narrow.relative, 100 * wide.relative);
+            /* marble bends little light at its shape: nothing to gain there, 5% for the walks' noise */
+            CHECK(narrow.relative < 0.95 * shaped.relative && wide.relative < (object == SCENE_BUST ? 1 : 1.05) * narrow.relative);
+        }
     }
     snprintf(golden, sizeof golden, "%s_truth", name);
     snprintf(path, sizeof path, "build/%s.png", golden);

@@ -72,14 +72,18 @@ static void fourier_2d(double *re, double *im, int n)
     for (i = 0; i < n; ++i) fourier(re + i, im + i, n, n);
 }
 
-static ms_status run(const ms_sss_frame *f, const ms_sss_pyramid *pyramid, const ms_sss_filter_options *o)
+static int exact; /* options.exact of all runs: every promise holds for the wide gather, too */
+
+static ms_status run(const ms_sss_frame *f, const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options)
 {
+    ms_sss_filter_options o = *options;
     const size_t size = ms_sss_pyramid_workspace(f->width, f->height);
     void *workspace = malloc(size);
     ms_error error;
     ms_status status;
     memset(workspace, 0xff, size); /* NaN */
-    status = ms_sss_pyramid_filter(f, pyramid, o, workspace, size, &error);
+    o.exact = exact;
+    status = ms_sss_pyramid_filter(f, pyramid, &o, workspace, size, &error);
     if (status != MS_OK) TEST_FAIL("status %d: %s", (int)status, error.message);
     free(workspace);
     return status;
@@ -171,7 +175,8 @@ static void case_texture(void)
     int i;
     for (i = 0; i < (test_full ? 4 : 3); ++i) {
         const double e = texture_error(&pyramid, radius[i]);
-        CHECK_LE(e, radius[i] < 64 ? 0.012 : 0.01); /* the target from 64 pixels on; below, narrow channels fit less well: 1.08%, 1.28% where the weights are fitted to waves along an axis */
+        CHECK_LE(e, radius[i] < 64 || exact ? 0.012 : 0.01); /* the target from 64 pixels on; below, narrow channels fit less well: 1.08%, 1.28% where the weights are fitted to waves along an axis;
+            wide gathers are bumps of sharper ends: 1.06% to 1.10% */
         TEST_NOTE("R %g px: %.2f%%", radius[i], 100 * e);
     }
 }
@@ -180,13 +185,14 @@ static void case_weights(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
     int s, l, b, c;
-    for (s = 0; s < MS_SSS_PYRAMID_SIZES; ++s) {
+    for (s = 0; s < 2 * MS_SSS_PYRAMID_SIZES; ++s) {
         for (c = 0; c < 3; ++c) {
             double sum = 0;
             for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
                 for (b = 0; b < 2; ++b) {
-                    CHECK(pyramid.weight[s][l][b][c] >= 0);
-                    sum += (double)pyramid.weight[s][l][b][c];
+                    const double weight = (double)pyramid.weight[s % 2][s / 2][l][b][c];
+                    CHECK(weight >= 0);
+                    sum += weight;
                 }
             }
             CHECK_NEAR(sum, 1, 1e-6); /* 24 floats' rounding */
@@ -656,17 +662,33 @@ static void case_refused(void)
     }
 }
 
+#define BOTH(name) \
+    static void name##_both(void) \
+    { \
+        for (exact = 0; exact < 2; ++exact) name(); \
+        exact = 0; \
+    }
+BOTH(case_texture)
+BOTH(case_depth_and_mask)
+BOTH(case_planes)
+BOTH(case_directions)
+BOTH(case_corners)
+BOTH(case_thin)
+BOTH(case_promises)
+BOTH(case_levels)
+BOTH(case_sizes)
+
 static const test_case cases[] = {
     {"pyramid weights", case_weights},
-    {"1/f texture", case_texture},
-    {"depth and mask against a plain 2D sum", case_depth_and_mask},
-    {"tilted planes", case_planes},
-    {"directions", case_directions},
-    {"corners, mirrors", case_corners},
-    {"parts one pixel wide", case_thin},
-    {"promises", case_promises},
-    {"levels", case_levels},
-    {"sizes", case_sizes},
+    {"1/f texture", case_texture_both},
+    {"depth and mask against a plain 2D sum", case_depth_and_mask_both},
+    {"tilted planes", case_planes_both},
+    {"directions", case_directions_both},
+    {"corners, mirrors", case_corners_both},
+    {"parts one pixel wide", case_thin_both},
+    {"promises", case_promises_both},
+    {"levels", case_levels_both},
+    {"sizes", case_sizes_both},
     {"refused", case_refused},
 };
 TEST_MAIN(cases)

@@ -56,20 +56,20 @@ static inline void truth_free(truth *t)
     memset(t, 0, sizeof *t);
 }
 
-/* Coefficients in 1/mm: skin1 and marble of thesis 5.9.7 and 5.9.2; cream and ketchup of Jensen, Marschner, Levoy,
+/* Coefficients in 1/mm: skin1 and marble of thesis 5.9.7 and 5.9.2; cream, ketchup and skin2 of Jensen, Marschner, Levoy,
    Hanrahan 2001, A practical model for subsurface light transport (reduced scattering). The objects shrink or grow so
    that the profile spans pixels. */
-typedef enum truth_substance { TRUTH_SKIN, TRUTH_MARBLE, TRUTH_CREAM, TRUTH_KETCHUP, TRUTH_SUBSTANCES } truth_substance;
+typedef enum truth_substance { TRUTH_SKIN, TRUTH_MARBLE, TRUTH_CREAM, TRUTH_KETCHUP, TRUTH_SKIN2, TRUTH_SUBSTANCES } truth_substance;
 
 static inline void truth_material(scene_object object, truth_substance substance, float mu_s[3], float mu_a[3],
                                   float *mm_per_unit)
 {
     static const float s[TRUTH_SUBSTANCES][3] = {
-        {0.74f, 0.88f, 1.01f}, {2.19f, 2.62f, 3.00f}, {7.38f, 5.47f, 3.15f}, {0.18f, 0.07f, 0.03f}};
+        {0.74f, 0.88f, 1.01f}, {2.19f, 2.62f, 3.00f}, {7.38f, 5.47f, 3.15f}, {0.18f, 0.07f, 0.03f}, {1.09f, 1.59f, 1.79f}};
     static const float a[TRUTH_SUBSTANCES][3] = {
-        {0.032f, 0.17f, 0.48f}, {0.0021f, 0.0041f, 0.0071f}, {0.0002f, 0.0028f, 0.0163f}, {0.061f, 0.97f, 1.45f}};
+        {0.032f, 0.17f, 0.48f}, {0.0021f, 0.0041f, 0.0071f}, {0.0002f, 0.0028f, 0.0163f}, {0.061f, 0.97f, 1.45f}, {0.013f, 0.070f, 0.145f}};
     static const float scale[3][TRUTH_SUBSTANCES] = {
-        {0.25f, 0.8f, 0.8f, 0.4f}, {0.25f, 0.6f, 0.6f, 0.4f}, {1, 1, 1, 1}};
+        {0.25f, 0.8f, 0.8f, 0.4f, 0.3f}, {0.25f, 0.6f, 0.6f, 0.4f, 0.3f}, {1, 1, 1, 1, 1}};
     int c;
     for (c = 0; c < 3; ++c) {
         mu_s[c] = s[substance][c];
@@ -374,7 +374,7 @@ static inline void truth_reflect(const truth *t, image *out)
 
 /* The irradiance filtered by a separable kernel, times reflectance, into out (of the same size); sigma: of the depth
    weights, in radii of 99% of the energy, the same for every kernel, however far its last tap is; 0: the filter's own. */
-static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel, double sigma, float flat, image *out)
+static inline ms_status truth_filter_by(const truth *t, const ms_sss_kernel *kernel, ms_sss_method method, double sigma, float flat, image *out)
 {
     ms_sss_frame frame;
     ms_sss_filter_options options = truth_frame(t, &frame, out);
@@ -382,6 +382,7 @@ static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel
     void *workspace;
     ms_status status;
     options.flat = flat;
+    options.method = method;
     options.depth_sigma_mm = (float)(t->radius_mm * sigma);
     size = ms_sss_filter_workspace(t->width, t->height, kernel, 1, &options);
     workspace = malloc(size);
@@ -392,7 +393,12 @@ static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel
     return status;
 }
 
-static inline ms_status truth_pyramid(const truth *t, const ms_sss_pyramid *pyramid, float flat, image *out)
+static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel, double sigma, float flat, image *out)
+{
+    return truth_filter_by(t, kernel, MS_SSS_METHOD_TAPS, sigma, flat, out);
+}
+
+static inline ms_status truth_pyramid(const truth *t, const ms_sss_pyramid *pyramid, float flat, int exact, image *out)
 {
     ms_sss_frame frame;
     ms_sss_filter_options options = truth_frame(t, &frame, out);
@@ -401,6 +407,7 @@ static inline ms_status truth_pyramid(const truth *t, const ms_sss_pyramid *pyra
     ms_status status;
     if (workspace == NULL) return MS_OUT_OF_MEMORY;
     options.flat = flat;
+    options.exact = exact;
     status = ms_sss_pyramid_filter(&frame, pyramid, &options, workspace, size, NULL);
     free(workspace);
     truth_reflect(t, out);
