@@ -38,8 +38,8 @@
    Which call
    ----------
      a diffusion profile for rendering (half-space, g = 0)   ms_mcml_profile_make: no noise, milliseconds
-     a picked color and a path length to a medium            ms_mcml_medium_from_color
-     skin of melanin and blood to colors and profiles        ms_mcml_skin_color, ms_mcml_skin_profile
+     a picked colour and a path length to a medium           ms_mcml_medium_from_color
+     skin of melanin and blood to colours and profiles       ms_mcml_skin_color, ms_mcml_skin_profile
      layers, g: totals, rings, depth without noise           ms_mcml_layered_solve, over a grid ms_mcml_layered_result
      layers, g, glass, absorption, angles, time              ms_mcml_simulate, or for jobs that are split:
                                                              ms_mcml_create, _run, _save, _load, _merge, _results
@@ -110,7 +110,7 @@
    Monte Carlo: 2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31 cells.
    Pencil beam at normal incidence; flat layers; unpolarised light; no fluence in clear layers.
    Layers without noise: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear layers, transmission
-   within a mean free path of the axis and below 3e-3 of its energy. One thread.
+   within a mean free path of the axis where it has 1e-3 of its energy there. One thread.
 
    Sources
    -------
@@ -510,7 +510,7 @@ MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *solution, d
 
 /* ---- colours --------------------------------------------------------------------------------------------------- */
 
-/* What a length stands for. With A the color below, Christensen, Burley 2015 (Approximate reflectance profiles for efficient
+/* What a length stands for. With A the colour below, Christensen, Burley 2015 (Approximate reflectance profiles for efficient
    subsurface scattering, equations 6 and 8) give the last two. */
 typedef enum ms_mcml_length {
     MS_MCML_MEAN_FREE_PATH = 0, /* 1 / (mu_a + mu_s) */
@@ -524,13 +524,13 @@ typedef enum ms_mcml_length {
    beyond. NaN where the medium is not valid or g < -0.7. */
 MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium);
 
-/* The medium that looks so: of this color and this length. ms_mcml_reflectance of it gives the color back to 1e-7.
+/* The medium that looks so: of this colour and this length. ms_mcml_reflectance of it gives the colour back to 1e-7.
    color      0 to 1: reflectance over 1 - specular, the part of the light let in that comes out again: a renderer's albedo beside a
               specular lobe. One channel, linear, not sRGB
    length_mm  > 0; kind: an ms_mcml_length
    About 1 ms; no memory. MS_INVALID_ARGUMENT: out of these ranges; MS_UNSUPPORTED: g < -0.7. *medium is untouched then.
 
-   An artist's skin, Unreal's mean free path color (1, 0.35, 0.2) times 0.12 cm, at eta 1.4, and the same for HDRP:
+   An artist's skin, Unreal's mean free path colour (1, 0.35, 0.2) times 0.12 cm, at eta 1.4, and the same for HDRP:
 
       const double color[3] = {0.80, 0.52, 0.39}, path_mm[3] = {1.2, 0.42, 0.24};
       for (c = 0; c < 3; ++c) {
@@ -558,7 +558,7 @@ typedef struct ms_mcml_layered_options {
     int order;             /* Legendre moments of scattering that are solved for, 1 to 31; what is sharper counts as not
                               scattered (delta-M). 0: the least odd order with |g|^(order + 1) below 0.13 in every layer, 0.015 in thin tissue */
     double tolerance;      /* of the iteration, 1e-9 to 1e-2; 0: 1e-4, up to order 3 and in thin tissue 1e-6 */
-    double frequency_step; /* log spacing of the spatial frequencies, 0.1 to 1; 0: 0.25 */
+    double frequency_step; /* log spacing of the spatial frequencies, 0.1 to 1; 0: 0.25, with a bottom 0.2 */
     int totals_only;       /* not 0: no rings, only what does not depend on r: one frequency instead of some 30 */
     const double *moment;  /* NULL: Henyey-Greenstein of each layer's g. Else [layer_count][34] Legendre moments of the phase
                               functions: 1, mean cosine, ... */
@@ -584,7 +584,7 @@ typedef struct ms_mcml_layered_options {
 typedef struct ms_mcml_layered {
     double specular, rd, rd_error, tt, tt_error, a, rd_unscattered, tt_unscattered;
     double residual, peak; /* of the iteration; largest part of scattering taken as forward */
-    int order, frequencies, rates, singles;
+    int order, frequencies, rates, singles, clear; /* clear: a layer is, so that errors of rings are infinite */
     double frequency_per_cm[MS_MCML_LAYERED_RATES], rd_spectrum[MS_MCML_LAYERED_RATES], tt_spectrum[MS_MCML_LAYERED_RATES]; /* at k */
     double rate_per_cm[MS_MCML_LAYERED_RATES], energy[2][2][MS_MCML_LAYERED_RATES];
     double radius_cm, multiple[2][2], rest[2][2], beyond[2][2][MS_MCML_LAYERED_RADII];
@@ -704,13 +704,13 @@ MS_API ms_mcml_skin ms_mcml_skin_defaults(void);
 /* Its layers for light of 400 to 700 nm: 2 or 3, *count; under air (n_above 1), n_below 1.4. MS_INVALID_ARGUMENT. */
 MS_API ms_status ms_mcml_skin_layers(const ms_mcml_skin *skin, double wavelength_nm, ms_mcml_layer layers[3], int *count, ms_error *error);
 
-/* Its color under daylight (D65), linear sRGB, diffuse reflectance without specular, a perfect white being 1; from 13 wavelengths, which with
+/* Its colour under daylight (D65), linear sRGB, diffuse reflectance without specular, a perfect white being 1; from 13 wavelengths, which with
    their reflectances go to nm and spectrum ([MS_MCML_SKIN_BANDS] each, or NULL). A tenth of a second to a second.
    CIE 1931 observer by Wyman, Sloan, Shirley 2013 (JCGT 2:2). MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_NOT_CONVERGED: untouched. */
 MS_API ms_status ms_mcml_skin_color(const ms_mcml_skin *skin, double rgb[3], double *nm, double *spectrum, const ms_allocator *allocator,
                                     ms_error *error);
 
-/* Its diffusion profile for R, G and B: total is the color above; the shape of a channel is the mean of the 13 wavelengths' profiles by
+/* Its diffusion profile for R, G and B: total is the colour above; the shape of a channel is the mean of the 13 wavelengths' profiles by
    the positive part of what they give to the channel, so that no ring is negative. options as in ms_mcml_profile_make (edge_mm, rings,
    ring_mm, frequency_step, parallel, allocator are read), or NULL. Release with ms_mcml_profile_destroy. MS_NOT_CONVERGED: as there. */
 MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_skin *skin, const ms_mcml_profile_options *options,
@@ -3427,6 +3427,7 @@ typedef struct ms_mcml__flights {
     ms_mcml__stratum layer[MS_MCML__STRATA];
     double breaks[MS_MCML__STRATA + 2];
     int break_count, clear; /* clear: a layer is */
+    int through;            /* what leaves at the bottom matters, which the beam takes farther than slant light */
     double z[MS_MCML__STRATA * (4 * MS_MCML__PANELS_MAX + 1)]; /* [nodes] from the top of the layer */
     int panel_shape[MS_MCML__STRATA * MS_MCML__PANELS_MAX];
     /* at one frequency */
@@ -4132,7 +4133,7 @@ static void ms_mcml__tune(ms_mcml__flights *s, double k)
     if (most > s->order) most = s->order;
     for (layer = 0; layer < s->layers; ++layer) {
         ms_mcml__stratum *y = &s->layer[layer];
-        const double kappa = sqrt(y->kappa * y->kappa + k * k);
+        const double slant = sqrt(y->kappa * y->kappa + k * k), kappa = s->through && slant > y->mu_t ? y->mu_t : slant;
         for (p = 0; p < y->panels && reach < 20; ++p) reach += kappa * y->shape[s->panel_shape[y->panel + p]];
         y->used = y->clear ? 0 : p;
     }
@@ -4251,13 +4252,14 @@ static double ms_mcml__between_samples(const double *y, int logarithms, int coun
 }
 
 /* beyond[i]: energy farther out than r_first exp(0.1 i), the Hankel transform of a spectrum: f(0) - r integral f(k) J1(k r) dk,
-   out to 40 / low; where waves are many a window ends them smoothly, which changes nothing as far out. logarithms: of what falls like
-   a bell, which grows off the axis. */
-static void ms_mcml__hankel(const double *value, int logarithms, int count, double low, double step, double r_first, double *beyond)
+   out to 40 / low; where waves are many a window ends them smoothly, which changes nothing as far out. What has little fall between
+   its first and last frequency is smoothest in logarithms, what falls like a bell is not. */
+static void ms_mcml__hankel(const double *value, int side, int count, double low, double step, double r_first, double *beyond)
 {
     static const double gauss[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
     static const double weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
     const double last = low * sinh(step * (count - 1) + 2.5);
+    const int logarithms = side && count > 0 && value[count - 1] > 1e-3 * value[0];
     double y[MS_MCML_LAYERED_RATES];
     int i, q;
     memset(beyond, 0, MS_MCML_LAYERED_RADII * sizeof *beyond);
@@ -4322,7 +4324,7 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
                                   ms_error *error)
 {
     enum { MOST = MS_MCML_LAYERED_RATES };
-    double k[MOST], value[2][MOST], scale[2][MOST], noise[MOST], step = o->frequency_step, mu_t = 0, low = 1e300, finest = 0, deepest = 0;
+    double k[MOST], value[2][MOST], scale[2][MOST], noise[MOST], step = o->frequency_step, mu_t = 0, low = 1e300, finest = 0, deepest = 0, most;
     const size_t size = (size_t)(2 * MOST * (MOST + 4)) * sizeof(double), n3 = (size_t)s->nodes;
     double *a = (double *)ms__alloc(&o->allocator, size), *d = s->moments, *before = d + (size_t)ms_mcml__first_term(s->order, s->order + 1) * n3;
     double *earlier = before + (before - d);
@@ -4342,6 +4344,8 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
     }
     if (low < 1 / (deepest + 4 / finest) && !s->layer[s->layers - 1].semi) low = 1 / (deepest + 4 / finest);
     if (low < 1e-4 * finest) low = 1e-4 * finest;
+    most = fmax(40 / deepest, 20 * mu_t); /* beyond, rays are too few for what leaves at the bottom */
+    if (!(step > 0)) step = s->layer[s->layers - 1].semi ? 0.25 : 0.2;
     if (step * (MOST - 6) < log(150 * mu_t / low)) step = log(150 * mu_t / low) / (MOST - 6);
     out->rate_per_cm[0] = low;
     for (i = 1; i < MOST && low * exp(0.8 * step * (i - 4)) < 150 * mu_t; ++i) {
@@ -4358,6 +4362,7 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
             ms__release(&o->allocator, a, size);
             return ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
         }
+        s->through = !s->layer[s->layers - 1].semi && k[i] < most && (i < 3 || value[1][i - 1] > 1e-7 * value[1][0]);
         ms_mcml__tune(s, k[i]);
         if (s->terms > terms) memset(d + (size_t)terms * n3, 0, (size_t)(s->terms - terms) * n3 * sizeof(double));
         terms = s->terms;
@@ -4396,7 +4401,7 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
         for (i = 0; i < count; ++i)
             for (j = 0; j < out->rates; ++j) v[i] -= energy[j] / (1 + k[i] / out->rate_per_cm[j] * (k[i] / out->rate_per_cm[j]));
         for (i = 0; i < count && side == 0 && fits; ++i) v[i] /= 1 + pow(k[i] / (2 * mu_t), 4); /* there the fit is better than rays */
-        for (i = side ? 2 : count; i < count && v[i] > 1e-7 * v[0]; ++i) {} /* as far as it is known */
+        for (i = side ? 2 : count; i < count && k[i] < most && v[i] > 1e-7 * v[0]; ++i) {} /* as far as it is known */
         ms_mcml__hankel(v, side, i, low, step, out->radius_cm, out->beyond[coarse][side]);
         out->rest[coarse][side] = v[0];
     }
@@ -4532,7 +4537,6 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frequency_step is %g, expected 0.1 to 1, or 0", o.frequency_step);
     if (o.a_z && (o.nz < 1 || !ms_mcml__between(o.dz_cm, 1e-30, 1e30)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz is %d and dz_cm %g, expected at least 1 and above 0", o.nz, o.dz_cm);
-    if (!(o.frequency_step > 0)) o.frequency_step = 0.25;
     for (i = 0; i < tissue->layer_count; ++i) {
         const ms_mcml_layer *layer = &tissue->layers[i];
         const double *moment = o.moment ? o.moment + (size_t)i * (MS_MCML__ORDER_MAX + 3) : NULL;
@@ -4573,7 +4577,7 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     if (!o.totals_only) {
         for (l = isotropic ? 0 : 1; l >= 0; --l) { /* half the order first, for the errors of rings */
             const int here = l ? (order - 1) / 2 > 1 ? (order - 1) / 2 : 1 : order;
-            status = ms_mcml__flights_make(&s, tissue, &o, here, here > 15 ? 2 : 1, here, error);
+            status = ms_mcml__flights_make(&s, tissue, &o, here, here > 15 || transport < 2.5 ? 2 : 1, here, error);
             if (status) return status;
             status = ms_mcml__spectra(s, &o, &r, l, isotropic && tissue->layer_count == 1 && s->layer[0].semi, error);
             if (status == MS_OK && l == 0) {
@@ -4623,6 +4627,8 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
             }
         }
     }
+    for (i = 0; i < tissue->layer_count; ++i)
+        if (tissue->layer_count > 1 && !(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0)) r.clear = i + 1;
     *out = r;
     if (r.residual > 10 * o.tolerance)
         return ms__fail(error, MS_NOT_CONVERGED, 0, "the iteration ended at a residual of %g, expected %g", r.residual, o.tolerance);
@@ -4630,9 +4636,8 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
         return ms__fail(error, MS_NOT_CONVERGED, 0, "the totals are known to %g only", r.rd_error > r.tt_error ? r.rd_error : r.tt_error);
     if (!o.totals_only && r.peak > 0.3)
         return ms__fail(error, MS_NOT_CONVERGED, 0, "g is too close to 1 for order %d: %g of the scattering counts as forward", order, r.peak);
-    for (i = 0; i < tissue->layer_count && !o.totals_only; ++i)
-        if (!(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0) && tissue->layer_count > 1)
-            return ms__fail(error, MS_NOT_CONVERGED, (size_t)i + 1, "layer %d is clear: rings are not reliable, totals are", i + 1);
+    if (!o.totals_only && r.clear)
+        return ms__fail(error, MS_NOT_CONVERGED, (size_t)r.clear, "layer %d is clear: rings are not known, totals are", r.clear);
     return MS_OK;
 }
 
@@ -4674,6 +4679,7 @@ MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0
     fine = fine > 0 ? fine * q : 0;
     /* half of what the last doubling of the order moved; what the fit of the highest and the lowest frequencies leaves open */
     if (ring_error) *ring_error = 0.5 * fabs(coarse * q - fine) + (5e-4 + 7e-3 * exp(-r0 / (10 * s->radius_cm))) * fine + 5e-7 * inner * q;
+    if (ring_error && s->clear) *ring_error = HUGE_VAL;
     return fine;
 }
 

@@ -469,6 +469,13 @@ static void refusals(void)
     o.totals_only = 1;
     CHECK_INT(ms_mcml_layered_solve(&t, &o, &s, &error), MS_NOT_CONVERGED); /* says so, and how far it is */
     CHECK(s.rd > 0 && s.rd_error > 5e-5 && error.message[0]);
+    { /* glass beside tissue: totals are good, rings say that they are not known */
+        const ms_mcml_tissue glass = tissue_of(11);
+        double known = 0;
+        CHECK_INT(ms_mcml_layered_solve(&glass, NULL, &s, &error), MS_NOT_CONVERGED);
+        CHECK(strstr(error.message, "layer 3 is clear") != NULL && error.position == 3 && s.rd_error < 5e-5);
+        CHECK(ms_mcml_layered_ring(&s, 0, 0.01, 0.02, &known) >= 0 && known > 1e300);
+    }
     memset(&before, 7, sizeof before);
     s = before;
     memset(&o, 0, sizeof o);

@@ -1,5 +1,6 @@
 /* Layers: time against error of the layered solver and of the Monte Carlo beside it (and original MCML's by its nanoseconds a photon,
-   RESULTS.md's table of bench_mcml), on the same rings. To build/bench/layered.csv, .md. */
+   RESULTS.md's table of bench_mcml), on the same rings, by order and by frequency_step. MEDIUM=0 to 3: that medium alone; the table is
+   joined from the rows that there are. To build/bench/layered_N.txt, layered.md. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 
@@ -46,14 +47,10 @@ static void compare(const double *got, const ms_mcml_result *r, const double *ed
 
 int main(void)
 {
-    FILE *csv = bench_open("layered.csv"), *md = bench_open("layered.md");
+    FILE *md;
+    char name[64];
     const char *only = getenv("MEDIUM"), *photons = getenv("PHOTONS");
     int m, i, k;
-    fprintf(csv, "medium,way,seconds,error,noise_of_reference\n");
-    fprintf(md, "Reflectance in rings that hold 1e-3 of the energy, one core of %s, gcc -O2, `make bench FILTER=layered` (MEDIUM=0 to 3 alone,\n"
-                "PHOTONS). Error: root mean square, relative to our Monte Carlo of %s photons, whose own noise stands beside it. Monte Carlo: its time\n"
-                "for a noise of 0.3%%; MCML 1.2.2 takes 11 to 34 times as long (the table above).\n\n"
-                "| medium | way | time | error | noise of the reference |\n|---|---|---:|---:|---:|\n", bench_processor(), photons ? photons : "1.5e7");
     for (m = 0; m < (int)(sizeof media / sizeof *media); ++m) {
         const medium *d = &media[m];
         ms_mcml_tissue tissue;
@@ -62,8 +59,11 @@ int main(void)
         ms_mcml_result r;
         ms_error failure;
         double edge[RINGS + 1], got[RINGS], error, noise, seconds, t[5];
-        static const double step[] = {0.5, 0.25};
+        static const double step[] = {0.5, 0, 0, 0, 0};
+        static const int order[] = {0, 0, 5, 15, 25};
         if (only && atoi(only) != m) continue;
+        snprintf(name, sizeof name, "layered_%d.txt", m);
+        md = bench_open(name);
         tissue.n_above = 1;
         tissue.n_below = d->n_below;
         tissue.layer_count = d->layer_count;
@@ -81,14 +81,16 @@ int main(void)
         if (ms_mcml_simulate(&tissue, &grid, &options, &r, &failure) != MS_OK) return 1;
         seconds = bench_cpu() - seconds;
         compare(NULL, &r, edge, &error, &noise);
-        fprintf(csv, "%s,Monte Carlo,%.4f,%.3e,%.3e\n", d->name, seconds, noise, noise);
         fprintf(md, "| %s | Monte Carlo | %.3g s | 3e-03 | |\n", d->name, seconds * noise * noise / 9e-6);
         printf("%s: Monte Carlo %.3g s, noise %.2e; %.3g s for 0.3%%\n", d->name, seconds, noise, seconds * noise * noise / 9e-6);
-        for (k = 0; k < 2; ++k) {
+        for (k = 0; k < 5; ++k) {
+            char way[80];
             ms_mcml_layered_options o;
             ms_mcml_layered y;
             memset(&o, 0, sizeof o);
             o.frequency_step = step[k];
+            o.order = order[k];
+            if (order[k] && !(d->layers[0].g > 0)) continue; /* one moment is all there is */
             for (i = 0; i < 5; ++i) {
                 const double start = bench_cpu();
                 const ms_status status = ms_mcml_layered_solve(&tissue, &o, &y, &failure);
@@ -99,13 +101,25 @@ int main(void)
             seconds = bench_median(t, 5);
             for (i = 0; i < RINGS; ++i) got[i] = ms_mcml_layered_ring(&y, 0, edge[i], edge[i + 1], NULL);
             compare(got, &r, edge, &error, &noise);
-            fprintf(csv, "%s,layered solver %g,%.4f,%.3e,%.3e\n", d->name, step[k], seconds, error, noise);
-            fprintf(md, "| %s | layered solver, frequency_step %g%s | %.3g s | %.0e | %.0e |\n", d->name, step[k], k ? " (default)" : "", seconds, error, noise);
-            printf("%s: step %g %.3g s, error %.2e\n", d->name, step[k], seconds, error);
+            snprintf(way, sizeof way, k == 0 ? "order %d, frequency_step 0.5" : k == 1 ? "**order %d, the default**" : "order %d", y.order);
+            fprintf(md, "| %s | layered solver, %s | %.3g s | %.0e | %.0e |\n", d->name, way, seconds, error, noise);
+            printf("%s: %s %.3g s, error %.2e\n", d->name, way, seconds, error);
         }
+        fclose(md);
         ms_mcml_result_destroy(&r);
     }
-    fclose(csv);
-    fclose(md);
-    return 0;
+    md = bench_open("layered.md");
+    fprintf(md, "Reflectance in rings that hold 1e-3 of the energy, one core of %s, gcc -O2, `make bench FILTER=layered` (MEDIUM=0 to 3 alone,\n"
+                "PHOTONS). Error: root mean square, relative to our Monte Carlo of %s photons, whose own noise stands beside it. Monte Carlo: its time\n"
+                "for a noise of 0.3%%; MCML 1.2.2's is in the table above.\n\n"
+                "| medium | way | time | error | noise of the reference |\n|---|---|---:|---:|---:|\n", bench_processor(), photons ? photons : "1.5e7");
+    for (m = 0; m < (int)(sizeof media / sizeof *media); ++m) {
+        char path[100];
+        FILE *f;
+        snprintf(path, sizeof path, "build/bench/layered_%d.txt", m);
+        if ((f = fopen(path, "r")) == NULL) continue;
+        while ((i = getc(f)) != EOF) putc(i, md);
+        fclose(f);
+    }
+    return fclose(md) != 0;
 }

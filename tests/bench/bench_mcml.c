@@ -1,6 +1,7 @@
 /* The direct layered Monte Carlo of ms_mcml.h, all tallies of an .mco file on, and original MCML beside it where the
    environment names its program: MCML=path/to/mcml make bench. MCML 1.2.2 is at https://omlc.org/software/mc/mcml; build
-   it with cc -O3 *.c -lm. Runs are taken in turn, the median of five is shown. To build/bench/mcml.csv, .svg, .md. */
+   it with cc -O3 *.c -lm. Runs are taken in turn, the median of five is shown. MEDIUM=0 to 7: that row alone, half a minute; the
+   tables are joined from the rows that there are. To build/bench/mcml.csv, .svg (of whole runs), .md. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 
@@ -106,55 +107,67 @@ static double run_peer(const medium *m, const char *program, double photons)
 }
 
 /* What the options cost, at the best level: time, and time to equal error of Rd(r), against the defaults. */
-static void options_table(FILE *md)
+static void options_row(FILE *md, int m)
 {
-    static const char *const name[] = {"defaults", "roulette_weight 1e-4", "roulette_weight 0.1", "no_absorption", "absorption_error"};
-    int m, k, i;
-    fprintf(md, "Time against the defaults, and in brackets time for an equal error of Rd(r).\n\n| medium |");
-    for (i = 0; i < 5; ++i) fprintf(md, " %s |", name[i]);
-    fprintf(md, "\n|---|---:|---:|---:|---:|---:|\n");
-    for (m = 0; m < MEDIA; ++m) {
-        double t[5][RUNS], total, far, profile[5];
-        for (k = 0; k < RUNS; ++k)
-            for (i = 0; i < 5; ++i) {
-                ms_mcml_options options = ms_mcml_defaults();
-                ms_mcml_result r;
-                const double start = bench_cpu();
-                options.roulette_weight = i == 1 ? 1e-4 : i == 2 ? 0.1 : 0;
-                options.no_absorption = i == 3;
-                options.absorption_error = i == 4;
-                r = simulate(&media[m], media[m].photons / 2, options);
-                t[i][k] = bench_cpu() - start;
-                variances(&r, &total, &profile[i], &far);
-                ms_mcml_result_destroy(&r);
-            }
-        fprintf(md, "| %s |", media[m].name);
+    double t[5][RUNS], total, far, profile[5];
+    int k, i;
+    for (k = 0; k < RUNS; ++k)
         for (i = 0; i < 5; ++i) {
-            const double ratio = bench_median(t[i], RUNS) / bench_median(t[0], RUNS);
-            fprintf(md, " %.2f (%.2f) |", ratio, ratio * profile[i] / profile[0]);
+            ms_mcml_options options = ms_mcml_defaults();
+            ms_mcml_result r;
+            const double start = bench_cpu();
+            options.roulette_weight = i == 1 ? 1e-4 : i == 2 ? 0.1 : 0;
+            options.no_absorption = i == 3;
+            options.absorption_error = i == 4;
+            r = simulate(&media[m], media[m].photons / 2, options);
+            t[i][k] = bench_cpu() - start;
+            variances(&r, &total, &profile[i], &far);
+            ms_mcml_result_destroy(&r);
         }
-        fprintf(md, "\n");
+    fprintf(md, "| %s |", media[m].name);
+    for (i = 0; i < 5; ++i) {
+        const double ratio = bench_median(t[i], RUNS) / bench_median(t[0], RUNS);
+        fprintf(md, " %.2f (%.2f) |", ratio, ratio * profile[i] / profile[0]);
     }
     fprintf(md, "\n");
+}
+
+static FILE *row_open(const char *kind, int m)
+{
+    char name[64];
+    snprintf(name, sizeof name, "mcml_%s_%d.txt", kind, m);
+    return bench_open(name);
+}
+
+/* The rows of all media, as far as they were run. */
+static void join(FILE *out, const char *kind)
+{
+    int m, c;
+    for (m = 0; m < MEDIA; ++m) {
+        char path[100];
+        FILE *f;
+        snprintf(path, sizeof path, "build/bench/mcml_%s_%d.txt", kind, m);
+        if ((f = fopen(path, "r")) == NULL) continue;
+        while ((c = getc(f)) != EOF) putc(c, out);
+        fclose(f);
+    }
 }
 
 int main(void)
 {
     static double peer[MEDIA], speed[LEVELS + 1][MEDIA];
     static plot p;
-    const char *program = getenv("MCML");
+    const char *program = getenv("MCML"), *only = getenv("MEDIUM");
     const ms_simd best = ms__simd_pick(MS_SIMD_AUTO);
-    FILE *csv = bench_open("mcml.csv"), *md = bench_open("mcml.md");
+    FILE *csv, *md, *all;
     int m, level, k;
 
     if (program == NULL) printf("original MCML: not named (MCML=path), its columns stay empty\n");
-    fprintf(csv, "medium,level,ns_per_photon,mcml_ns_per_photon,times_mcml,equal_error_rd,equal_error_profile,equal_error_far\n");
-    fprintf(md, "\nNanoseconds a photon on one core of %s, all tallies of an `.mco` file (%s; `MCML=... make bench`). Equal error:\n"
-                "how many times less time than MCML for the same standard error, at the best level.\n\n",
-            bench_processor(), program ? "MCML 1.2.2 built with -O3, in turn with ours" : "without MCML");
-    fprintf(md, "| medium | MCML | scalar | base | AVX2 | AVX-512 | equal error of Rd | of Rd(r) | of far rings |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 0; m < MEDIA; ++m) {
         double t[LEVELS + 1][RUNS], peer_total = 0, peer_profile = 0, peer_far = 0, total = 0, profile = 0, far = 0, fastest = 0;
+        if (only && atoi(only) != m) continue;
+        md = row_open("row", m);
+        csv = row_open("csv", m);
         for (k = 0; k < RUNS; ++k) {
             for (level = 1; level <= (int)best; ++level) {
                 const double photons = media[m].photons / (level == 1 ? 5 : level == 2 ? 2 : 1), start = bench_cpu();
@@ -201,13 +214,30 @@ int main(void)
             fprintf(md, " %.1fx | %.1fx | %.1fx |\n", peer[m] * peer_total / (fastest * total),
                     peer[m] * peer_profile / (fastest * profile), peer[m] * peer_far / (fastest * far));
         else fprintf(md, " | | |\n");
+        fclose(md);
+        fclose(csv);
+        md = row_open("option", m);
+        options_row(md, m);
+        fclose(md);
     }
-    fprintf(md, "\n");
-    options_table(md);
-    if (program) {
+    all = bench_open("mcml.csv");
+    fprintf(all, "medium,level,ns_per_photon,mcml_ns_per_photon,times_mcml,equal_error_rd,equal_error_profile,equal_error_far\n");
+    join(all, "csv");
+    if (fclose(all) != 0) return 1;
+    all = bench_open("mcml.md");
+    fprintf(all, "\nNanoseconds a photon on one core of %s, all tallies of an `.mco` file (%s; `MCML=... make bench`). Equal error:\n"
+                 "how many times less time than MCML for the same standard error, at the best level.\n\n",
+            bench_processor(), program ? "MCML 1.2.2 built with -O3, in turn with ours" : "without MCML");
+    fprintf(all, "| medium | MCML | scalar | base | AVX2 | AVX-512 | equal error of Rd | of Rd(r) | of far rings |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    join(all, "row");
+    fprintf(all, "\nTime against the defaults, and in brackets time for an equal error of Rd(r).\n\n"
+                 "| medium | defaults | roulette_weight 1e-4 | roulette_weight 0.1 | no_absorption | absorption_error |\n|---|---:|---:|---:|---:|---:|\n");
+    join(all, "option");
+    fprintf(all, "\n");
+    if (program && !only) {
         plot_begin(&p, "Layered Monte Carlo: photons a second over original MCML's", "MCML, ns a photon", "times MCML", PLOT_LOG_X | PLOT_LOG_Y);
         for (level = 1; level <= (int)best; ++level) plot_series(&p, ms_simd_string((ms_simd)level), peer, speed[level], MEDIA, PLOT_DOTS);
         if (!plot_write(&p, "build/bench/mcml.svg")) return 1;
     }
-    return fclose(csv) != 0 || fclose(md) != 0;
+    return fclose(all) != 0;
 }
