@@ -8703,7 +8703,7 @@ static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, in
                 for (lane = 1; lane < MS_SSS__LANES; ++lane) least = at[lane] < least ? at[lane] : least;
                 two = MS_SSS__BITS(MS_SSS__LESS(whole, MS_SSS__SET(least + 1.5f))) == all ? MS_SSS__BESIDE : -1;
             }
-            if (two < 0 || least > MS_SSS__FAR) {
+            if (two < 0 || least > (float)MS_SSS__FAR) {
                 plan[0] = MS_SSS__ANY;
                 break;
             }

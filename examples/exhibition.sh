@@ -121,7 +121,7 @@ C
 
 section ms_gpr.h "Score a gallery, get hundreds of materials to your taste, and a plane to walk in."
 figure workflow.png "From a scored gallery to recommendations, the plane of the best of them, an edited picture's match and a walk through the plane"
-figure latent.png "Another taste: the plane of its best materials" 33.3:preference 33.3:similarity 33.3:product
+figure latent.png "Another taste: the plane of its best materials"
 figure materialx.png "Eight materials by the path tracer, and by the shader that MaterialX's own library makes of the file that build/materialx writes"
 [ ! -f "$out/times.md" ] || awk 'NF == 0 {exit} {print}' "$out/times.md" | table
 code "build/recommend examples/data/scores.csv --count 300" <<'C'
