@@ -6066,7 +6066,7 @@ MS_NN__KERNEL void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, s
 
 #if MS_NN__ISA < 5 /* the VNNI pass is for I8 only; the rest is AVX-512's */
 /* A vector that is used several times is loaded once: GCC would read it anew for each use, and 64-byte loads are what these loops wait for. */
-#if MS_NN__ISA == 4 && (defined(__GNUC__) || defined(__clang__))
+#if MS_NN__ISA >= 3 && (defined(__GNUC__) || defined(__clang__))
 #define MS_NN__V_KEEP(v) __asm__("" : "+v"(v))
 #else
 #define MS_NN__V_KEEP(v) ((void)0)
@@ -6240,7 +6240,10 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
             size_t at = k + (size_t)c * MS_NN__V_LANES;
             MS_NN__V_FLOATS v[3];
             MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) v[b] = MS_NN__V_LOAD(x[b] + at);
+            for (b = 0; b < batch; ++b) {
+                v[b] = MS_NN__V_LOAD(x[b] + at);
+                if (batch > 1 && MS_NN__ISA == 3) MS_NN__V_KEEP(v[b]);
+            }
             MS_NN__UNROLL
             for (r = 0; r < rows; ++r) {
                 MS_NN__V_FLOATS u = MS_NN__FN(weight)(w[r] + at * size, dtype);
@@ -6355,7 +6358,7 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy_rest)(const unsigned char *const 
 }
 
 /* dtype and batch are constants. */
-MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float (*g)[4], float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
+MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
     const unsigned char *row[4];
     MS_NN__V_FLOATS factor[4][3], sum[3];
@@ -6365,7 +6368,7 @@ MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float
     for (r = 0; r < 4; ++r) {
         row[r] = w[r];
         MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) factor[r][b] = MS_NN__V_SET(g[b][r]);
+        for (b = 0; b < batch; ++b) factor[r][b] = MS_NN__V_SET(g[(size_t)b * g_stride + (size_t)r]);
     }
     for (k = 0; k + MS_NN__V_LANES <= n; k += MS_NN__V_LANES) {
         MS_NN__UNROLL
@@ -6380,7 +6383,7 @@ MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) MS_NN__V_STORE(out + (size_t)b * stride + k, sum[b]);
     }
-    for (b = 0; k < n && b < batch; ++b) MS_NN__FN(axpy_rest)(w, dtype, g[b], out + (size_t)b * stride, k, n);
+    for (b = 0; k < n && b < batch; ++b) MS_NN__FN(axpy_rest)(w, dtype, g + (size_t)b * g_stride, out + (size_t)b * stride, k, n);
 }
 
 /* Where narrow weights are slow to widen, those of a batch are, once for all of it; elsewhere they are in registers, a form a type. */
@@ -6390,18 +6393,18 @@ MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float
 #define MS_NN__B_WIDEN 0
 #endif
 
-MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const float (*g)[4], float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
+MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
-    if (batch == 3 && (dtype == MS_NN_F32 || !MS_NN__B_WIDEN)) MS_NN__FN(axpy_of)(w, g, out, stride, n, dtype, 3);
-    else MS_NN__FN(axpy_of)(w, g, out, stride, n, dtype, 1);
+    if (batch == 3 && (dtype == MS_NN_F32 || !MS_NN__B_WIDEN)) MS_NN__FN(axpy_of)(w, g, g_stride, out, stride, n, dtype, 3);
+    else MS_NN__FN(axpy_of)(w, g, g_stride, out, stride, n, dtype, 1);
 }
 
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, const float (*g)[4], float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
-    if (dtype == MS_NN_F32) MS_NN__FN(axpy_typed)(w, g, out, stride, n, MS_NN_F32, batch);
-    else if (dtype == MS_NN_F16) MS_NN__FN(axpy_typed)(w, g, out, stride, n, MS_NN_F16, batch);
-    else if (dtype == MS_NN_BF16) MS_NN__FN(axpy_typed)(w, g, out, stride, n, MS_NN_BF16, batch);
-    else MS_NN__FN(axpy_typed)(w, g, out, stride, n, MS_NN_I8, batch);
+    if (dtype == MS_NN_F32) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_F32, batch);
+    else if (dtype == MS_NN_F16) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_F16, batch);
+    else if (dtype == MS_NN_BF16) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_BF16, batch);
+    else MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_I8, batch);
 }
 
 #if MS_NN__B_WIDEN || !defined(MS_NN_NO_COLLAPSE)
@@ -6453,9 +6456,13 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, si
     }
     for (b = b0; b < b1; b += (size_t)together) {
         together = b1 - b >= 3 ? 3 : 1;
+        if (row + 4 <= last && m->dtype != MS_NN_I8) { /* the gradients as they lie */
+            MS_NN__FN(axpy)(w, job->x + b * m->rows + row, m->rows, out + b * cols + at, cols, n, dtype, together);
+            continue;
+        }
         for (i = 0; i < together; ++i)
             for (r = 0; r < 4; ++r) g[i][r] = row + (size_t)r < last ? job->x[(b + (size_t)i) * m->rows + row + (size_t)r] * scale[r] : 0.0f;
-        MS_NN__FN(axpy)(w, (const float(*)[4])g, out + b * cols + at, cols, n, dtype, together);
+        MS_NN__FN(axpy)(w, &g[0][0], 4, out + b * cols + at, cols, n, dtype, together);
     }
 }
 
