@@ -6193,13 +6193,12 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish_rows)(const ms_nn__dense *job, 
 }
 #endif
 
-/* `rows` rows of a type times `batch` samples, all three constants. */
-MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch)
+/* `rows` rows of a type times `batch` samples, all three constants, but for what is left of the columns: w and x point there. */
+MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch, const unsigned char **w, const float **x,
+                                   MS_NN__V_FLOATS *total)
 {
     size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), k = 0;
-    const unsigned char *w[MS_NN__W_ROWS];
-    const float *x[3];
-    MS_NN__V_FLOATS s[MS_NN__W_ROWS][3][MS_NN__W_CHAINS], total[3 * MS_NN__W_ROWS];
+    MS_NN__V_FLOATS s[MS_NN__W_ROWS][3][MS_NN__W_CHAINS];
     int r, b, c;
     MS_NN__UNROLL
     for (r = 0; r < rows; ++r) {
@@ -6267,52 +6266,54 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
             total[b * rows + r] = sum;
         }
     }
-#if MS_NN__V_LANES == 1
-    MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) {
-        const float bias = job->m->bias && !job->linear ? ms_nn__float_at(job->m->bias, row + (size_t)r) : 0.0f;
-        MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) {
-            float sum = total[b * rows + r];
-            size_t left;
-            for (left = 0; left < cols - k; ++left) sum += MS_NN__FN(weight)(w[r] + left * size, dtype) * x[b][left];
-            job->y[(sample + (size_t)b) * job->m->rows + row + (size_t)r] = sum + bias;
-        }
-    }
-#else
-    if (batch == 3) {
-        MS_NN__FN(finish)(job, row, sample, MS_NN__W_ROWS, 3, w, x, cols - k, total);
-    } else {
-        MS_NN__FN(finish_rows)(job, row, sample, rows, w, x, cols - k, total[0], total[rows > 1 ? 1 : 0], total[rows > 2 ? 2 : 0], total[rows > 3 ? 3 : 0]);
-    }
-#endif
+}
+
+MS_NN__INLINE void MS_NN__FN(sums_typed)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch, const unsigned char **w, const float **x, MS_NN__V_FLOATS *total)
+{
+    if (job->m->dtype == MS_NN_F32) MS_NN__FN(sums)(job, row, sample, MS_NN_F32, rows, batch, w, x, total);
+    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(sums)(job, row, sample, MS_NN_F16, rows, batch, w, x, total);
+    else MS_NN__FN(sums)(job, row, sample, MS_NN_BF16, rows, batch, w, x, total);
 }
 
 #if MS_NN__V_LANES > 1
 /* MS_NN__W_ROWS rows times three samples. */
 MS_NN__KERNEL MS_NN__APART void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
 {
-    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dots)(job, row, sample, MS_NN_F32, MS_NN__W_ROWS, 3);
-    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, MS_NN__W_ROWS, 3);
-    else MS_NN__FN(dots)(job, row, sample, MS_NN_BF16, MS_NN__W_ROWS, 3);
+    const unsigned char *w[MS_NN__W_ROWS];
+    const float *x[3];
+    MS_NN__V_FLOATS total[3 * MS_NN__W_ROWS];
+    MS_NN__FN(sums_typed)(job, row, sample, MS_NN__W_ROWS, 3, w, x, total);
+    MS_NN__FN(finish)(job, row, sample, MS_NN__W_ROWS, 3, w, x, job->m->cols % (MS_NN__V_LANES * MS_NN__W_CHAINS), total);
 }
 #endif
 
+/* `rows` rows times one sample. */
+MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, int rows)
+{
+    const unsigned char *w[MS_NN__W_ROWS];
+    const float *x[3];
+    MS_NN__V_FLOATS total[3 * MS_NN__W_ROWS];
+    size_t left = job->m->cols % (MS_NN__V_LANES * MS_NN__W_CHAINS);
+    MS_NN__FN(sums_typed)(job, row, sample, rows, 1, w, x, total);
+#if MS_NN__V_LANES == 1
+    {
+        size_t k, size = ms_nn__bytes_of(job->m->dtype);
+        for (k = 0; k < left; ++k) total[0] += MS_NN__FN(weight)(w[0] + k * size, job->m->dtype) * x[0][k];
+        job->y[sample * job->m->rows + row] = total[0] + (job->m->bias && !job->linear ? ms_nn__float_at(job->m->bias, row) : 0.0f);
+    }
+#else
+    MS_NN__FN(finish_rows)(job, row, sample, rows, w, x, left, total[0], total[rows > 1 ? 1 : 0], total[rows > 2 ? 2 : 0], total[rows > 3 ? 3 : 0]);
+#endif
+}
+
 /* Rows times one sample: MS_NN__W_ROWS at a time, or each alone where they come from memory (ms_nn__large). */
-MS_NN__INLINE void MS_NN__FN(rows_typed)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample, ms_nn_dtype dtype)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample)
 {
 #if MS_NN__W_ROWS > 1
     if (!job->singly)
-        for (; row + MS_NN__W_ROWS <= row1; row += MS_NN__W_ROWS) MS_NN__FN(dots)(job, row, sample, dtype, MS_NN__W_ROWS, 1);
+        for (; row + MS_NN__W_ROWS <= row1; row += MS_NN__W_ROWS) MS_NN__FN(dots)(job, row, sample, MS_NN__W_ROWS);
 #endif
-    for (; row < row1; ++row) MS_NN__FN(dots)(job, row, sample, dtype, 1, 1);
-}
-
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row0, size_t row1, size_t sample)
-{
-    if (job->m->dtype == MS_NN_F32) MS_NN__FN(rows_typed)(job, row0, row1, sample, MS_NN_F32);
-    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(rows_typed)(job, row0, row1, sample, MS_NN_F16);
-    else MS_NN__FN(rows_typed)(job, row0, row1, sample, MS_NN_BF16);
+    for (; row < row1; ++row) MS_NN__FN(dots)(job, row, sample, 1);
 }
 
 /* Batches go by blocks of samples that stay in the first cache, three samples at a time; what is left over runs as if alone. */
