@@ -97,10 +97,10 @@
    No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ. options.parallel
    takes a thread pool; the work is cut by the problem alone.
    SSE2, AVX2, AVX-512 (with VNNI where there is) and NEON, chosen at load, capped by options.simd. MS_NO_SIMD: plain C.
-   At one level the same bits for any number of threads, and for a sample alone or in a batch. Dense layers of I8 are summed
-   in integers and equal at every level; all else agrees between levels within the error below.
+   At one level the same bits for any number of threads, and for a sample alone or in a batch. Dense layers of I8
+   with over two million weights are summed in integers and equal at every level; all else agrees within the error below.
    Arithmetic is in floats: about 1e-6 of the largest output against double precision for the networks above, at most 1e-5 in
-   the tests. I8 layers take their input in 21-bit fixed point: 5e-7 of its largest element. The collapse is in double.
+   the tests. Those large I8 layers take their input in 21-bit fixed point: 5e-7 of its largest element. The collapse is in double.
    Every call that can fail returns a status; loaders also fill an ms_error with a byte offset and a sentence. On failure
    outputs are untouched. Weights and inputs that are NaN or infinite run through (ms_nn_check_weights finds them).
    -ffast-math voids what is said of bits, NaN and infinity; the rest holds to rounding.
@@ -3142,11 +3142,11 @@ typedef struct ms_nn__dense {
     float alpha;
     size_t chunk_rows, chunk_cols, col_chunks; /* of a task */
     int singly;          /* row by row, as memory likes it */
-    const struct ms_nn__digits *digits;        /* [batch], I8 only */
+    const struct ms_nn__digits *digits;        /* [batch], large I8 only */
     const struct ms_nn__kernels *kernels;
 } ms_nn__dense;
 
-/* An input of an I8 layer in fixed point: x = unit (16384 d0 + 128 d1 + d2), digits in [-64, 63]. The products of
+/* An input of a large I8 layer in fixed point: x = unit (16384 d0 + 128 d1 + d2), digits in [-64, 63]. The products of
    digits with 8-bit weights are summed as integers, so that every level and order gives the same sum. */
 typedef struct ms_nn__digits {
     double unit;             /* NaN where x has a NaN or an infinity */
@@ -3194,7 +3194,8 @@ typedef struct ms_nn__kernels {
 #endif
 } ms_nn__kernels;
 
-/* Does a matrix come from memory rather than from a cache? */
+/* Does a matrix come from memory rather than from a cache? There I8 is summed in integers, faster than it is widened to floats; the
+   rule knows nothing of the batch, so that its bits do not depend on it. */
 static int ms_nn__large(const ms_nn__dense *job) { return job->m->rows * job->m->cols > 2000000; }
 
 #define MS_NN__WIDE 64
@@ -3226,7 +3227,7 @@ static void ms_nn__dense_task(void *context, int index)
     const ms_nn__dense *job = (const ms_nn__dense *)context;
     size_t row0 = (size_t)index * job->chunk_rows, row1 = ms_nn__min(row0 + job->chunk_rows, job->m->rows);
     int b;
-    if (job->m->dtype == MS_NN_I8) job->kernels->dense_int8(job, row0, row1);
+    if (job->digits) job->kernels->dense_int8(job, row0, row1);
     else job->kernels->dense(job, row0, row1);
     if (!job->linear && job->activation != MS_NN__LINEAR)
         for (b = 0; b < job->batch; ++b)
@@ -3300,7 +3301,7 @@ static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, co
     job.alpha = op->alpha;
     job.kernels = nn->kernels;
     job.singly = ms_nn__large(&job) && !(nn->row_tiles && m->dtype == MS_NN_F32);
-    if (m->dtype == MS_NN_I8) {
+    if (m->dtype == MS_NN_I8 && job.singly) {
         size_t n = (size_t)batch, wide = ms_nn__digit_cols(m->cols), runs = ms_nn__digit_runs(m->cols), b;
         signed char *d = (signed char *)scratch; /* 64-byte aligned, as each digit's row is */
         ms_nn__digits *digits = (ms_nn__digits *)(void *)(d + 3 * wide * n);
@@ -5669,7 +5670,6 @@ static int ms_nn__row_tiles(void)
 #define MS_NN__V_TILE 2
 #define MS_NN__W_ROWS 1
 #define MS_NN__W_CHAINS 4
-#define MS_NN__B_ROWS 1
 #define MS_NN__V_FLOATS float
 #define MS_NN__V_LOAD(p) ms_nn__float_at((const unsigned char *)(p), 0)
 #define MS_NN__V_STORE(p, v) (*(p) = (v))
@@ -5697,7 +5697,6 @@ static int ms_nn__row_tiles(void)
 #define MS_NN__V_TILE 2
 #define MS_NN__W_ROWS 2
 #define MS_NN__W_CHAINS 2
-#define MS_NN__B_ROWS 1
 #define MS_NN__V_FLOATS __m128
 #define MS_NN__V_LOAD(p) _mm_loadu_ps((const float *)(const void *)(p))
 #define MS_NN__V_STORE(p, v) _mm_storeu_ps(p, v)
@@ -5757,7 +5756,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__V_TILE 2
 #define MS_NN__W_ROWS 4
 #define MS_NN__W_CHAINS 2
-#define MS_NN__B_ROWS 1
 #define MS_NN__V_FLOATS float32x4_t
 #define MS_NN__V_LOAD(p) vreinterpretq_f32_u8(vld1q_u8((const unsigned char *)(p)))
 #define MS_NN__V_STORE(p, v) vst1q_f32(p, v)
@@ -5791,7 +5789,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__V_TILE 3
 #define MS_NN__W_ROWS 2
 #define MS_NN__W_CHAINS 2
-#define MS_NN__B_ROWS 2
 #define MS_NN__V_FLOATS __m256
 #define MS_NN__V_LOAD(p) _mm256_loadu_ps((const float *)(const void *)(p))
 #define MS_NN__V_STORE(p, v) _mm256_storeu_ps(p, v)
@@ -5825,7 +5822,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FL
 #define MS_NN__V_TILE 3
 #define MS_NN__W_ROWS 4
 #define MS_NN__W_CHAINS 2
-#define MS_NN__B_ROWS 4
 #define MS_NN__V_FLOATS __m512
 #define MS_NN__V_LOAD(p) _mm512_loadu_ps(p)
 #define MS_NN__V_STORE(p, v) _mm512_storeu_ps(p, v)
@@ -5871,14 +5867,13 @@ MS_NN__INLINE __m128 MS_NN__FN(fold)(MS_NN__V_FLOATS v)
 #define MS_NN__B_LOAD(p) _mm512_loadu_si512(p)
 #define MS_NN__B_PART(p, n) _mm512_maskz_loadu_epi8(((__mmask64)1 << (n)) - 1, p)
 #define MS_NN__B_FLIP(u) _mm512_xor_si512(u, _mm512_set1_epi8((char)-128))
-#define MS_NN__B_SUM4(out, a, b, c, d) MS_NN__FN(int_sum4)(out, a, b, c, d)
-MS_NN__INLINE void MS_NN__FN(int_sum4)(int32_t *out, MS_NN__B_INTS a, MS_NN__B_INTS b, MS_NN__B_INTS c, MS_NN__B_INTS d)
+#define MS_NN__B_SUM(s) MS_NN__FN(int_sum)(s)
+MS_NN__INLINE int32_t MS_NN__FN(int_sum)(MS_NN__B_INTS s)
 {
-    MS_NN__B_INTS ab = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, a, b), _mm512_maskz_unpackhi_epi32(0xFFFF, a, b));
-    MS_NN__B_INTS cd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi32(0xFFFF, c, d), _mm512_maskz_unpackhi_epi32(0xFFFF, c, d));
-    MS_NN__B_INTS abcd = _mm512_add_epi32(_mm512_maskz_unpacklo_epi64(0xFF, ab, cd), _mm512_maskz_unpackhi_epi64(0xFF, ab, cd));
-    __m256i half = _mm256_add_epi32(_mm512_maskz_extracti64x4_epi64(0xF, abcd, 0), _mm512_maskz_extracti64x4_epi64(0xF, abcd, 1));
-    _mm_storeu_si128((__m128i *)(void *)out, _mm_add_epi32(_mm256_castsi256_si128(half), _mm256_extracti128_si256(half, 1)));
+    __m256i half = _mm256_add_epi32(_mm512_maskz_extracti64x4_epi64(0xF, s, 0), _mm512_maskz_extracti64x4_epi64(0xF, s, 1));
+    __m128i t = _mm_add_epi32(_mm256_castsi256_si128(half), _mm256_extracti128_si256(half, 1));
+    t = _mm_add_epi32(t, _mm_shuffle_epi32(t, 0x4E));
+    return _mm_cvtsi128_si32(_mm_add_epi32(t, _mm_shuffle_epi32(t, 0xB1)));
 }
 #define MS_NN__B_DOT(s, u, e) _mm512_dpbusd_epi32(s, u, e)
 #elif MS_NN__ISA == 3
@@ -5958,110 +5953,43 @@ MS_NN__INLINE MS_NN__B_INTS MS_NN__FN(int8_part)(const unsigned char *p, size_t 
 #define MS_NN__B_ASK(p) ((void)0)
 #endif
 
-/* Adds the products of n <= MS_NN__B_BYTES columns of `rows` neighbouring rows; the digits behind the end are zero. */
-MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, size_t cols, const signed char *const *d, size_t at, size_t n, MS_NN__B_INTS s[3][MS_NN__B_ROWS],
-                                        int rows)
+/* Adds the products of n <= MS_NN__B_BYTES columns of a row; the digits behind the end are zero. */
+MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, const signed char *const *d, size_t at, size_t n, MS_NN__B_INTS s[3])
 {
-    MS_NN__B_INTS u[MS_NN__B_ROWS];
-    int r, k;
-    if (rows == 1) MS_NN__B_ASK(w + at);
+    MS_NN__B_INTS u = n == MS_NN__B_BYTES ? MS_NN__B_LOAD(w + at) : MS_NN__B_PART(w + at, n);
+    int k;
+    MS_NN__B_ASK(w + at);
     MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) u[r] = n == MS_NN__B_BYTES ? MS_NN__B_LOAD(w + (size_t)r * cols + at) : MS_NN__B_PART(w + (size_t)r * cols + at, n);
-    MS_NN__UNROLL
-    for (k = 0; k < 3; ++k) {
-        MS_NN__B_INTS e = MS_NN__B_LOAD(d[k] + at);
-        MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) s[k][r] = MS_NN__B_DOT(s[k][r], MS_NN__B_FLIP(u[r]), e);
-    }
+    for (k = 0; k < 3; ++k) s[k] = MS_NN__B_DOT(s[k], MS_NN__B_FLIP(u), MS_NN__B_LOAD(d[k] + at));
 }
 
-/* sums[k][r] = sum_j w_r,j d_k,j over columns [at, end) of a run of MS_NN__RUN: integers, so exact in any order. */
-MS_NN__INLINE void MS_NN__FN(int8_sums)(const unsigned char *w, size_t cols, const ms_nn__digits *x, size_t at, size_t end,
-                                        int32_t sums[3][MS_NN__B_ROWS], int rows)
-{
-    const signed char *d[3];
-    size_t run = at / MS_NN__RUN;
-    MS_NN__B_INTS s[3][MS_NN__B_ROWS];
-    int r, k;
-    MS_NN__UNROLL
-    for (k = 0; k < 3; ++k) {
-        d[k] = x->d[k];
-        MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) s[k][r] = MS_NN__B_ZERO;
-    }
-    for (; at + MS_NN__B_BYTES <= end; at += MS_NN__B_BYTES) MS_NN__FN(int8_step)(w, cols, d, at, MS_NN__B_BYTES, s, rows);
-    if (at < end) MS_NN__FN(int8_step)(w, cols, d, at, end - at, s, rows);
-#if MS_NN__B_ROWS == 4
-    if (rows == 1) {
-        int32_t three[4];
-        MS_NN__B_SUM4(three, s[0][0], s[1][0], s[2][0], MS_NN__B_ZERO);
-        for (k = 0; k < 3; ++k) sums[k][0] = three[k];
-    } else {
-        for (k = 0; k < 3; ++k) MS_NN__B_SUM4(sums[k], s[k][0], s[k][1], s[k][2], s[k][3]);
-    }
-#else
-    MS_NN__UNROLL
-    for (k = 0; k < 3; ++k) {
-        MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) sums[k][r] = MS_NN__B_SUM(s[k][r]);
-    }
-#endif
-    MS_NN__UNROLL
-    for (k = 0; k < 3; ++k) {
-        MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) sums[k][r] -= MS_NN__B_OFFSET * x->sum[k][run];
-    }
-}
-
-/* y = scale unit (16384 s0 + 128 s1 + s2) + bias, in double, where the sum is exact; rounded once. */
-MS_NN__INLINE void MS_NN__FN(int8_rows)(const ms_nn__dense *job, size_t row, int rows)
-{
-    const ms_nn__matrix *m = job->m;
-    const unsigned char *bias = m->bias && !job->linear ? m->bias + 4 * row : NULL, *scale = m->scale + 4 * row;
-    size_t at;
-    int b, r;
-    for (b = 0; b < job->batch; ++b) {
-        const ms_nn__digits *x = &job->digits[b];
-        float *y = job->y + (size_t)b * m->rows + row;
-        double total[MS_NN__B_ROWS];
-        MS_NN__UNROLL
-        for (r = 0; r < rows; ++r) total[r] = 0;
-        for (at = 0; at < m->cols; at += MS_NN__RUN) {
-            int32_t sums[3][MS_NN__B_ROWS];
-            MS_NN__FN(int8_sums)(m->w + row * m->cols, m->cols, x, at, ms_nn__min(m->cols, at + MS_NN__RUN), sums, rows);
-#if MS_NN__B_ROWS == 4
-            if (rows == 4) {
-                __m256d high = _mm256_mul_pd(_mm256_cvtepi32_pd(_mm_loadu_si128((const __m128i *)(const void *)sums[0])), _mm256_set1_pd(16384.0));
-                __m256d middle = _mm256_mul_pd(_mm256_cvtepi32_pd(_mm_loadu_si128((const __m128i *)(const void *)sums[1])), _mm256_set1_pd(128.0));
-                __m256d low = _mm256_cvtepi32_pd(_mm_loadu_si128((const __m128i *)(const void *)sums[2]));
-                _mm256_storeu_pd(total, _mm256_add_pd(_mm256_loadu_pd(total), _mm256_add_pd(high, _mm256_add_pd(middle, low))));
-                continue;
-            }
-#endif
-            MS_NN__UNROLL
-            for (r = 0; r < rows; ++r) total[r] += (double)((int64_t)sums[0][r] * 16384 + (int64_t)sums[1][r] * 128 + sums[2][r]);
-        }
-#if MS_NN__B_ROWS == 4
-        if (rows == 4) {
-            __m256d factor = _mm256_mul_pd(_mm256_cvtps_pd(_mm_loadu_ps((const float *)(const void *)scale)), _mm256_set1_pd(x->unit));
-            __m256d offset = bias ? _mm256_cvtps_pd(_mm_loadu_ps((const float *)(const void *)bias)) : _mm256_setzero_pd();
-            _mm_storeu_ps(y, _mm256_cvtpd_ps(_mm256_add_pd(_mm256_mul_pd(_mm256_loadu_pd(total), factor), offset)));
-            continue;
-        }
-#endif
-        MS_NN__UNROLL
-        for (r = 0; r < rows; ++r)
-            y[r] = (float)(total[r] * ((double)ms_nn__float_at(scale, (size_t)r) * x->unit) + (bias ? (double)ms_nn__float_at(bias, (size_t)r) : 0.0));
-    }
-}
-
+/* Rows times all samples, row by row: y = scale unit (16384 s0 + 128 s1 + s2) + bias of the sums of w_j d_k,j, which are integers
+   over runs of columns, so exact in any order; together in double, where they are exact too; rounded once. */
 MS_NN__KERNEL void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
-    size_t row = row0;
-    for (; !job->singly && row + MS_NN__B_ROWS <= row1; row += MS_NN__B_ROWS) MS_NN__FN(int8_rows)(job, row, MS_NN__B_ROWS);
-    for (; row < row1; ++row) MS_NN__FN(int8_rows)(job, row, 1);
+    const ms_nn__matrix *m = job->m;
+    size_t row, at, end;
+    int b, k;
+    for (row = row0; row < row1; ++row)
+        for (b = 0; b < job->batch; ++b) {
+            const unsigned char *w = m->w + row * m->cols;
+            const ms_nn__digits *x = &job->digits[b];
+            double total = 0;
+            for (at = 0; at < m->cols; at = end) {
+                size_t run = at / MS_NN__RUN;
+                MS_NN__B_INTS s[3];
+                end = ms_nn__min(m->cols, at + MS_NN__RUN);
+                MS_NN__UNROLL
+                for (k = 0; k < 3; ++k) s[k] = MS_NN__B_ZERO;
+                for (; at + MS_NN__B_BYTES <= end; at += MS_NN__B_BYTES) MS_NN__FN(int8_step)(w, x->d, at, MS_NN__B_BYTES, s);
+                if (at < end) MS_NN__FN(int8_step)(w, x->d, at, end - at, s);
+                MS_NN__UNROLL
+                for (k = 0; k < 3; ++k) total += (k == 0 ? 16384.0 : k == 1 ? 128.0 : 1.0) * (double)(MS_NN__B_SUM(s[k]) - MS_NN__B_OFFSET * x->sum[k][run]);
+            }
+            job->y[(size_t)b * m->rows + row] =
+                (float)(total * ((double)ms_nn__float_at(m->scale, row) * x->unit) + (m->bias && !job->linear ? (double)ms_nn__float_at(m->bias, row) : 0.0));
+        }
 }
-
 #endif
 
 #if MS_NN__ISA < 5 /* the VNNI pass is for I8 only; the rest is AVX-512's */
@@ -6111,93 +6039,108 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(weight_part)(MS_NN__V_FLOATS *out, con
 }
 #endif
 
-/* Four sums of lanes, each as (l0 + l2) + (l1 + l3) of the sums of its quarters, plus what out holds. */
+/* Four sums of lanes, each as (l0 + l2) + (l1 + l3) of the sums of its quarters, times a scale, plus a bias. quad: four floats for
+   as many rows, which repeat. */
 #if defined(MS__X64) && MS_NN__ISA > 1
-MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, float *out)
+#define MS_NN__Q_FLOATS __m128
+#define MS_NN__Q_SET(x) _mm_set1_ps(x)
+MS_NN__INLINE __m128 MS_NN__FN(quad)(const unsigned char *p, int rows)
+{
+    __m128i two;
+    if (rows == 4) return _mm_loadu_ps((const float *)(const void *)p);
+    if (rows == 1) return _mm_set1_ps(ms_nn__float_at(p, 0));
+    two = _mm_loadl_epi64((const __m128i *)(const void *)p);
+    return _mm_castsi128_ps(_mm_unpacklo_epi64(two, two));
+}
+MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, __m128 scale, __m128 bias, float *out)
 {
     __m128 a = MS_NN__V_FOLD(v[0]), b = MS_NN__V_FOLD(v[1]), c = MS_NN__V_FOLD(v[2]), d = MS_NN__V_FOLD(v[3]);
     __m128 ab = _mm_add_ps(_mm_unpacklo_ps(a, b), _mm_unpackhi_ps(a, b)), cd = _mm_add_ps(_mm_unpacklo_ps(c, d), _mm_unpackhi_ps(c, d));
-    _mm_storeu_ps(out, _mm_add_ps(_mm_add_ps(_mm_movelh_ps(ab, cd), _mm_movehl_ps(cd, ab)), _mm_loadu_ps(out)));
+    _mm_storeu_ps(out, _mm_add_ps(_mm_mul_ps(_mm_add_ps(_mm_movelh_ps(ab, cd), _mm_movehl_ps(cd, ab)), scale), bias));
 }
 #elif MS_NN__ISA > 1
-MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, float *out)
+#define MS_NN__Q_FLOATS float32x4_t
+#define MS_NN__Q_SET(x) vdupq_n_f32(x)
+MS_NN__INLINE float32x4_t MS_NN__FN(quad)(const unsigned char *p, int rows)
 {
+    return rows == 4 ? MS_NN__V_LOAD(p) : vdupq_n_f32(ms_nn__float_at(p, 0)); /* MS_NN__W_ROWS is 4 */
+}
+MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, float32x4_t scale, float32x4_t bias, float *out)
+{
+    float sum[4];
     int i;
-    for (i = 0; i < 4; ++i) out[i] += vaddvq_f32(v[i]);
+    for (i = 0; i < 4; ++i) sum[i] = vaddvq_f32(v[i]);
+    vst1q_f32(out, vaddq_f32(vmulq_f32(vld1q_f32(sum), scale), bias));
 }
 #endif
 
 /* Dot products of rows x samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1) modulo MS_NN__V_LANES
    MS_NN__W_CHAINS; the chains are added in pairs, then comes what is left of the columns, then the sum of the lanes. The order
-   depends on nothing but cols, so that tiles of any shape agree. This is the end of all of them. w, x: where `left` columns begin. */
+   depends on nothing but cols, so that tiles of any shape agree. This is the end of all of them. */
 #if MS_NN__V_LANES > 1
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(MS_NN__V_FLOATS *total, int rows, int batch, const unsigned char *const *w, ms_nn_dtype dtype, const float *const *x, size_t left)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(const ms_nn__dense *job, size_t row, size_t sample, MS_NN__V_FLOATS *total, int rows, int batch, size_t left)
 {
+    ms_nn_dtype dtype = job->m->dtype;
     MS_NN__V_FLOATS v[3], u;
-    size_t at, n;
+    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), at, n;
+    const unsigned char *w = job->m->w + row * cols * size;
+    const float *x = job->x + sample * cols;
     int r, b;
-    for (at = 0; at < left; at += n) {
-        n = ms_nn__min(left - at, MS_NN__V_LANES);
-        for (b = 0; b < batch; ++b) MS_NN__W_PART(v[b], (const unsigned char *)(x[b] + at), MS_NN_F32, n);
+    for (at = cols - left; at < cols; at += n) {
+        n = ms_nn__min(cols - at, MS_NN__V_LANES);
+        for (b = 0; b < batch; ++b) MS_NN__W_PART(v[b], (const unsigned char *)(x + (size_t)b * cols + at), MS_NN_F32, n);
         for (r = 0; r < rows; ++r) {
-            MS_NN__W_PART(u, w[r] + at * ms_nn__bytes_of(dtype), dtype, n);
+            MS_NN__W_PART(u, w + ((size_t)r * cols + at) * size, dtype, n);
             for (b = 0; b < batch; ++b) total[b * rows + r] = MS_NN__V_MADD(u, v[b], total[b * rows + r]);
         }
     }
 }
 
-MS_NN__INLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch, const unsigned char *const *w, const float *const *x,
-                                     size_t left, MS_NN__V_FLOATS *total)
+MS_NN__INLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch, size_t left, MS_NN__V_FLOATS *total)
 {
     const ms_nn__matrix *m = job->m;
     int b, i;
-    float bias[4] = {0, 0, 0, 0};
+    MS_NN__Q_FLOATS bias = m->bias && !job->linear ? MS_NN__FN(quad)(m->bias + 4 * row, rows) : MS_NN__Q_SET(0.0f);
+    MS_NN__Q_FLOATS scale = m->scale ? MS_NN__FN(quad)(m->scale + 4 * row, rows) : MS_NN__Q_SET(1.0f);
     if (left) { /* a copy, so that the sums stay in registers without it */
         MS_NN__V_FLOATS sum[3 * MS_NN__W_ROWS];
         MS_NN__UNROLL
         for (i = 0; i < rows * batch; ++i) sum[i] = total[i];
-        MS_NN__FN(rest)(sum, rows, batch, w, m->dtype, x, left);
+        MS_NN__FN(rest)(job, row, sample, sum, rows, batch, left);
         MS_NN__UNROLL
         for (i = 0; i < rows * batch; ++i) total[i] = sum[i];
-    }
-    if (m->bias && !job->linear) {
-        MS_NN__UNROLL
-        for (i = 0; i < 4; ++i) bias[i] = ms_nn__float_at(m->bias, row + (size_t)(i % rows));
     }
     MS_NN__UNROLL
     for (i = 0; i < rows * batch; i += 4) { /* sums of 4 / rows samples */
         MS_NN__V_FLOATS four[4];
         float out[4];
         MS_NN__UNROLL
-        for (b = 0; b < 4; ++b) {
-            four[b] = total[i + b < rows * batch ? i + b : i];
-            out[b] = bias[b];
-        }
-        MS_NN__FN(sum4)(four, out);
+        for (b = 0; b < 4; ++b) four[b] = total[i + b < rows * batch ? i + b : i];
+        MS_NN__FN(sum4)(four, scale, bias, out);
         MS_NN__UNROLL
         for (b = 0; b < 4; ++b)
             if (b < 4 / rows && i + b * rows < rows * batch) memcpy(job->y + (sample + (size_t)(i / rows + b)) * m->rows + row, out + b * rows, (size_t)rows * sizeof(float));
     }
 }
 
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish_rows)(const ms_nn__dense *job, size_t row, size_t sample, int rows, const unsigned char *const *w, const float *const *x,
-                                         size_t left, MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS c, MS_NN__V_FLOATS d)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish_rows)(const ms_nn__dense *job, size_t row, size_t sample, int rows, size_t left, MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS c, MS_NN__V_FLOATS d)
 {
     MS_NN__V_FLOATS total[4];
     total[0] = a;
     total[1] = b;
     total[2] = c;
     total[3] = d;
-    if (rows == MS_NN__W_ROWS) MS_NN__FN(finish)(job, row, sample, MS_NN__W_ROWS, 1, w, x, left, total);
-    else MS_NN__FN(finish)(job, row, sample, 1, 1, w, x, left, total);
+    if (rows == MS_NN__W_ROWS) MS_NN__FN(finish)(job, row, sample, MS_NN__W_ROWS, 1, left, total);
+    else MS_NN__FN(finish)(job, row, sample, 1, 1, left, total);
 }
 #endif
 
-/* `rows` rows of a type times `batch` samples, all three constants, but for what is left of the columns: w and x point there. */
-MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch, const unsigned char **w, const float **x,
-                                   MS_NN__V_FLOATS *total)
+/* `rows` rows of a type times `batch` samples, all three constants, but for what is left of the columns. */
+MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch, MS_NN__V_FLOATS *total)
 {
     size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), k = 0;
+    const unsigned char *w[MS_NN__W_ROWS];
+    const float *x[3];
     MS_NN__V_FLOATS s[MS_NN__W_ROWS][3][MS_NN__W_CHAINS];
     int r, b, c;
     MS_NN__UNROLL
@@ -6224,6 +6167,7 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
                 const unsigned char *p = w[0] + (k + 8 * (size_t)c) * size;
                 if (dtype == MS_NN_F32) u = _mm256_loadu_ps((const float *)(const void *)p);
                 else if (dtype == MS_NN_F16) u = _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)p));
+                else if (dtype == MS_NN_I8) u = _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)p)));
                 else u = _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)p)), 16));
                 half[c] = _mm256_fmadd_ps(u, _mm256_loadu_ps(x[0] + k + 8 * (size_t)c), half[c]);
             }
@@ -6253,10 +6197,7 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
         }
     }
     MS_NN__UNROLL
-    for (b = 0; b < batch; ++b) x[b] += k;
-    MS_NN__UNROLL
     for (r = 0; r < rows; ++r) {
-        w[r] += k * size;
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
             MS_NN__V_FLOATS sum = MS_NN__V_ADD(s[r][b][0], s[r][b][1]);
@@ -6268,41 +6209,40 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
     }
 }
 
-MS_NN__INLINE void MS_NN__FN(sums_typed)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch, const unsigned char **w, const float **x, MS_NN__V_FLOATS *total)
+MS_NN__INLINE void MS_NN__FN(sums_typed)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch, MS_NN__V_FLOATS *total)
 {
-    if (job->m->dtype == MS_NN_F32) MS_NN__FN(sums)(job, row, sample, MS_NN_F32, rows, batch, w, x, total);
-    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(sums)(job, row, sample, MS_NN_F16, rows, batch, w, x, total);
-    else MS_NN__FN(sums)(job, row, sample, MS_NN_BF16, rows, batch, w, x, total);
+    if (job->m->dtype == MS_NN_F32) MS_NN__FN(sums)(job, row, sample, MS_NN_F32, rows, batch, total);
+    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(sums)(job, row, sample, MS_NN_F16, rows, batch, total);
+    else if (job->m->dtype == MS_NN_BF16) MS_NN__FN(sums)(job, row, sample, MS_NN_BF16, rows, batch, total);
+    else MS_NN__FN(sums)(job, row, sample, MS_NN_I8, rows, batch, total);
 }
 
 #if MS_NN__V_LANES > 1
 /* MS_NN__W_ROWS rows times three samples. */
 MS_NN__KERNEL MS_NN__APART void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
 {
-    const unsigned char *w[MS_NN__W_ROWS];
-    const float *x[3];
     MS_NN__V_FLOATS total[3 * MS_NN__W_ROWS];
-    MS_NN__FN(sums_typed)(job, row, sample, MS_NN__W_ROWS, 3, w, x, total);
-    MS_NN__FN(finish)(job, row, sample, MS_NN__W_ROWS, 3, w, x, job->m->cols % (MS_NN__V_LANES * MS_NN__W_CHAINS), total);
+    MS_NN__FN(sums_typed)(job, row, sample, MS_NN__W_ROWS, 3, total);
+    MS_NN__FN(finish)(job, row, sample, MS_NN__W_ROWS, 3, job->m->cols % (MS_NN__V_LANES * MS_NN__W_CHAINS), total);
 }
 #endif
 
 /* `rows` rows times one sample. */
 MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, int rows)
 {
-    const unsigned char *w[MS_NN__W_ROWS];
-    const float *x[3];
     MS_NN__V_FLOATS total[3 * MS_NN__W_ROWS];
     size_t left = job->m->cols % (MS_NN__V_LANES * MS_NN__W_CHAINS);
-    MS_NN__FN(sums_typed)(job, row, sample, rows, 1, w, x, total);
+    MS_NN__FN(sums_typed)(job, row, sample, rows, 1, total);
 #if MS_NN__V_LANES == 1
     {
-        size_t k, size = ms_nn__bytes_of(job->m->dtype);
-        for (k = 0; k < left; ++k) total[0] += MS_NN__FN(weight)(w[0] + k * size, job->m->dtype) * x[0][k];
+        size_t k, cols = job->m->cols;
+        ms_nn_dtype dtype = job->m->dtype;
+        for (k = cols - left; k < cols; ++k) total[0] += MS_NN__FN(weight)(job->m->w + (row * cols + k) * ms_nn__bytes_of(dtype), dtype) * job->x[sample * cols + k];
+        if (job->m->scale) total[0] *= ms_nn__float_at(job->m->scale, row);
         job->y[sample * job->m->rows + row] = total[0] + (job->m->bias && !job->linear ? ms_nn__float_at(job->m->bias, row) : 0.0f);
     }
 #else
-    MS_NN__FN(finish_rows)(job, row, sample, rows, w, x, left, total[0], total[rows > 1 ? 1 : 0], total[rows > 2 ? 2 : 0], total[rows > 3 ? 3 : 0]);
+    MS_NN__FN(finish_rows)(job, row, sample, rows, left, total[0], total[rows > 1 ? 1 : 0], total[rows > 2 ? 2 : 0], total[rows > 3 ? 3 : 0]);
 #endif
 }
 
@@ -6964,11 +6904,9 @@ static const ms_nn__kernels MS_NN__FN(table) = {
 #undef MS_NN__B_FLIP
 #undef MS_NN__B_OFFSET
 #undef MS_NN__B_SUM
-#undef MS_NN__B_SUM4
 #undef MS_NN__B_DOT
 #undef MS_NN__B_PART
 #undef MS_NN__B_WIDEN
-#undef MS_NN__B_ROWS
 #undef MS_NN__B_ASK
 #undef MS_NN__V_MAX_NAN
 #undef MS_NN__V_PAIR_MAX
@@ -6984,6 +6922,8 @@ static const ms_nn__kernels MS_NN__FN(table) = {
 #undef MS_NN__V_MAX
 #undef MS_NN__V_MIN
 #undef MS_NN__V_IF_GREATER
+#undef MS_NN__Q_FLOATS
+#undef MS_NN__Q_SET
 #undef MS_NN__V_FOLD
 #undef MS_NN__V_INT
 #undef MS_NN__V_ROUND

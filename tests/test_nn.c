@@ -1093,34 +1093,51 @@ static void test_copy(void)
     net_free(&net);
 }
 
-/* Integer sums: an I8 dense layer gives the same bits at every level. */
+/* Integer sums: a large I8 dense layer gives the same bits at every level, alone and in a batch, and is as near to the sum in double
+   as 21 bits of the input allow. */
 static void test_int8_levels(void)
 {
+    static const int sizes[4] = {13, 364, 9841, 66000}; /* the last: more than a run of sums */
     uint64_t state = test_seed + 9;
-    float first[700], y[700], *x;
-    int simd, i, cols;
-    for (cols = 1; cols < 70000; cols = cols * 3 + 1) {
+    float y[700], *x;
+    int simd, i, k, which;
+    for (which = 0; which < 4; ++which) {
+        int cols = sizes[which], rows = 2000000 / cols + 2;
+        float *first = (float *)malloc(2 * (size_t)rows * sizeof(float)), *out = (float *)malloc(2 * (size_t)rows * sizeof(float));
         ref_net net;
         net_begin(&net, MS_NN_I8, 1, cols, 1, 1);
-        net_dense(&net, 70, 0);
+        net_dense(&net, rows, 0);
         net_end(&net, &state);
-        x = (float *)malloc((size_t)cols * sizeof(float));
-        for (i = 0; i < cols; ++i) x[i] = (float)test_normal(&state);
+        x = (float *)malloc(2 * (size_t)cols * sizeof(float));
+        for (i = 0; i < 2 * cols; ++i) x[i] = (float)test_normal(&state);
         for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
             ms_nn *nn = net_load(&net, (ms_simd)simd, 0);
-            CHECK_INT(ms_nn_forward(nn, 1, x, simd == MS_SIMD_SCALAR ? first : y, NULL), MS_OK);
-            if (simd > MS_SIMD_SCALAR) CHECK_INT(memcmp(first, y, 70 * sizeof(float)), 0);
+            CHECK_INT(ms_nn_forward(nn, 2, x, simd == MS_SIMD_SCALAR ? first : out, NULL), MS_OK);
+            if (simd > MS_SIMD_SCALAR) CHECK_INT(memcmp(first, out, 2 * (size_t)rows * sizeof(float)), 0);
+            CHECK_INT(ms_nn_forward(nn, 1, x + cols, out, NULL), MS_OK);
+            CHECK_INT(memcmp(first + rows, out, (size_t)rows * sizeof(float)), 0);
             ms_nn_destroy(nn);
         }
+        for (i = 0; i < rows; i += 1 + rows / 500) {
+            double sum = net.layer[0].b[i], magnitude = 0, largest = 0;
+            for (k = 0; k < cols; ++k) {
+                sum += net.layer[0].w[(size_t)i * (size_t)cols + (size_t)k] * (double)x[k];
+                magnitude += fabs(net.layer[0].w[(size_t)i * (size_t)cols + (size_t)k]);
+                largest = fmax(largest, fabs((double)x[k]));
+            }
+            /* each input within half a unit of largest / 1040319; rounded once */
+            CHECK_NEAR(first[i], sum, 0.5001 / 1040319 * largest * magnitude + 1.2e-7 * fabs(sum) + 1e-12);
+        }
+        free(first);
+        free(out);
         free(x);
         net_free(&net);
     }
     /* the largest sums: all weights -128 (not symmetric), all digits at their end, more columns than a run of sums */
     {
         ref_net net;
-        size_t k;
         net_begin(&net, MS_NN_I8, 1, 140000, 1, 1);
-        net_dense(&net, 3, 0);
+        net_dense(&net, 15, 0);
         net_end(&net, &state);
         for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
             ms_nn *nn = net_load(&net, (ms_simd)simd, 0);
