@@ -53,6 +53,29 @@ static void fuzz_collapse(const ms_nn *nn, const float *x, const float *target)
     ms_nn_collapse_destroy(c);
 }
 
+/* As shaders: refused, or as long as it says. */
+static void fuzz_shader(const ms_nn *nn, size_t size)
+{
+    ms_nn_shader s;
+    ms_nn_shader_sizes z;
+    memset(&s, 0, sizeof s);
+    s.steps = (int)(size / 4 % 4);
+    s.language = (ms_nn_language)(size % 5);
+    if (size / 16 % 2) s.width = s.height = 2;
+    for (z.steps = 1; s.step < z.steps && ms_nn_shader_layout(nn, &s, &z, NULL) == MS_OK; ++s.step) {
+        size_t length = ms_nn_shader_text(nn, &s, NULL, 0, NULL);
+        char *text = (char *)malloc(length + 1);
+        if (text && (ms_nn_shader_text(nn, &s, text, length + 1, NULL) != length || strlen(text) != length)) abort();
+        free(text);
+    }
+    s.step = 0;
+    if (ms_nn_shader_layout(nn, &s, &z, NULL) == MS_OK && z.weight_rows < 16) {
+        void *weights = malloc((size_t)z.weight_rows * MS_NN_SHADER_WIDTH * 16);
+        if (weights) ms_nn_shader_weights(nn, size % 2 ? MS_NN_F16 : MS_NN_F32, weights, NULL);
+        free(weights);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     ms_nn_options options = ms_nn_defaults();
@@ -74,6 +97,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             for (i = 0; i < out; ++i) g_y[i] = 1;
             ms_nn_vjp(nn, 1, x, g_y, y, g_x, NULL);
             if (in < 256 && out < 256) fuzz_collapse(nn, x, g_y);
+            fuzz_shader(nn, size);
             free(x);
         }
     }
