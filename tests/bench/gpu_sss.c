@@ -1,18 +1,27 @@
 /* Milliseconds of the shaders of ms_sss.h on this machine's GPU, by timer queries: make bench-gpu. Beside them a shader with
    the structure of the released one (one filtered read of colour and one of depth a tap, no masks) and a disc of 64
-   samples. A software driver is timed at 1080p only, once: --full for all. */
+   samples, both without masks, slopes or elevation. A software driver is timed at 1080p only, once: --full for all. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "bench.h"
 #include "gl/egl.h"
 
-enum { COLOUR, DEPTH, MIDDLE, MIDDLE_HALF, TARGET, TEXTURES };
-static const char *const binding_name[TEXTURES] = {"colour", "depth", "", "", ""};
+enum { COLOUR, DEPTH, MIDDLE, MIDDLE_HALF, TARGET, SMALL, SMALL_MIDDLE, SMALL_TARGET, TOWER, TEXTURES = TOWER + 4 * MS_SSS_PYRAMID_LEVELS };
+
+enum { TAPS, RELEASED, DISC, HALF, PYRAMID }; /* what runs */
 
 typedef struct contender {
     const char *name, *reads;
-    int slopes, profiles, half, compute, other; /* other: 1 released, 2 disc */
+    int slopes, profiles, half, compute, other; /* half: 16 bits */
 } contender;
+
+/* One draw: a step of ms_sss.h of a level, its program, the textures it writes. */
+typedef struct draw {
+    ms_sss_step step;
+    int level, to, other, group[2];
+    GLuint program;
+} draw;
+enum { DRAWS = 2 * MS_SSS_PYRAMID_LEVELS };
 
 static const contender contenders[] = {
     {"ours, 7 taps", "27", 0, 1, 0, 0, 0},
@@ -22,8 +31,12 @@ static const contender contenders[] = {
     {"**ours, slopes and elevation**", "35", 1, 1, 0, 0, 0},
     {"ours, slopes, 16 profiles", "35", 1, 16, 0, 0, 0},
     {"ours, slopes, compute", "35 of a tile", 1, 1, 0, 1, 0},
-    {"structure of the released shader, 7 taps", "28 filtered", 0, 1, 1, 0, 1},
-    {"disc of 64 samples", "130", 0, 1, 0, 0, 2},
+    {"structure of the released shader, 7 taps", "28 filtered", 0, 1, 1, 0, RELEASED},
+    {"disc of 64 samples", "130", 0, 1, 0, 0, DISC},
+    {"ours, half resolution", "17", 0, 1, 0, 0, HALF},
+    {"**ours, half resolution, slopes and elevation**", "19", 1, 1, 0, 0, HALF},
+    {"ours, pyramid, flat", "68", 0, 1, 0, 0, PYRAMID},
+    {"**ours, pyramid, slopes and elevation**", "68 or more", 1, 1, 0, 0, PYRAMID},
 };
 
 /* One pass: colour and depth filtered at each tap, the tap's colour fades to the pixel's own with the depth between. */
@@ -66,6 +79,7 @@ static const char *const disc =
 static char text[40000], log_text[2000];
 static float constants[400][4];
 static ms_sss_kernel kernel[MS_SSS_SHADER_PROFILES_MAX];
+static ms_sss_pyramid pyramid;
 
 static void stop(const char *what, const char *why)
 {
@@ -73,30 +87,36 @@ static void stop(const char *what, const char *why)
     exit(1);
 }
 
-/* Nanoseconds by the GPU's own clock; software: of this process on its processors, for its driver draws after the query's end. */
-static double timed(void (*get)(GLuint, GLenum, uint64_t *), GLuint query, int software, const contender *c, GLuint program[2], const GLuint *texture,
-                    const ms_sss_shader *shader, int width, int height)
+static int side_of(int side, int which)
 {
+    int i;
+    for (i = which >= TOWER ? (which - (int)TOWER) / 4 : which >= SMALL; i > 0; --i) side = (side + 1) / 2;
+    return side;
+}
+
+/* Nanoseconds by the GPU's own clock; software: of this process on its processors, for its driver draws after the query's end. */
+static double timed(void (*get)(GLuint, GLenum, uint64_t *), GLuint query, int software, const contender *c, const draw *d, int draws, const GLuint *texture,
+                    int width, int height)
+{
+    static const GLenum both[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     uint64_t ns = 0;
     double start;
-    int step;
+    int i;
     gl_Finish();
     start = bench__clock(CLOCK_PROCESS_CPUTIME_ID);
     gl_BeginQuery(0x88BF /* GL_TIME_ELAPSED */, query);
-    for (step = 0; step < (c->other == 2 ? 1 : 2); ++step) {
-        const GLuint middle = texture[c->half ? MIDDLE_HALF : MIDDLE], to = step || c->other == 2 ? texture[TARGET] : middle;
-        gl_UseProgram(program[step]);
+    for (i = 0; i < draws; ++i, ++d) {
+        const int w = side_of(width, d->to), h = side_of(height, d->to);
+        gl_UseProgram(d->program);
         if (c->compute) {
-            ms_sss_shader s = *shader;
-            int gx, gy;
-            s.step = step ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
-            gx = ms_sss_shader_group(&s, 0);
-            gy = ms_sss_shader_group(&s, 1);
-            gl_BindImageTexture(0, to, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-            gl_DispatchCompute((GLuint)((width + gx - 1) / gx), (GLuint)((height + gy - 1) / gy), 1);
+            gl_BindImageTexture(0, texture[d->to], 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+            gl_DispatchCompute((GLuint)((w + d->group[0] - 1) / d->group[0]), (GLuint)((h + d->group[1] - 1) / d->group[1]), 1);
             gl_MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
         } else {
-            gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, to, 0);
+            gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, d->other ? texture[d->other] : 0, 0);
+            gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[d->to], 0);
+            gl_DrawBuffers(d->other ? 2 : 1, both);
+            gl_Viewport(0, 0, w, h);
             gl_DrawArrays(GL_TRIANGLES, 0, 3);
         }
     }
@@ -107,15 +127,55 @@ static double timed(void (*get)(GLuint, GLenum, uint64_t *), GLuint query, int s
     return (double)ns;
 }
 
+/* The draws of a contender, in order; returns how many. */
+static int plan(const contender *c, int levels, draw *d)
+{
+    const int middle = c->half ? MIDDLE_HALF : MIDDLE;
+    int n = 0, l;
+    memset(d, 0, DRAWS * sizeof *d);
+    if (c->other == PYRAMID) {
+        d[n].step = MS_SSS_STEP_BASE, d[n].to = TOWER, d[n++].other = TOWER + 1;
+        for (l = 0; l + 1 < levels; ++l, ++n) d[n].step = MS_SSS_STEP_SHRINK, d[n].level = l, d[n].to = TOWER + 4 * l + 4, d[n].other = TOWER + 4 * l + 5;
+        for (l = levels - 2; l > 0; --l, ++n) d[n].step = MS_SSS_STEP_GATHER, d[n].level = l, d[n].to = TOWER + 4 * l + 2, d[n].other = TOWER + 4 * l + 3;
+        d[n].step = MS_SSS_STEP_RESOLVE, d[n++].to = TARGET;
+        return n;
+    }
+    if (c->other == HALF) d[n].step = MS_SSS_STEP_DOWN, d[n++].to = SMALL;
+    d[n].step = MS_SSS_STEP_X, d[n++].to = c->other == HALF ? SMALL_MIDDLE : c->other == DISC ? TARGET : middle;
+    if (c->other != DISC) d[n].step = MS_SSS_STEP_Y, d[n++].to = c->other == HALF ? SMALL_TARGET : TARGET;
+    if (c->other == HALF) d[n].step = MS_SSS_STEP_UP, d[n++].to = TARGET;
+    return n;
+}
+
+/* The texture that a draw of ours reads by a name of ms_sss.h's list. */
+static int read_by(const contender *c, const draw *d, int name)
+{
+    const int level = TOWER + 4 * d->level, next = d->level + 1 < MS_SSS_PYRAMID_LEVELS ? level + 4 : level;
+    const int x = d->step == MS_SSS_STEP_X, y = d->step == MS_SSS_STEP_Y, half = c->other == HALF;
+    switch (name) {
+    case 0: return d->step > MS_SSS_STEP_BASE ? level : y ? half ? SMALL_MIDDLE : c->half ? MIDDLE_HALF : MIDDLE : x && half ? SMALL : COLOUR;
+    case 3: return half ? SMALL : COLOUR;
+    case 5: return half ? SMALL_TARGET : next + 2;
+    case 8: return level + 1;
+    case 9: return next;
+    case 10: return next + 1;
+    default: return next + 3;
+    }
+}
+
 static bench_time measure(const contender *c, int width, int height, const GLuint *texture, int runs, int software)
 {
+    static const char *const name[12] = {"ms_sss_colour", "", "", "ms_sss_input", "", "ms_sss_sum", "", "", "ms_sss_surface", "ms_sss_coarse",
+                                         "ms_sss_coarse_surface", "ms_sss_weight"};
     void (*get)(GLuint, GLenum, uint64_t *) = (void (*)(GLuint, GLenum, uint64_t *))eglGetProcAddress("glGetQueryObjectui64v");
     ms_sss_filter_options o = ms_sss_filter_defaults();
     ms_sss_shader s;
     ms_error error;
-    GLuint program[2] = {0, 0}, query;
+    ms_status status;
+    draw d[DRAWS];
+    GLuint query;
     double t[64];
-    int i, step;
+    int i, k, n = plan(c, ms_sss_shader_levels(width, height), d);
     o.fov_degrees = 40;
     o.flat = c->slopes ? 0.0f : 1.0f;
     memset(&s, 0, sizeof s);
@@ -126,30 +186,34 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     s.profile = c->profiles > 1 ? MS_SSS_ALPHA : MS_SSS_NONE;
     s.compute = c->compute;
     s.half_target = c->half && !c->compute;
-    if (ms_sss_shader_constants(kernel, 0, &o, width, height, &s, constants, &error) != MS_OK) stop(c->name, error.message);
-    for (step = 0; step < 2; ++step) {
-        const float frame[4] = {(float)width, (float)height, (float)step, constants[0][2]};
-        s.step = step ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
-        if (!ms_sss_shader_text(&s, &o, text, sizeof text, &error)) stop(c->name, error.message);
-        program[step] = gl_program(c->compute ? NULL : gl_corner[0], c->other == 1 ? released : c->other ? disc : text, log_text, sizeof log_text);
-        if (!program[step]) stop(c->name, log_text);
-        gl_Uniform4fv(gl_GetUniformLocation(program[step], "ms_sss"), ms_sss_shader_constant_count(&s), constants[0]);
-        gl_Uniform4fv(gl_GetUniformLocation(program[step], "frame"), 1, frame);
-        if (c->other == 1) {
+    s.half_resolution = c->other == HALF;
+    for (i = 0; i < n; ++i) {
+        float frame[4] = {(float)width, (float)height, (float)i, 0};
+        s.step = d[i].step;
+        status = c->other == PYRAMID ? ms_sss_shader_pyramid(&pyramid, &o, width, height, &s, d[i].level, 0, constants, &error)
+                                     : ms_sss_shader_constants(kernel, 0, &o, width, height, &s, constants, &error);
+        if (status != MS_OK || !ms_sss_shader_text(&s, &o, text, sizeof text, &error)) stop(c->name, error.message);
+        frame[3] = constants[0][2];
+        d[i].group[0] = ms_sss_shader_group(&s, 0);
+        d[i].group[1] = ms_sss_shader_group(&s, 1);
+        d[i].program = gl_program(c->compute ? NULL : gl_corner[0], c->other == RELEASED ? released : c->other == DISC ? disc : text, log_text, sizeof log_text);
+        if (!d[i].program) stop(c->name, log_text);
+        gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "ms_sss"), ms_sss_shader_constant_count(&s), constants[0]);
+        gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "frame"), 1, frame);
+        if (c->other == RELEASED) {
             static float taps[7][4];
             ms_sss_kernel_upload(kernel, 0, 0, 0, taps, NULL);
-            gl_Uniform4fv(gl_GetUniformLocation(program[step], "taps"), 7, taps[0]);
+            gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "taps"), 7, taps[0]);
         }
-        gl_Uniform1i(gl_GetUniformLocation(program[step], "ms_sss_colour"), step ? (c->half ? MIDDLE_HALF : MIDDLE) : COLOUR);
-        gl_Uniform1i(gl_GetUniformLocation(program[step], "ms_sss_input"), COLOUR);
-        gl_Uniform1i(gl_GetUniformLocation(program[step], binding_name[COLOUR]), step ? MIDDLE_HALF : COLOUR);
-        gl_Uniform1i(gl_GetUniformLocation(program[step], binding_name[DEPTH]), DEPTH);
+        for (k = 0; k < 12; ++k)
+            if (name[k][0]) gl_Uniform1i(gl_GetUniformLocation(d[i].program, name[k]), read_by(c, &d[i], k));
+        gl_Uniform1i(gl_GetUniformLocation(d[i].program, "colour"), i ? MIDDLE_HALF : COLOUR);
+        gl_Uniform1i(gl_GetUniformLocation(d[i].program, "depth"), DEPTH);
     }
     gl_GenQueries(1, &query);
-    timed(get, query, software, c, program, texture, &s, width, height); /* compiles and warms up */
-    for (i = 0; i < runs; ++i) t[i] = 1e-6 * timed(get, query, software, c, program, texture, &s, width, height);
-    gl_DeleteProgram(program[0]);
-    gl_DeleteProgram(program[1]);
+    timed(get, query, software, c, d, n, texture, width, height); /* compiles and warms up */
+    for (i = 0; i < runs; ++i) t[i] = 1e-6 * timed(get, query, software, c, d, n, texture, width, height);
+    for (i = 0; i < n; ++i) gl_DeleteProgram(d[i].program);
     return bench_summary(t, runs);
 }
 
@@ -170,13 +234,13 @@ int main(int argc, char **argv)
     software = strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe") || strstr(renderer, "SwiftShader");
     sizes = software && !full ? 1 : 2;
     if (ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, NULL) != MS_OK ||
-        ms_sss_kernel_make(&kernel[0], NULL, profile, 24, NULL, NULL, NULL) != MS_OK) stop("kernel", "not made");
+        ms_sss_kernel_make(&kernel[0], NULL, profile, 24, NULL, NULL, NULL) != MS_OK || ms_sss_pyramid_make(&pyramid, profile, NULL) != MS_OK) stop("kernel", "not made");
     ms_sss_profile_destroy(profile);
     for (i = 1; i < MS_SSS_SHADER_PROFILES_MAX; ++i) kernel[i] = kernel[0];
     for (k = 0; k < sizes; ++k) {
         const int w = size[k][0], h = size[k][1];
         float *pixels = (float *)malloc((size_t)(w * h) * 4 * sizeof(float)), *depth = (float *)malloc((size_t)(w * h) * sizeof(float));
-        GLuint texture[TEXTURES];
+        GLuint texture[TEXTURES] = {0};
         if (!pixels || !depth) stop("memory", "none");
         for (y = 0; y < h; ++y) { /* bumps 300 mm away, strips of 8 materials: a kernel's radius is some 20 pixels at 1080p */
             for (x = 0; x < w; ++x) {
@@ -196,10 +260,9 @@ int main(int argc, char **argv)
         texture[DEPTH] = gl_texture(DEPTH, GL_R32F, w, h, depth);
         texture[MIDDLE] = gl_texture(MIDDLE, GL_RGBA32F, w, h, NULL);
         texture[MIDDLE_HALF] = gl_texture(MIDDLE_HALF, GL_RGBA16F, w, h, NULL);
-        texture[TARGET] = gl_texture(TARGET, GL_RGBA32F, w, h, NULL);
-        gl_Viewport(0, 0, w, h);
+        for (i = TARGET; i < TOWER + 4 * ms_sss_shader_levels(w, h); ++i) texture[i] = gl_texture(i, GL_RGBA32F, side_of(w, i), side_of(h, i), NULL);
         for (i = 0; i < count; ++i) {
-            const GLint filter = contenders[i].other == 1 ? GL_LINEAR : GL_NEAREST;
+            const GLint filter = contenders[i].other == RELEASED ? GL_LINEAR : GL_NEAREST;
             for (x = 0; x < 4; ++x) {
                 gl_ActiveTexture((GLenum)(GL_TEXTURE0 + x));
                 gl_TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
@@ -212,7 +275,7 @@ int main(int argc, char **argv)
         free(depth);
     }
     printf("%s%s\n\n", renderer, software ? " - a SOFTWARE driver, in ms of processor time: how much work there is, nothing of a GPU" : "");
-    printf("| both passes | texels read | ms at 1080p | ms at 4K | x ours |\n|---|---:|---:|---:|---:|\n");
+    printf("| all passes | texels read | ms at 1080p | ms at 4K | x ours |\n|---|---:|---:|---:|---:|\n");
     for (i = 0; i < count; ++i) {
         printf("| %s | %s | %.3g +- %.2g | ", contenders[i].name, contenders[i].reads, result[0][i].median, result[0][i].spread);
         if (sizes > 1) printf("%.3g +- %.2g | ", result[1][i].median, result[1][i].spread);
