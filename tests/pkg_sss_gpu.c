@@ -22,7 +22,7 @@ static void make_picture(void)
     for (y = 0; y < HEIGHT; ++y) {
         for (x = 0; x < WIDTH; ++x) {
             const int i = y * WIDTH + x;
-            const double u = 2.0 * x / WIDTH - 1, v = 2.0 * y / HEIGHT - 1, bump = 0.7 - u * u - v * v;
+            const double u = 2.0 * x / WIDTH - 1.0071, v = 2.0 * y / HEIGHT - 1.0137, bump = 0.7 - u * u - v * v; /* off the middle: no ties */
             depth[i] = (float)(bump > 0 ? 50 - 10 * sqrt(bump) : 60 + u + 0.5 * v); /* which of four is the nearest is no matter of rounding */
             strength[i] = (float)(x % 9 == 0 && y % 5 == 0 ? 0 : 0.2 + 0.9 * test_uniform(&seed));
             for (c = 0; c < 4; ++c) light[4 * i + c] = (float)((x / 5 + y / 7) % 2 ? test_uniform(&seed) : 0.5);
@@ -190,14 +190,14 @@ static void find_jumps(const one_case *t, const ms_sss_frame *frame, int count, 
     f.output = ms_sss_interleaved(other, 4, 0);
     f.depth = ms_sss_map(moved, 1, 0);
     for (k = 0; k < 4; ++k) {
-        for (i = 0; i < PIXELS; ++i) moved[i] = (float)((double)given[i] * (1 + 6e-8 * (2 * test_uniform(&seed) - 1)));
+        for (i = 0; i < PIXELS; ++i) moved[i] = (float)((double)given[i] * (1 + 1.2e-7 * (2 * test_uniform(&seed) - 1)));
         if (ms_sss_filter(&f, t->kernel, count, &t->options, workspace, size, NULL) != MS_OK) TEST_FAIL("moved depths");
         for (i = 0; i < PIXELS; ++i)
             for (c = 0; c < 3; ++c)
                 if (!jumps[i] && fabs((double)other[4 * i + c] - (double)output[4 * i + c]) > 3e-5) jumps[i] = 1;
     }
     for (i = 0; i < PIXELS; ++i) found += jumps[i];
-    if (found > PIXELS / 6) TEST_FAIL("the filter jumps at %d pixels", found);
+    if (found > PIXELS / 200) TEST_FAIL("the filter jumps at %d pixels", found);
 }
 
 /* The right result in output, the input as the case packs it. */
