@@ -28,7 +28,7 @@ LDLIBS = -lm
 # Every implementation is compiled once; the examples are told that it is there and link what they use. (Each also
 # compiles alone, as its comment says.)
 TOOLS = build/mcml build/mcml_split build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
-	build/recommend build/latent build/nn_info build/nn_run build/nn_quantise build/preview build/match build/materialx build/workflow build/train
+	build/recommend build/latent build/nn_info build/nn_run build/nn_quantise build/preview build/match build/materialx build/workflow build/train build/own_shader
 DEMOS = build/demo_sss build/demo_match
 OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o
 MADE = -DMS_MCML_IMPLEMENTED -DMS_SSS_IMPLEMENTED -DMS_GPR_IMPLEMENTED -DMS_NN_IMPLEMENTED -DMS_PME_IMPLEMENTED -DIMAGE_IMPLEMENTED
@@ -85,6 +85,8 @@ build/materialx: examples/materialx.c examples/materialx.h examples/materials.h 
 	$(BUILD) examples/materialx.c $(LDLIBS)
 build/train: examples/train.c examples/train.h $(IMAGE) build/ms_nn.o
 	$(BUILD) -O3 -fno-math-errno -fno-trapping-math -D_POSIX_C_SOURCE=200809L examples/train.c build/ms_nn.o build/image.o $(LDLIBS) -lpthread
+build/own_shader: examples/own_shader.c $(IMAGE)
+	$(BUILD) examples/own_shader.c build/image.o $(LDLIBS)
 build/match: examples/match.c examples/matcher.h examples/neural.h examples/materials.h $(IMAGE) build/ms_nn.o build/ms_pme.o
 	$(BUILD) examples/match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h examples/text.h $(IMAGE) build/ms_nn.o build/ms_pme.o
@@ -154,7 +156,7 @@ dataset:
 	@CC="$(CC)" sh tests/render/dataset.sh
 hero: build/recommend
 	@CC="$(CC)" sh tests/render/hero.sh
-train:
+train: build/train
 	@CC="$(CC)" sh tests/train/train.sh
 
 common:

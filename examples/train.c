@@ -2,9 +2,10 @@
 
      cc -O2 -I. examples/train.c -o build/train -lpthread -lm       (-O3 -fno-math-errno -fno-trapping-math: faster)
      build/train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N | --psnr DB]
-                 [--rank 96] [--width 384] [--depth 3] [--type F16] [--epochs N] [--channels auto] [--hidden auto] [--seed 1]
+                 [--trunk RENDERER.safetensors] [--rank 96] [--width 384] [--depth 3] [--type F16] [--epochs N] [--channels auto] [--hidden auto] [--seed 1]
                  [--threads 2] [--again] [--every 20]
      build/train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--seed 1] [--threads 2]
+     build/train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]
 
    PICTURES: a folder of square PNG, PPM or PFM files, all of one size; or one file in which they stand below or beside each other, row by row
    (then --size says where to cut); or a folder of `make dataset`, which has the parameters too (PARAMS.csv: a line of their names, or -).
@@ -17,8 +18,10 @@
    depends on parameters of its own and others that all share, one network serves the three (--channels auto finds out; none; or lists such as
    "0,3,6;1,4,6;2,5,6"). Parameters that a picture does not depend on, since a lobe's share is 0 or 1, are drawn anew each time (--hidden auto finds
    them; none; or "0@7=1,4@7=0": the first where the eighth is 1 ..., of a channel's list).
-   --bytes (4M): the largest file; --psnr: the quality that is enough; either picks rank and type. --check: another data set of pictures for the
-   final measure; two of the same materials cancel their noise. Otherwise every 16th picture is held out.
+   --bytes (4M): the largest file; --psnr: the quality that is enough; either picks rank and type (a --rank that is a multiple of 32 runs fastest). --check: another folder, FOLDER, with FOLDER.csv (or of
+   `make dataset`), for the final measure; two of the same materials cancel their noise. Otherwise every 16th picture is held out.
+   --trunk: the trunk of a renderer that is there, and a new pixels' layer for it, of the pictures' full size: for larger pictures with more noise than
+   a trunk could learn from. They are regressed on its features in linear light, and what is noise in the result is shrunk (a folder of `make dataset`).
    A run that was interrupted goes on where OUT.safetensors.checkpoint says (written every 20 seconds), to the same bits; --again starts afresh.
 
    --inversion: --count small networks from a picture to its parameters, for build/match and ms_pme.h, learnt through the renderer alone: a picture
@@ -34,9 +37,10 @@
 #include <sys/time.h>
 
 static const char usage_text[] =
-    "usage: train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N | --psnr DB] [--rank 96] [--width 384] "
+    "usage: train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N | --psnr DB] [--trunk RENDERER.safetensors] [--rank 96] [--width 384] "
     "[--depth 3] [--type F32|F16|I8] [--epochs N] [--channels auto|none|LISTS] [--hidden auto|none|LIST] [--seed 1] [--threads 2] [--again] [--every 20]\n"
-    "       train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--seed 1] [--threads 2]\n";
+    "       train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--seed 1] [--threads 2]\n"
+    "       train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]\n";
 
 enum { MOST_PARAMETERS = 256, MOST_HIDDEN = 512, CHUNK = 128 };
 
@@ -76,6 +80,7 @@ typedef struct material_set {
     int count, parameters, size;
     float *x;          /* [count][parameters], mapped to [0, 1] */
     uint16_t *value;   /* [count][3][size][size]: display values as fractions of 65535 */
+    uint16_t *linear;  /* the same in linear light, as halves; NULL: not kept */
     char *names;       /* separated by commas */
     double *low, *high; /* [parameters] */
 } material_set;
@@ -84,6 +89,7 @@ static void set_free(material_set *s)
 {
     free(s->x);
     free(s->value);
+    free(s->linear);
     free(s->names);
     free(s->low);
     free(s->high);
@@ -334,14 +340,18 @@ static void read_part(void *context, int index)
             snprintf(p->problem[index % 8], sizeof p->problem[0], "%.120s: picture %d %s", p->name[index], i, bad == 2 ? "has a value that is no number" : "is cut off");
             break;
         }
-        add_picture(picture, p->side, p->set->size, 1, p->set->value + (size_t)(p->first[index] + i) * 3 * (size_t)p->set->size * (size_t)p->set->size);
+        if (p->set->linear) /* of the full size */
+            for (k = 0; k < pixels; ++k)
+                p->set->linear[(size_t)(p->first[index] + i) * pixels + k % 3 * (pixels / 3) + k / 3] = (uint16_t)(bytes[2 * k] | bytes[2 * k + 1] << 8);
+        if (p->set->value)
+            add_picture(picture, p->side, p->set->size, 1, p->set->value + (size_t)(p->first[index] + i) * 3 * (size_t)p->set->size * (size_t)p->set->size);
     }
     if (f) fclose(f);
     free(bytes);
     free(picture);
 }
 
-static int read_parts(train_pool *pool, const char *folder, char **name, int count, int size, material_set *s)
+static int read_parts(train_pool *pool, const char *folder, char **name, int count, int size, int linear, material_set *s)
 {
     parts p;
     int i, total = 0;
@@ -373,7 +383,8 @@ static int read_parts(train_pool *pool, const char *folder, char **name, int cou
     s->size = size ? size : p.side;
     if (p.side % s->size) return free(p.first), wrong("%s: pictures of %d pixels cannot be brought to %d: not a divisor", folder, p.side, s->size);
     s->x = (float *)zeros((size_t)total * 19, sizeof(float));
-    s->value = (uint16_t *)room((size_t)total * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
+    if (linear) s->linear = (uint16_t *)room((size_t)total * 3 * (size_t)p.side * (size_t)p.side, sizeof(uint16_t)), s->size = p.side;
+    else s->value = (uint16_t *)room((size_t)total * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
     train_run(pool, count, read_part, &p);
     free(p.first);
     for (i = 0; i < 8; ++i)
@@ -467,13 +478,13 @@ static char *names_like(int n)
 static int set_read(train_pool *pool, const char *pictures, const char *csv, int size, const material_set *like, material_set *s)
 {
     static const char *const part[] = {".bin", NULL}, *const picture[] = {".png", ".ppm", ".pgm", ".pfm", NULL};
-    char **name;
+    char **name, beside[1024];
     table t;
     int count = list_folder(pictures, part, &name), fine = 1, i, j;
     memset(s, 0, sizeof *s);
     memset(&t, 0, sizeof t);
     if (count > 0) {
-        fine = read_parts(pool, pictures, name, count, size, s);
+        fine = read_parts(pool, pictures, name, count, size, 0, s);
         if (fine && strcmp(csv, "-") != 0) fine = table_read(csv, &t);
         if (fine && t.names && t.columns != s->parameters) fine = wrong("%s: %d names, the data set has %d parameters", csv, t.columns, s->parameters);
         if (fine) s->names = t.names ? t.names : names_like(s->parameters);
@@ -481,6 +492,8 @@ static int set_read(train_pool *pool, const char *pictures, const char *csv, int
     } else {
         list_free(name, count > 0 ? count : 0);
         count = list_folder(pictures, picture, &name);
+        snprintf(beside, sizeof beside, "%.1000s.csv", pictures);
+        if (like) csv = beside; /* a set to check with has its own */
         fine = table_read(csv, &t);
         if (fine && count == 0) fine = wrong("%s: a folder without pictures (PNG, PPM, PFM)", pictures);
         if (fine && t.count == 0) fine = wrong("%s: names, but no rows", csv);
@@ -1120,7 +1133,7 @@ static int report_all(const char *what, const ms_nn *nn, const material_set *a, 
 /* --- a renderer --------------------------------------------------------------------------------------------------- */
 
 typedef struct options {
-    const char *check[2], *channels, *hidden;
+    const char *check[2], *channels, *hidden, *trunk;
     int size, held_out, rank, width, depth, epochs, threads, again, count, first;
     ms_nn_dtype type;
     double bytes, psnr, rate, every;
@@ -1355,6 +1368,196 @@ static void learn(trainer *t, const options *o, watch *w, size_t outputs, int ro
     free(order);
 }
 
+/* --- a larger picture from the coordinates of a smaller one ------------------------------------------------------- */
+
+/* The pixels' layer for pictures of the full size, whose noise is too large for components of their own (and to go through the display's curve):
+   each pixel is regressed on the coordinates that its averages gave, in the tangent of the curve at what the last pass drew, where noise of
+   mean zero stays so. Then what looks like noise is taken from the layer's columns, which are pictures. */
+typedef struct larger {
+    const material_set *s;   /* linear light */
+    const train_components *c;
+    int rank, lists, first;
+    float kept[3 * 1024];
+    float *basis, *mean;     /* [pixels][rank], [pixels]: of the last pass */
+    float *next, *next_mean; /* of this one */
+    float *variance;         /* [pixels][rank]: of basis, from what is left of each row: rows that weigh much may be noisy ones */
+    float *half, *decode, *slope; /* tables: of halves, of display values in 4095ths */
+} larger;
+
+enum { LARGER_TILE = 512, LARGER_ROWS = 96 };
+
+static void larger_tile(void *context, int tile)
+{
+    larger *l = (larger *)context;
+    size_t pixels = 3 * (size_t)l->s->size * (size_t)l->s->size / (size_t)l->lists, rows = (size_t)l->s->count * (size_t)l->lists, from = (size_t)tile * LARGER_TILE, i, p;
+    int wide = pixels - from < LARGER_TILE ? (int)(pixels - from) : (int)LARGER_TILE, n, j, r = l->rank;
+    float *y = (float *)room(LARGER_ROWS * LARGER_TILE, sizeof(float)), *z = (float *)zeros((size_t)wide * (size_t)r, sizeof(float));
+    float *left = (float *)zeros(LARGER_ROWS * LARGER_TILE, sizeof(float)), *square = (float *)room((size_t)LARGER_ROWS * (size_t)r, sizeof(float)), *z2 = (float *)zeros((size_t)wide * (size_t)r, sizeof(float));
+    double *sum = (double *)zeros(LARGER_TILE, sizeof(double));
+    train_work *w = (train_work *)room(1, sizeof *w);
+    for (i = 0; i < rows; i += LARGER_ROWS) {
+        n = rows - i < LARGER_ROWS ? (int)(rows - i) : (int)LARGER_ROWS;
+        if (!l->first)
+            train_product(w, n, wide, r, train_rows(l->c->coordinate + i * (size_t)r, (size_t)r), train_transposed(l->basis + from * (size_t)r, (size_t)r), y, (size_t)wide, 0);
+        for (j = 0; j < n; ++j) {
+            const uint16_t *in = l->s->linear + (i + (size_t)j) * pixels + from;
+            float *out = y + (size_t)j * (size_t)wide;
+            for (p = 0; p < (size_t)wide; ++p) {
+                float light = l->half[in[p]], v, target;
+                int at;
+                if (l->first) {
+                    v = light < 1 ? image_srgb_encode(light) : 1;
+                    out[p] = v - l->mean[from + p];
+                    continue;
+                }
+                v = out[p] + l->mean[from + p];
+                v = v > 0 ? v < 1 ? v : 1 : 0;
+                at = (int)(v * 4095 + 0.5f);
+                target = v + l->slope[at] * (light - l->decode[at]);
+                target = target < -0.3f ? -0.3f : target > 1.3f ? 1.3f : target;
+                left[j * wide + (int)p] = (target - v) * (target - v);
+                out[p] = target - l->mean[from + p];
+                sum[p] += (double)out[p];
+            }
+        }
+        train_product(w, wide, r, n, train_transposed(y, (size_t)wide), train_rows(l->c->coordinate + i * (size_t)r, (size_t)r), z, (size_t)r, 1);
+        for (j = 0; j < n * r; ++j) square[j] = l->c->coordinate[i * (size_t)r + (size_t)j] * l->c->coordinate[i * (size_t)r + (size_t)j];
+        if (!l->first) train_product(w, wide, r, n, train_transposed(left, (size_t)wide), train_rows(square, (size_t)r), z2, (size_t)r, 1);
+    }
+    for (p = 0; p < (size_t)wide; ++p) {
+        l->next_mean[from + p] = l->mean[from + p] + (float)(sum[p] / (double)rows);
+        for (j = 0; j < r; ++j) {
+            float by = 1 / (float)((double)rows * l->c->variance[j]);
+            l->next[(from + p) * (size_t)r + (size_t)j] = z[p * (size_t)r + (size_t)j] * by;
+            l->variance[(from + p) * (size_t)r + (size_t)j] = z2[p * (size_t)r + (size_t)j] * by * by;
+        }
+    }
+    free(y);
+    free(z);
+    free(left);
+    free(square);
+    free(z2);
+    free(sum);
+    free(w);
+}
+
+/* Wiener's filter on the levels of Haar's transform: of a plane [size][size] whose values have noise of these variances, what the pixels of a block
+   of 2 x 2 differ from their mean by is shrunk by the share of noise in 5 x 5 blocks; then the means, down to an odd size or 32. Returns how much
+   of the finest level is kept. */
+static double wiener(float *plane, const float *variance, int size)
+{
+    int small = size / 2, x, y, u, v, q;
+    size_t count = (size_t)small * (size_t)small;
+    float *mean, *old, *noise, *energy;
+    double kept = 0;
+    if (size % 2 || size <= 32) return 1;
+    mean = (float *)zeros(count, sizeof(float));
+    old = (float *)room(count, sizeof(float));
+    noise = (float *)zeros(count, sizeof(float));
+    energy = (float *)zeros(count, sizeof(float));
+    for (y = 0; y < size; ++y)
+        for (x = 0; x < size; ++x) {
+            mean[y / 2 * small + x / 2] += plane[y * size + x] / 4;
+            noise[y / 2 * small + x / 2] += variance[y * size + x] / 16;
+        }
+    for (y = 0; y < size; ++y)
+        for (x = 0; x < size; ++x) {
+            float d = plane[y * size + x] - mean[y / 2 * small + x / 2];
+            energy[y / 2 * small + x / 2] += d * d;
+        }
+    memcpy(old, mean, count * sizeof(float));
+    (void)wiener(mean, noise, small);
+    for (y = 0; y < small; ++y)
+        for (x = 0; x < small; ++x) {
+            float e = 0, s = 0, keep;
+            for (v = y > 1 ? y - 2 : 0; v < small && v <= y + 2; ++v)
+                for (u = x > 1 ? x - 2 : 0; u < small && u <= x + 2; ++u) e += energy[v * small + u], s += 12 * noise[v * small + u]; /* 4 values less their mean */
+            keep = e > 2 * s ? 1 - 2 * s / e : 0; /* twice: the noise of the few brightest paths is not known well */
+            kept += (double)keep / (double)count;
+            for (q = 0; q < 4; ++q) {
+                float *d = plane + (2 * y + q / 2) * size + 2 * x + q % 2;
+                *d = (*d - old[y * small + x]) * keep + mean[y * small + x];
+            }
+        }
+    free(mean);
+    free(old);
+    free(noise);
+    free(energy);
+    return kept;
+}
+
+/* Every column of the layer, which is a picture. */
+static void larger_shrink(void *context, int task)
+{
+    larger *l = (larger *)context;
+    int size = l->s->size, planes = 3 / l->lists, j = task / planes;
+    size_t count = (size_t)size * (size_t)size, at = (size_t)(task % planes) * count, i, step = (size_t)l->rank;
+    float *from = l->basis + at * step + j, *plane = (float *)zeros(count, sizeof(float)), *variance = (float *)zeros(count, sizeof(float));
+    for (i = 0; i < count; ++i) {
+        plane[i] = from[i * step];
+        variance[i] = l->variance[(at + i) * step + (size_t)j];
+    }
+    l->kept[task] = (float)wiener(plane, variance, size);
+    for (i = 0; i < count; ++i) from[i * step] = plane[i];
+    free(plane);
+    free(variance);
+}
+
+/* c and mean become those of s's size. The components of c are orthogonal on s's rows, its coordinates of mean zero. */
+static void larger_basis(train_pool *pool, const material_set *s, int lists, int rank, train_components *c, float **mean)
+{
+    larger l;
+    size_t pixels = 3 * (size_t)s->size * (size_t)s->size / (size_t)lists, rows = (size_t)s->count * (size_t)lists, i, p;
+    int pass, k, tiles = (int)((pixels + LARGER_TILE - 1) / LARGER_TILE);
+    memset(&l, 0, sizeof l);
+    l.s = s;
+    l.c = c;
+    l.rank = rank;
+    l.lists = lists;
+    l.basis = (float *)zeros(pixels * (size_t)rank, sizeof(float));
+    l.next = (float *)zeros(pixels * (size_t)rank, sizeof(float));
+    l.mean = (float *)zeros(pixels, sizeof(float));
+    l.next_mean = (float *)zeros(pixels, sizeof(float));
+    l.variance = (float *)zeros(pixels * (size_t)rank, sizeof(float));
+    l.half = (float *)room(65536, sizeof(float));
+    l.decode = (float *)room(4096, sizeof(float));
+    l.slope = (float *)room(4096, sizeof(float));
+    for (k = 0; k < 65536; ++k) l.half[k] = half_to_float((uint16_t)k);
+    for (k = 0; k < 4096; ++k) {
+        float v = (float)k / 4095, e = 1e-3f;
+        l.decode[k] = image_srgb_decode(v);
+        l.slope[k] = 2 * e / (image_srgb_decode(v + e) - image_srgb_decode(v > e ? v - e : 0) + (v > e ? 0 : e / 12.92f));
+    }
+    for (i = 0; i < rows; i += rows / 200 + 1) /* a start for the mean */
+        for (p = 0; p < pixels; ++p) {
+            float light = l.half[s->linear[i * pixels + p]];
+            l.mean[p] += light < 1 ? image_srgb_encode(light) : 1;
+        }
+    for (k = 0, i = 0; i < rows; i += rows / 200 + 1) ++k;
+    for (p = 0; p < pixels; ++p) l.mean[p] /= (float)k;
+    for (pass = 0; pass < 3; ++pass) {
+        float *t;
+        l.first = pass == 0;
+        train_run(pool, tiles, larger_tile, &l);
+        t = l.basis, l.basis = l.next, l.next = t;
+        if (pass) t = l.mean, l.mean = l.next_mean, l.next_mean = t;
+        if (pass) train_run(pool, rank * 3 / lists, larger_shrink, &l);
+    }
+    printf("detail of %d x %d: kept of the first features' %.2f %.2f %.2f, of the last %.2f; the rest is noise\n", s->size, s->size, (double)l.kept[0],
+           (double)l.kept[3 / lists], (double)l.kept[2 * 3 / lists], (double)l.kept[(rank - 1) * 3 / lists]);
+    free(c->basis);
+    free(*mean);
+    c->basis = l.basis;
+    c->rank = rank;
+    *mean = l.mean;
+    free(l.next);
+    free(l.next_mean);
+    free(l.variance);
+    free(l.half);
+    free(l.decode);
+    free(l.slope);
+}
+
 static const char *type_name(ms_nn_dtype t) { return t == MS_NN_I8 ? "I8" : t == MS_NN_F16 ? "F16" : "F32"; }
 
 static void say_form(const form *f, const material_set *s)
@@ -1445,26 +1648,26 @@ static int renderer_file(const trainer *t, const form *f, const train_components
     return fine;
 }
 
-/* Pixels [3][size][size] whose deviation over the pictures is above a hundredth of white. */
-static char *changing_pixels(const material_set *s)
+/* Pixels [3][size][size] whose deviation over the pictures is above a hundredth of white; of two takes (b, or NULL) without their noise. */
+static char *changing_pixels(const material_set *a, const material_set *b)
 {
-    size_t pixels = 3 * (size_t)s->size * (size_t)s->size, p;
+    size_t pixels = 3 * (size_t)a->size * (size_t)a->size, p;
     char *mark = (char *)zeros(pixels, 1);
-    double *sum = (double *)zeros(2 * pixels, sizeof(double));
-    int i, count = 0;
-    for (i = 0; i < s->count; ++i)
+    double *sum = (double *)zeros(3 * pixels, sizeof(double)), count = 0;
+    int i;
+    for (i = 0; i < a->count; ++i)
         for (p = 0; p < pixels; ++p) {
-            double v = s->value[(size_t)i * pixels + p] / 65535.0;
+            double v = a->value[(size_t)i * pixels + p] / 65535.0, w = b ? b->value[(size_t)i * pixels + p] / 65535.0 : v;
             sum[p] += v;
-            sum[pixels + p] += v * v;
+            sum[pixels + p] += w;
+            sum[2 * pixels + p] += v * w;
         }
     for (p = 0; p < pixels; ++p) {
-        double mean = sum[p] / s->count;
-        mark[p] = sum[pixels + p] / s->count - mean * mean > 1e-4;
+        mark[p] = sum[2 * pixels + p] / a->count - sum[p] / a->count * (sum[pixels + p] / a->count) > 1e-4;
         count += mark[p];
     }
     free(sum);
-    printf("pixels that change with the material, by a hundredth of white and more: %.0f%%\n", 100.0 * count / (double)pixels);
+    printf("pixels that change with the material, by a hundredth of white and more: %.0f%%\n", 100 * count / (double)pixels);
     return mark;
 }
 
@@ -1517,7 +1720,7 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
         held.value = s.value + (size_t)s.count * pixels;
         held.x = s.x + s.count * s.parameters;
     } else held = check[0];
-    changing = changing_pixels(&s);
+    changing = check[1].count ? changing_pixels(&check[0], &check[1]) : changing_pixels(&s, NULL);
 
     /* the channels as rows, or whole pictures, and their components */
     memset(&f, 0, sizeof f);
@@ -2023,6 +2226,179 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
     return 1;
 }
 
+/* --- a larger picture for a renderer that is there ---------------------------------------------------------------- */
+
+/* The trunk of --trunk, its features turned to the axes on which the pictures of this set vary, and a pixels' layer of their full size. */
+static int train_larger(train_pool *pool, const char *pictures, const char *csv, const char *path, options *o)
+{
+    static const char *const part[] = {".bin", NULL};
+    material_set s, check[2];
+    frozen r;
+    trainer t;
+    train_components c;
+    image__bytes bytes;
+    ms_nn *nn = NULL;
+    ms_error error;
+    table names;
+    char **name, *changing = NULL;
+    int count, i, j, k, rows, full, rank, hidden, fine = 1, last;
+    double start = now(), *covariance, *vector, *value, bytes_each, all = 0, left = 0;
+    float *mean, *x, *u, *act[TRAIN_LAYERS], *to, *m;
+    train_work *work = (train_work *)room(1, sizeof *work);
+    memset(&s, 0, sizeof s);
+    memset(check, 0, sizeof check);
+    memset(&t, 0, sizeof t);
+    memset(&c, 0, sizeof c);
+    memset(&bytes, 0, sizeof bytes);
+    if (!frozen_load(o->trunk, &r)) return 0;
+    count = list_folder(pictures, part, &name);
+    if (count < 1) return wrong("%s: --trunk needs a folder of `make dataset`: linear light", pictures);
+    if (!read_parts(pool, pictures, name, count, 0, 1, &s)) return 0;
+    list_free(name, count);
+    if (s.parameters != r.parameters) return wrong("%s: %d parameters, %s has %d", pictures, s.parameters, o->trunk, r.parameters);
+    memset(&names, 0, sizeof names);
+    if (strcmp(csv, "-") != 0 && !table_read(csv, &names)) return 0;
+    if (names.names == NULL) { /* the trunk's */
+        ms_nn_file *file = NULL;
+        const char *theirs = ms_nn_file_read(o->trunk, NULL, &file, NULL) == MS_OK ? ms_nn_file_metadata(file, "ms_parameters") : NULL;
+        if (theirs) strcpy(names.names = (char *)room(strlen(theirs) + 1, 1), theirs);
+        ms_nn_file_close(file);
+    }
+    s.names = names.names ? names.names : names_like(s.parameters);
+    names.names = NULL;
+    table_free(&names);
+    s.low = (double *)zeros((size_t)s.parameters, sizeof(double));
+    s.high = (double *)zeros((size_t)s.parameters, sizeof(double));
+    for (j = 0; j < s.parameters; ++j) s.high[j] = 1;
+    rows = s.count * r.f.lists;
+    full = r.rank;
+    last = r.net.layers - 1;
+    hidden = r.net.size[last];
+    x = (float *)room((size_t)rows * (size_t)r.f.inputs, sizeof(float));
+    u = (float *)room((size_t)rows * (size_t)full, sizeof(float));
+    inputs_of(&r.f, &s, x);
+    for (k = 0; k < r.net.layers; ++k) act[k] = (float *)room((size_t)CHUNK * (size_t)r.net.size[k + 1], sizeof(float));
+    for (i = 0; i < rows; i += CHUNK) {
+        int n = rows - i < CHUNK ? rows - i : (int)CHUNK;
+        train_forward(&r.net, work, n, x + (size_t)i * (size_t)r.f.inputs, act);
+        memcpy(u + (size_t)i * (size_t)full, act[last], (size_t)(n * full) * sizeof(float));
+    }
+    printf("%d pictures of %d x %d for the trunk of %s: %d features\n", s.count, s.size, s.size, o->trunk, full);
+
+    /* features about their mean, on the axes of their covariance */
+    m = (float *)zeros((size_t)full, sizeof(float));
+    covariance = (double *)zeros((size_t)(full * full), sizeof(double));
+    vector = (double *)zeros((size_t)(full * full), sizeof(double));
+    value = (double *)zeros((size_t)full, sizeof(double));
+    for (j = 0; j < full; ++j) {
+        double sum = 0;
+        for (i = 0; i < rows; ++i) sum += (double)u[i * full + j];
+        m[j] = (float)(sum / rows);
+    }
+    for (i = 0; i < rows; ++i)
+        for (j = 0; j < full; ++j) u[i * full + j] -= m[j];
+    train__gram(u, 0, (size_t)rows, full, covariance, work);
+    for (j = 0; j < full * full; ++j) covariance[j] /= rows;
+    train_eigen(full, covariance, vector, value);
+    bytes_each = o->type == MS_NN_I8 ? 1 : o->type == MS_NN_F16 ? 2 : 4;
+    rank = full;
+    if (o->bytes > 0) {
+        double pixels = 3.0 * s.size * s.size / r.f.lists, trunk = 0;
+        for (k = 0; k < last; ++k) trunk += 2.0 * (r.net.size[k] + 2) * r.net.size[k + 1];
+        rank = (int)((o->bytes - trunk - 8192 - (o->type == MS_NN_I8 ? 8 : 4) * pixels) / (bytes_each * pixels + 2.0 * hidden + 4));
+    } else if (o->rank < full) rank = o->rank;
+    rank = rank < full ? rank : full;
+    if (rank < 1) return wrong("--bytes %.0f is too few", o->bytes);
+    c.rank = c.known = rank;
+    c.variance = (double *)room((size_t)rank, sizeof(double));
+    for (j = 0; j < full; ++j) all += value[j], left += j < rank ? 0 : value[j];
+    for (j = 0; j < rank; ++j) c.variance[j] = value[j];
+    c.coordinate = (float *)room((size_t)rows * (size_t)rank, sizeof(float));
+    for (i = 0; i < rows; ++i)
+        for (j = 0; j < rank; ++j) {
+            double sum = 0;
+            for (k = 0; k < full; ++k) sum += (double)u[i * full + k] * vector[k * full + j];
+            c.coordinate[(size_t)i * (size_t)rank + (size_t)j] = (float)sum;
+        }
+    t.net = r.net; /* borrowed, but for the last layer */
+    t.net.p = (float *)room(r.net.count, sizeof(float));
+    memcpy(t.net.p, r.net.p, r.net.at[last] * sizeof(float));
+    t.net.size[last + 1] = rank;
+    t.rank = rank;
+    t.scale = 1;
+    to = train_weight(&t.net, last);
+    for (j = 0; j < rank; ++j)
+        for (i = 0; i <= hidden; ++i) {
+            double sum = 0;
+            for (k = 0; k < full; ++k)
+                sum += vector[k * full + j] * (double)(i < hidden ? train_weight(&r.net, last)[k * hidden + i] : train_bias(&r.net, last)[k] - m[k]);
+            if (i < hidden) to[j * hidden + i] = (float)sum;
+            else train_bias(&t.net, last)[j] = (float)sum;
+        }
+    printf("rank %d of %d, without %.4f%% of the features' variance; %.0f s so far\n", rank, full, 100 * left / all, now() - start);
+    fflush(stdout);
+    mean = NULL;
+    larger_basis(pool, &s, r.f.lists, rank, &c, &mean);
+    printf("pixels: %.0f s so far\n", now() - start);
+    fflush(stdout);
+    fine = renderer_file(&t, &r.f, &c, mean, &s, o->type, &bytes);
+    if (fine && ms_nn_load(bytes.data, bytes.size, NULL, &nn, &error) != MS_OK) fine = wrong("%s", error.message);
+    for (k = 0; k < 2 && o->check[k] && fine; ++k) fine = set_read(pool, o->check[k], csv, s.size, NULL, &check[k]);
+    if (fine && check[0].count) {
+        changing = changing_pixels(&check[0], check[1].count ? &check[1] : NULL);
+        fine = report_all("check", nn, &check[0], check[1].count ? &check[1] : NULL, changing);
+    }
+    if (fine) {
+        const char *problem = file_save(path, bytes.data, bytes.size);
+        if (problem) fine = wrong("%s: %s", path, problem);
+        else printf("%s: %.2f MB; %.0f s\n", path, 1e-6 * (double)bytes.size, now() - start);
+    }
+    ms_nn_destroy(nn);
+    free(bytes.data);
+    free(changing);
+    for (k = 0; k < r.net.layers; ++k) free(act[k]);
+    free(t.net.p);
+    free(mean);
+    free(x);
+    free(u);
+    free(m);
+    free(covariance);
+    free(vector);
+    free(value);
+    free(work);
+    train_components_free(&c);
+    frozen_free(&r);
+    set_free(&check[0]);
+    set_free(&check[1]);
+    set_free(&s);
+    return fine;
+}
+
+/* A network that is there against pictures. */
+static int measure_renderer(train_pool *pool, const char *path, const char *csv, const options *o)
+{
+    material_set check[2];
+    ms_nn *nn;
+    ms_error error;
+    char *changing;
+    int k, size = 0, fine = 1;
+    if (ms_nn_load_file(path, NULL, &nn, &error) != MS_OK) return wrong("%s: %s", path, error.message);
+    while (3 * (size_t)size * (size_t)size < ms_nn_output_size(nn)) ++size;
+    memset(check, 0, sizeof check);
+    for (k = 0; k < 2 && o->check[k] && fine; ++k) fine = set_read(pool, o->check[k], csv, size, k ? &check[0] : NULL, &check[k]);
+    if (fine && (check[0].parameters != (int)ms_nn_input_size(nn) || 3 * (size_t)size * (size_t)size != ms_nn_output_size(nn))) fine = wrong("%s: other parameters or no square pictures", path);
+    if (fine && check[1].count && check[1].count != check[0].count) fine = wrong("%s: other materials than %s", o->check[1], o->check[0]);
+    if (fine) {
+        changing = changing_pixels(&check[0], check[1].count ? &check[1] : NULL);
+        fine = report_all(path, nn, &check[0], check[1].count ? &check[1] : NULL, changing);
+        free(changing);
+    }
+    set_free(&check[0]);
+    set_free(&check[1]);
+    ms_nn_destroy(nn);
+    return fine;
+}
+
 /* --- the command line --------------------------------------------------------------------------------------------- */
 
 static int number(const char *name, const char *text, double low, double high, double *value)
@@ -2041,6 +2417,7 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
         const char *a = argv[i], *next = i + 1 < argc ? argv[i + 1] : NULL;
         double v = 0;
         if (strcmp(a, "--inversion") == 0) *inversion = 1;
+        else if (strcmp(a, "--measure") == 0) *inversion = 2;
         else if (strcmp(a, "--again") == 0) o->again = 1;
         else if (a[0] != '-' || a[1] != '-') {
             if (plains == 3) return wrong("'%s': one argument too many", a);
@@ -2049,6 +2426,7 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
             int fine = 1;
             ++i;
             if (strcmp(a, "--size") == 0) fine = number(a, next, 1, 4096, &v), o->size = (int)v;
+            else if (strcmp(a, "--trunk") == 0 && next) o->trunk = next;
             else if (strcmp(a, "--check") == 0 && checks < 2 && next) o->check[checks++] = next;
             else if (strcmp(a, "--held-out") == 0) fine = number(a, next, 1, 1e6, &v), o->held_out = (int)v;
             else if (strcmp(a, "--bytes") == 0) fine = number(a, next, 1e4, 1e10, &o->bytes);
@@ -2071,7 +2449,8 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
             if (!fine) return 0;
         }
     }
-    if (plains != (*inversion ? 2 : 3)) return wrong("%s expected", *inversion ? "RENDERER.safetensors OUT_PREFIX" : "PICTURES PARAMS.csv OUT.safetensors");
+    if (plains != (*inversion ? 2 : 3)) return wrong("%s expected", *inversion == 2 ? "RENDERER.safetensors, PARAMS.csv or -, --check A" : *inversion ? "RENDERER.safetensors OUT_PREFIX" : "PICTURES PARAMS.csv OUT.safetensors");
+    if (*inversion == 2 && checks == 0) return wrong("--measure needs --check");
     return o->bytes > 0 && o->psnr > 0 ? wrong("--bytes or --psnr, not both") : 1;
 }
 
@@ -2101,7 +2480,7 @@ int main(int argc, char **argv)
     if (o.width == 0) o.width = inversion ? 256 : 384;
     if (o.rate <= 0) o.rate = inversion ? 1e-3 : 2e-3;
     train_pool_start(&pool, o.threads);
-    fine = inversion ? train_inversion(&pool, plain[0], plain[1], &o) : train_renderer(&pool, plain[0], plain[1], plain[2], &o);
+    fine = inversion == 2 ? measure_renderer(&pool, plain[0], plain[1], &o) : inversion ? train_inversion(&pool, plain[0], plain[1], &o) : o.trunk ? train_larger(&pool, plain[0], plain[1], plain[2], &o) : train_renderer(&pool, plain[0], plain[1], plain[2], &o);
     train_pool_stop(&pool);
     if (!fine) fprintf(stderr, "train: %s\n", trouble);
     return fine ? file_end_stdout("train") : 1;

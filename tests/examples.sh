@@ -33,7 +33,7 @@ is() { # NAME, value, expected
     fi
 }
 
-tools="mcml mcml_split profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantise preview match materialx workflow train demo_sss demo_match"
+tools="mcml mcml_split profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantise preview match materialx workflow train own_shader demo_sss demo_match"
 for tool in $tools; do
     [ -x build/$tool ] || { failed=$((failed + 1)); echo "FAIL build/$tool is not there: make first"; continue; }
     # help where it can be piped, and nothing else; a mistake: one line of usage behind what was wrong, and 2
@@ -196,6 +196,14 @@ if [ -x build/nn_info ]; then
     ok "layers of a network" build/nn_info tests/data/nn/renderer_f16.safetensors
     printf 'not a network' >"$out/bad.safetensors"
     refuses "not a network" "header" build/nn_info "$out/bad.safetensors"
+fi
+
+if [ -x build/own_shader ] && [ -x build/train ]; then # a shader of one's own, end to end, small
+    ok "own_shader.sh" env COUNT=200 SIZE=16 STEPS=100 TRAIN="--epochs 60 --width 48 --rank 16" sh examples/own_shader.sh "$out/own"
+    is "it finds that the channels share" "$(sed -n 's/^channels: share a network, inputs \(.*\) of.*/\1/p' "$out/own/train.txt")" "0,3,6,7,8,9;1,4,6,7,8,9;2,5,6,7,8,9"
+    is "names in the answers" "$(head -1 "$out/own/match_00003.csv")" "$(head -1 "$out/own/pictures.csv")"
+    is "recommendations that are red metal" "$(awk -F, 'NR > 1 { n += ($9 > .5 && $1 > $2) } END { print (n >= 12) }' "$out/own/recommended.csv")" 1
+    refuses "pictures in no folder" "cannot" build/own_shader /dev/null/x 2
 fi
 
 if [ -x build/preview ]; then
