@@ -8,7 +8,7 @@
 #include <stdarg.h>
 #include <sys/wait.h>
 
-#define FOLDER "build/test_train/"
+#define FOLDER "build/test_train_tool/"
 
 /* --- the parts ---------------------------------------------------------------------------------------------------- */
 
