@@ -1,6 +1,6 @@
 /* The direct layered Monte Carlo of ms_mcml.h, all tallies of an .mco file on, and original MCML beside it where the
    environment names its program: MCML=path/to/mcml make bench. MCML 1.2.2 is at https://omlc.org/software/mc/mcml; build
-   it with cc -O3 *.c -lm. Runs are taken in turn, the median of five is shown. MEDIUM=0 to 7: that row alone, half a minute; the
+   it with cc -O3 *.c -lm. Runs are taken in turn, the median of five is shown. MEDIUM=0 to 7: that row alone, half a minute; SCALE: of the photons; the
    tables are joined from the rows that there are. To build/bench/mcml.csv, .svg (of whole runs), .md. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
@@ -33,6 +33,9 @@ static const medium media[] = {
     {"g = 0.9", 3e5, 0.01, 0.01, 100, 100, 30, 1, {{1.4, 1, 100, 0.9, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
 };
 #define MEDIA ((int)(sizeof media / sizeof *media))
+
+/* SCALE: more or less of them, on machines that are faster or have less time. */
+static double photons_of(int m) { return media[m].photons * (getenv("SCALE") ? atof(getenv("SCALE")) : 1); }
 
 static ms_mcml_result simulate(const medium *m, double photons, ms_mcml_options options)
 {
@@ -67,6 +70,7 @@ static void variances(const ms_mcml_result *r, double *total, double *profile, d
     for (i = 0; i + 1 < r->grid.nr; ++i) {
         const double energy = r->rd_r[i] * ms_mcml__ring_area(i, r->grid.dr_cm), e = r->rd_r_error[i] / r->rd_r[i];
         within += energy;
+        if (!(r->rd_r[i] > 0)) continue;
         if (within > 0.99 * r->rd && energy > 1e-5 * r->rd) *far += (double)r->photons * e * e;
     }
     for (i = 0; i + 1 < r->grid.nr; ++i) {
@@ -119,7 +123,7 @@ static void options_row(FILE *md, int m)
             options.roulette_weight = i == 1 ? 1e-4 : i == 2 ? 0.1 : 0;
             options.no_absorption = i == 3;
             options.absorption_error = i == 4;
-            r = simulate(&media[m], media[m].photons / 2, options);
+            r = simulate(&media[m], photons_of(m) / 2, options);
             t[i][k] = bench_cpu() - start;
             variances(&r, &total, &profile[i], &far);
             ms_mcml_result_destroy(&r);
@@ -170,7 +174,7 @@ int main(void)
         csv = row_open("csv", m);
         for (k = 0; k < RUNS; ++k) {
             for (level = 1; level <= (int)best; ++level) {
-                const double photons = media[m].photons / (level == 1 ? 5 : level == 2 ? 2 : 1), start = bench_cpu();
+                const double photons = photons_of(m) / (level == 1 ? 5 : level == 2 ? 2 : 1), start = bench_cpu();
                 ms_mcml_options options = ms_mcml_defaults();
                 ms_mcml_result r;
                 options.simd = (ms_simd)level;
@@ -179,13 +183,13 @@ int main(void)
                 if (level == (int)best) variances(&r, &total, &profile, &far);
                 ms_mcml_result_destroy(&r);
             }
-            t[0][k] = program ? run_peer(&media[m], program, media[m].photons / 20) : 0;
+            t[0][k] = program ? run_peer(&media[m], program, photons_of(m) / 20) : 0;
         }
         if (program) { /* MCML prints no errors: its estimator is ours with its roulette, so that its variance is, too */
             ms_mcml_options options = ms_mcml_defaults();
             ms_mcml_result r;
             options.roulette_weight = 1e-4;
-            r = simulate(&media[m], media[m].photons, options);
+            r = simulate(&media[m], photons_of(m), options);
             variances(&r, &peer_total, &peer_profile, &peer_far);
             ms_mcml_result_destroy(&r);
         }
