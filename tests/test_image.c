@@ -340,13 +340,13 @@ static void test_resize(void)
     int i, c;
     double mean[3] = {0, 0, 0};
     for (i = 0; i < 20 * 31; ++i)
-        for (c = 0; c < 3; ++c) mean[c] += (im.pixels[3 * i + c] = (float)test_uniform(&state)) / 620.0;
+        for (c = 0; c < 3; ++c) mean[c] += (double)(im.pixels[3 * i + c] = (float)test_uniform(&state)) / 620.0;
     for (k = 0; k < sizeof sizes / sizeof sizes[0]; ++k) {
         double sum[3] = {0, 0, 0};
         out = image_resize(&im, sizes[k][0], sizes[k][1]);
         CHECK(out.width == sizes[k][0] && out.height == sizes[k][1]);
         for (i = 0; i < out.width * out.height; ++i)
-            for (c = 0; c < 3; ++c) sum[c] += out.pixels[3 * i + c] / (double)(out.width * out.height);
+            for (c = 0; c < 3; ++c) sum[c] += (double)out.pixels[3 * i + c] / (double)(out.width * out.height);
         for (c = 0; c < 3; ++c) CHECK_NEAR(sum[c], mean[c], 1e-6); /* floats twice rounded */
         image_free(&out);
     }

@@ -138,9 +138,13 @@ static ms_status test_run(const ms_sss_frame *f, const ms_sss_kernel *kernels, i
                           const ms_sss_filter_options *options)
 {
     const size_t size = ms_sss_filter_workspace(f->width, f->height, kernels, count, options);
-    void *workspace = malloc(size);
+    void *workspace = size < (size_t)1 << 31 ? malloc(size) : NULL; /* SIZE_MAX: an argument is wrong */
     ms_error error;
     ms_status status;
+    if (workspace == NULL) {
+        TEST_FAIL("no workspace of %.0f bytes", (double)size);
+        return MS_OUT_OF_MEMORY;
+    }
     memset(workspace, 0xff, size);
     status = ms_sss_filter(f, kernels, count, options, workspace, size, &error);
     if (status != MS_OK) TEST_FAIL("status %d: %s", (int)status, error.message);
