@@ -447,7 +447,7 @@ MS_API const ms_mcml_material *ms_mcml_materials(int *count);
 /* By name, upper and lower case alike; NULL if there is none of that name. */
 MS_API const ms_mcml_material *ms_mcml_find_material(const char *name);
 
-/* One channel (0 R, 1 G, 2 B) of a material. */
+/* One channel (0 R, 1 G, 2 B) of a material; nothing at all (index 1) where there is none. */
 MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, int channel);
 
 /* ---- half-space solver ----------------------------------------------------------------------------------------- */
@@ -1807,6 +1807,7 @@ MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *e
 
 MS_API size_t ms_mcml_save_size(const ms_mcml *tally)
 {
+    if (tally == NULL) return 0;
     return MS_MCML__HEAD + (size_t)tally->tissue.layer_count * MS_MCML__LAYER_BYTES + tally->at.count * 8;
 }
 
@@ -2826,7 +2827,8 @@ MS_API const ms_mcml_material *ms_mcml_find_material(const char *name)
 
 MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, int channel)
 {
-    ms_mcml_medium medium;
+    ms_mcml_medium medium = {0, 0, 0, 1};
+    if (material == NULL || channel < 0 || channel > 2) return medium;
     medium.mu_a_per_mm = material->mu_a_per_mm[channel];
     medium.mu_s_per_mm = material->mu_s_per_mm[channel];
     medium.g = 0;
@@ -4700,7 +4702,7 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
                                         ms_mcml_result *result, ms_error *error)
 {
     ms_mcml_layered_options o;
-    ms_mcml_layered s;
+    ms_mcml_layered *s;
     ms_mcml_result out;
     ms_status status;
     double *block, cosine, solid;
@@ -4722,6 +4724,11 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
     out.memory_size = ms__size_mul(ms__size_add(ms__size_mul(4 + 4 * one, nr + one), ms__size_add(nz, 2 * layers)), sizeof(double));
     out.memory = ms__alloc(&out.allocator, out.memory_size);
     if (out.memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the results", out.memory_size);
+    s = (ms_mcml_layered *)ms__alloc(&out.allocator, sizeof *s); /* beside the solver's own frame it would be much stack */
+    if (s == NULL) {
+        ms__release(&out.allocator, out.memory, out.memory_size);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the solver", sizeof *s);
+    }
     block = (double *)out.memory;
     out.a_l = ms_mcml__take(&block, layers, 1);
     out.a_l_error = ms_mcml__take(&block, layers, 1);
@@ -4731,20 +4738,21 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
     o.nz = grid->nz;
     o.a_z = out.a_z;
     o.a_l = out.a_l;
-    status = ms_mcml_layered_solve(tissue, &o, &s, error);
+    status = ms_mcml_layered_solve(tissue, &o, s, error);
     if (status != MS_OK && status != MS_NOT_CONVERGED) {
+        ms__release(&out.allocator, s, sizeof *s);
         ms__release(&out.allocator, out.memory, out.memory_size);
         return status;
     }
-    out.specular = s.specular;
-    out.rd = s.rd;
-    out.rd_error = s.rd_error;
-    out.tt = s.tt;
-    out.tt_error = s.tt_error;
-    out.a = s.a;
-    out.a_error = s.rd_error + s.tt_error;
-    out.rd_unscattered = s.rd_unscattered;
-    out.tt_unscattered = s.tt_unscattered;
+    out.specular = s->specular;
+    out.rd = s->rd;
+    out.rd_error = s->rd_error;
+    out.tt = s->tt;
+    out.tt_error = s->tt_error;
+    out.a = s->a;
+    out.a_error = s->rd_error + s->tt_error;
+    out.rd_unscattered = s->rd_unscattered;
+    out.tt_unscattered = s->tt_unscattered;
     for (i = 0; i < tissue->layer_count; ++i) out.a_l_error[i] = out.a_error;
     solid = ms_mcml__solid_angle(0, 1, &cosine);
     for (side = 0; side < 2; ++side) { /* as in a tally the last ring has all that lies beyond */
@@ -4753,11 +4761,11 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
         double *ra = ms_mcml__take(&block, nr, (int)one), *ra_error = ms_mcml__take(&block, nr, (int)one);
         for (i = 0; i < grid->nr; ++i) {
             const double r0 = i * grid->dr_cm;
-            r[i] = ms_mcml_layered_ring(&s, side, r0, r0 + grid->dr_cm, &r_error[i]);
-            if (i + 1 == grid->nr) r[i] = ms_mcml_layered_beyond(&s, side, r0) / ms_mcml__ring_area(i, grid->dr_cm);
+            r[i] = ms_mcml_layered_ring(s, side, r0, r0 + grid->dr_cm, &r_error[i]);
+            if (i + 1 == grid->nr) r[i] = ms_mcml_layered_beyond(s, side, r0) / ms_mcml__ring_area(i, grid->dr_cm);
             if (one) ra[i] = r[i] / (solid * cosine), ra_error[i] = r_error[i] / (solid * cosine);
         }
-        if (one) a[0] = (side ? s.tt : s.rd) / solid, a_error[0] = (side ? s.tt_error : s.rd_error) / solid;
+        if (one) a[0] = (side ? s->tt : s->rd) / solid, a_error[0] = (side ? s->tt_error : s->rd_error) / solid;
         *(side ? &out.tt_r : &out.rd_r) = r;
         *(side ? &out.tt_r_error : &out.rd_r_error) = r_error;
         *(side ? &out.tt_a : &out.rd_a) = a;
@@ -4765,6 +4773,7 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
         *(side ? &out.tt_ra : &out.rd_ra) = ra;
         *(side ? &out.tt_ra_error : &out.rd_ra_error) = ra_error;
     }
+    ms__release(&out.allocator, s, sizeof *s);
     *result = out;
     return status;
 }
@@ -5658,6 +5667,7 @@ static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
 #undef MS_MCML__ORDER_MAX
 #undef MS_MCML__PANELS_MAX
 #undef MS_MCML__RAYS
+#undef MS_MCML__SERIES
 #undef MS_MCML__SHAPES
 #undef MS_MCML__SPAN
 #undef MS_MCML__STRATA

@@ -7779,6 +7779,7 @@ static int ms_sss__shader_terms(const ms_sss_shader *s) { return s->step == MS_S
 
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
+    if (shader == NULL) return 0;
     if (shader->step == MS_SSS_STEP_RESOLVE) return MS_SSS__LEVEL_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
     if (ms_sss__shader_tower(shader)) return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
     return MS_SSS__PICTURE_HEAD + ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
@@ -7786,7 +7787,7 @@ MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 
 MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis)
 {
-    return shader->step == MS_SSS_STEP_Y ? (axis ? 32 : 8) : (axis ? 4 : 64); /* along the pass, and rows of at least 128 bytes */
+    return shader && shader->step == MS_SSS_STEP_Y ? (axis ? 32 : 8) : (axis ? 4 : 64); /* along the pass, and rows of at least 128 bytes */
 }
 
 /* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register, $f a format, $x and $y the

@@ -57,7 +57,7 @@ static ms_status render(void *user, const double *x, float *picture)
 static ms_status draw_pictures(image *im, const neural *n, const ms_gpr_latent *plane, const ms_gpr_grid *grid, const double *confidence, ms_error *error)
 {
     double nearest[GRID * GRID], at[2], other[2], x[1000];
-    double apart = 1.1 * PICTURE / SIDE * (grid->x1 - grid->x0);
+    double apart = 1.1 * (double)PICTURE / (double)SIDE * (grid->x1 - grid->x0);
     ms_status status = MS_OK;
     int count, i, best;
     for (i = 0; i < GRID * GRID; ++i) nearest[i] = 1e30;

@@ -651,7 +651,7 @@ static void kept_draw(double *x, uint64_t *state)
         x[2] = test_uniform(state);
         x[3] = test_uniform(state);
         x[4] = 1.5 - x[2] - x[3];
-        do metal = (int)(METALS * test_uniform(state));
+        do metal = (int)((double)METALS * test_uniform(state));
         while (metal == 3);
         x[5] = metals[metal][0];
         x[6] = metals[metal][1];

@@ -577,7 +577,7 @@ static void case_constant(void)
     static const float value[] = {1.0f, 1e6f, 1e-30f, 1e-42f, 0.0f};
     volatile float subnormal = value[3]; /* a host that flushes these to 0 gets 0: all through, or in the calls alone (tests/calls.sh) */
     const char *calls = getenv("CALLS");
-    const int flushed = !(subnormal * 1.0f > 0) || (calls && strcmp(calls, "flush") == 0);
+    const int flushed = !(subnormal * 1.0f > 0) || (calls && strstr(calls, "flush"));
     double worst = 0;
     int i, v, kind, j, c;
     for (i = 0; i < (int)(sizeof size / sizeof size[0]); ++i) {
@@ -1251,7 +1251,7 @@ static void case_methods(void)
     o.fov_degrees = 40;
     for (which = 0; which < 3; ++which) {
         pixels = which == 0 ? 20 : which == 1 ? 36 : 60;
-        o.mm_per_unit = (float)(size * H / (2 * tan(20 * 3.14159265358979 / 180) * pixels * (110 - 20 * sqrt(0.7))));
+        o.mm_per_unit = (float)(size * (double)H / (2 * tan(20 * 3.14159265358979 / 180) * pixels * (110 - 20 * sqrt(0.7))));
         for (flat = 0; flat < 2; ++flat) {
             o.flat = (float)flat;
             o.method = MS_SSS_METHOD_AUTO;
@@ -1538,8 +1538,8 @@ static void case_planes(void)
                 for (pass = 0; pass < 3; ++pass) {
                     const double angle = tilt * 3.14159265358979323846 / 180;
                     ms_sss_filter_options o = ms_sss_filter_defaults();
-                    if (kind == 1) o.fov_degrees = (float)(2 * atan(SHAPE_H / (2 * focal)) * 180 / 3.14159265358979323846);
-                    else o.ortho_height = (float)(SHAPE_H * distance / focal);
+                    if (kind == 1) o.fov_degrees = (float)(2 * atan((double)SHAPE_H / (2 * focal)) * 180 / 3.14159265358979323846);
+                    else o.ortho_height = (float)((double)SHAPE_H * distance / focal);
                     o.flat = pass == 2 ? 1.0f : 0.0f;
                     if (pass == 0 && tilt == 30) o.rotation = 0.4f;
                     if (pass == 0 && tilt == 45) o.exact = 1;
@@ -1594,7 +1594,7 @@ static void case_curved(void)
     double expected = 0, worst = 0, outline = 0, normals, middle;
     const ms_sss_kernel small = test_kernel(7, 2.5, 0.0);
     int i, t, c, rim = 0;
-    o.ortho_height = (float)(SHAPE_H / focal);
+    o.ortho_height = (float)((double)SHAPE_H / focal);
     for (c = 0; c < 3; ++c) s.normal[c] = test_floats(SHAPE_N);
     for (i = 0; i < SHAPE_N; ++i) {
         const double x = (i % SHAPE_W - 80) / focal, y = (i / SHAPE_W - 60) / focal, z = sqrt(radius * radius - x * x - y * y);

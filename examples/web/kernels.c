@@ -120,7 +120,7 @@ CALL(int, design, (int material, int taps, int model, double pixels_per_mm, int 
         number[13 + c] = (double)kernel.decay[c];
     }
     for (i = 0; i < CURVE; ++i) {
-        double *row = number + 64 + 8 * i, r = most * (i + 0.5) / CURVE, x = (double)kernel.radius_mm * (i + 0.5) / CURVE, h = 0.5 * (double)kernel.radius_mm / CURVE;
+        double *row = number + 64 + 8 * i, r = most * (i + 0.5) / (double)CURVE, x = (double)kernel.radius_mm * (i + 0.5) / (double)CURVE, h = 0.5 * (double)kernel.radius_mm / (double)CURVE;
         row[0] = r;
         ms_sss_profile_value(profile, r, row + 1);
         row[4] = x;

@@ -169,7 +169,7 @@ CALL(int, choose, (void))
         map_draw(&im, 0, 0, MAP, &grid, value, &grid, one);
         for (y = 0; y < MAP; ++y)
             for (x = 0; x < MAP; ++x) {
-                double a = grid.x0 + (grid.x1 - grid.x0) * (x + 0.5) / MAP, b = grid.y1 - (grid.y1 - grid.y0) * (y + 0.5) / MAP;
+                double a = grid.x0 + (grid.x1 - grid.x0) * (x + 0.5) / (double)MAP, b = grid.y1 - (grid.y1 - grid.y0) * (y + 0.5) / (double)MAP;
                 i = y * MAP + x;
                 for (c = 0; c < 3; ++c) bytes[4 * i + c] = image_to_byte(im.pixels[3 * i + c]);
                 bytes[4 * i + 3] = image_to_byte((float)ms_gpr_grid_value(&grid, sure, a, b));
@@ -229,7 +229,7 @@ CALL(int, draw, (int index))
 /* 1 on the ball of the pictures, 0 beside it, a soft edge. */
 static float ball(int x, int y)
 {
-    float u = ((float)x + 0.5f) / SIZE - 0.5f, v = ((float)y + 0.5f) / SIZE - 0.457f, t = (0.377f - sqrtf(u * u + v * v)) * 50 + 0.5f;
+    float u = ((float)x + 0.5f) / (float)SIZE - 0.5f, v = ((float)y + 0.5f) / (float)SIZE - 0.457f, t = (0.377f - sqrtf(u * u + v * v)) * 50 + 0.5f;
     return t < 0 ? 0 : t > 1 ? 1 : t;
 }
 

@@ -3,6 +3,8 @@
      build/fuzz_safetensors -max_len=4096 tests/fuzz/corpus_safetensors */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
+#include <stdlib.h>
+#include <string.h>
 
 #ifdef __cplusplus
 extern "C"
