@@ -258,9 +258,10 @@ static void test_refused(void)
                {IRRADIANCE " build/test_sss_tool_small.pfm " OUT " --material skin1", 1, "size differs"},
                {IRRADIANCE " " DEPTH " tests/test.h/no.pfm --material skin1", 1, "cannot open"}};
     int i, count = (int)(sizeof bad / sizeof bad[0]);
-    image small = image_new(3, 3, 1);
+    image small;
     need_tool();
     if (test_skip_reason[0]) return;
+    small = image_new(3, 3, 1);
     write_inputs(16, 8, 100);
     CHECK(image_write("build/test_sss_tool_small.pfm", &small) == NULL);
     for (i = 0; i < count; ++i) {
