@@ -311,7 +311,10 @@ static void test_folder(void)
     double mean, least, wait;
     ms_nn_file *file;
     ms_error error;
-    if (!have_tool()) SKIP("build/train is not there; make builds it");
+    if (!have_tool()) {
+        free(x);
+        SKIP("build/train is not there; make builds it");
+    }
     materials(x, N, 1);
     data_set(FOLDER "pfm", "pfm", x, N, 0);
     CHECK_INT(run(TOY, "pfm", "pfm", "a.safetensors", EPOCHS, ""), 0);
@@ -378,7 +381,11 @@ static void test_forms(void)
     image sheet = image_new(10 * SIDE, N / 10 * SIDE, 3);
     size_t size = 0;
     int i, u, v;
-    if (!have_tool()) SKIP("build/train is not there; make builds it");
+    if (!have_tool()) {
+        free(x);
+        image_free(&sheet);
+        SKIP("build/train is not there; make builds it");
+    }
     materials(x, N, 2);
     data_set(FOLDER "png", "png", x, N, 1);
     CHECK_INT(run(TOY, "png", "png", "d.safetensors", 100, ""), 0);
@@ -492,7 +499,11 @@ static void test_bad_input(void)
     image im = image_new(SIDE, SIDE, 3), large = image_new(2 * SIDE, 2 * SIDE, 3);
     char *table, *at;
     size_t size;
-    if (!have_tool()) SKIP("build/train is not there; make builds it");
+    if (!have_tool()) {
+        image_free(&im);
+        image_free(&large);
+        SKIP("build/train is not there; make builds it");
+    }
     materials(x, N, 3);
     data_set(FOLDER "bad", "pfm", x, N, 0);
     table = test_read_file(FOLDER "bad.csv", &size);
