@@ -7,7 +7,7 @@
      if (!problem) problem = keep_wish(&k, "x3=0:1:0.25");      a range in steps
      if (!problem) problem = keep_wish(&k, "x3=x4");            ties: sums of parameters with factors, and a number
      if (!problem) problem = keep_wish(&k, "2x3 - 0.5x4 + x5 = 1");
-     if (!problem) problem = keep_list(&k, "metals.csv");       rows to choose from; the header line names the columns: x3,x4,x5
+     if (!problem) problem = keep_list(&k, "metals.csv", &line); rows to choose from; the header line names the columns: x3,x4,x5
      options.space = keep_space(&k);                            valid until the next wish
      keep_close(&k);
 
