@@ -6580,1016 +6580,770 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
 /* ---- GPU code -------------------------------------------------------------------------------------------------- */
 
 /* The passes in a notation of their own: HLSL's types and operators as far as GLSL and WGSL have them too, one variable a
-   declaration, braces everywhere, no ?: and no assignment to components. ms_sss__say_line turns a line into a language,
-   and lines of #if NAME, #if !NAME, #else and #endif choose by ms_sss__feature. The comments of FILTER KERNELS hold for
-   these lines too. */
+   declaration, braces everywhere, no ?: and no assignment to components. ms_sss__say_line turns a line into a language;
+   #if NAME, #if !NAME, #else and #endif choose lines by ms_sss__feature, #NAME and #!NAME their own. The comments of FILTER
+   KERNELS hold for these lines too. */
 static const char *const ms_sss__source_body[] = {
-    "// By bits: compilers may take it that no number is NaN.\n",
-    "bool finite(float x)\n",
-    "{\n",
-    "    return (bits_of(x) & 0x7f800000u) != 0x7f800000u;\n",
+    "// By bits: compilers may take it that no number is NaN.\n"
+    "bool finite(float x) { return (bits_of(x) & 0x7f800000u) != 0x7f800000u; }\n",
+    "#if BOTH\n"
+    "// Alpha holds the depth, the last 4 bits of blue the profile; of black they would be lost.\n"
+    "float code_of(float blue, float profile) {\n"
+        "float x = pick(blue, 1e-30, abs(blue) < 1e-30);\n"
+        "return float_of(((bits_of(x) + 8u) & 0xfffffff0u) | uint(profile));\n"
     "}\n",
-    "\n",
-    "#if BOTH\n",
-    "// Alpha holds the depth, the last 4 bits of blue the profile; of black they would be lost.\n",
-    "float code_of(float blue, float profile)\n",
-    "{\n",
-    "    float x = pick(blue, 1e-30, abs(blue) < 1e-30);\n",
-    "    return float_of(((bits_of(x) + 8u) & 0xfffffff0u) | uint(profile));\n",
-    "}\n",
-    "\n",
-    "float profile_of(float4 c)\n",
-    "{\n",
-    "    return float(bits_of(c.b) & 15u);\n",
-    "}\n",
-    "\n",
+    "float profile_of(float4 c) { return float(bits_of(c.b) & 15u); }\n"
     "#endif\n",
-    "#if PROFILE_ALONE\n",
-    "float profile_of(float4 c)\n",
-    "{\n",
-    "    return c.a - 1.0;\n",
-    "}\n",
-    "\n",
+    "#PROFILE_ALONE float profile_of(float4 c) { return c.a - 1.0; }\n",
+    "#if READS_PROFILE\n"
+    "// Index of the pixel's kernel; PROFILES where it has none.\n"
+    "float profile_at(float value) {\n"
+        "float profile = floor(value * 255.0 + 0.5);\n"
+        "return pick(float(PROFILES), profile, finite(value) && profile >= 0.0 && profile < float(PROFILES));\n"
+    "}\n"
     "#endif\n",
-    "#if READS_PROFILE\n",
-    "// Index of the pixel's kernel; PROFILES where it has none.\n",
-    "float profile_at(float value)\n",
-    "{\n",
-    "    float profile = floor(value * 255.0 + 0.5);\n",
-    "    return pick(float(PROFILES), profile, finite(value) && profile >= 0.0 && profile < float(PROFILES));\n",
-    "}\n",
-    "\n",
-    "#endif\n",
-    "// Colour and depth, 1 without depth (plus the profile), 0: takes no part.\n",
-    "float4 source(int2 p)\n",
-    "{\n",
-    "    float4 c = fetch_colour(p);\n",
-    "    float4 none = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "#if RAW\n",
-    "    float depth = 1.0;\n",
-    "    bool part = finite(c.r) && finite(c.g) && finite(c.b);\n",
-    "#if DEPTH_TEXTURE\n",
-    "    depth = fetch_depth(p).r;\n",
-    "#endif\n",
-    "#if DEPTH_ALPHA\n",
-    "    depth = c.a;\n",
-    "#endif\n",
-    "    part = part && depth > 0.0 && finite(depth);\n",
-    "#if WITH_STRENGTH\n",
-    "    float strength = fetch_strength(p).r;\n",
-    "    part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n",
-    "#endif\n",
-    "#if PROFILE\n",
-    "#if BOTH_ALPHA\n",
-    "    float profile = float(bits_of(c.a) & 15u);\n",
-    "#else\n",
-    "#if PROFILE_TEXTURE\n",
-    "    float profile = profile_at(fetch_profile(p).r);\n",
-    "#else\n",
-    "    float profile = profile_at(c.a);\n",
-    "#endif\n",
-    "#endif\n",
-    "#if TOWER\n",
-    "    part = part && abs(profile - constant[0].w) < 0.5;\n",
-    "#else\n",
-    "    part = part && profile < float(PROFILES);\n",
-    "#if BOTH\n",
-    "    c = float4(c.rg, code_of(c.b, profile), c.a);\n",
-    "#else\n",
-    "    depth = profile + 1.0;\n",
-    "#endif\n",
-    "#endif\n",
-    "#endif\n",
-    "    return pick(none, float4(c.rgb, depth), part);\n",
-    "#else\n",
-    "#if READS_PROFILE\n",
-    "    if (c.a > 0.0) {\n",
-    "        c = float4(c.rg, code_of(c.b, profile_at(fetch_profile(p).r)), c.a);\n",
-    "    }\n",
-    "#endif\n",
-    "    return pick(none, c, c.a > 0.0);\n",
-    "#endif\n",
-    "}\n",
-    "\n"};
+    "// Colour and depth, 1 without depth (plus the profile), 0: takes no part.\n"
+    "float4 source(int2 p) {\n"
+        "float4 c = fetch_colour(p);\n"
+        "float4 none = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "#if RAW\n"
+        "float depth = 1.0;\n"
+        "bool part = finite(c.r) && finite(c.g) && finite(c.b);\n"
+        "#DEPTH_TEXTURE depth = fetch_depth(p).r;\n"
+        "#DEPTH_ALPHA depth = c.a;\n"
+        "part = part && depth > 0.0 && finite(depth);\n"
+    "#if WITH_STRENGTH\n"
+        "float strength = fetch_strength(p).r;\n"
+        "part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
+    "#endif\n"
+    "#if PROFILE\n"
+    "#if BOTH_ALPHA\n"
+        "float profile = float(bits_of(c.a) & 15u);\n"
+    "#else\n"
+        "#PROFILE_TEXTURE float profile = profile_at(fetch_profile(p).r);\n"
+        "#!PROFILE_TEXTURE float profile = profile_at(c.a);\n"
+    "#endif\n"
+    "#if TOWER\n"
+        "part = part && abs(profile - constant[0].w) < 0.5;\n"
+    "#else\n"
+        "part = part && profile < float(PROFILES);\n"
+        "#BOTH c = float4(c.rg, code_of(c.b, profile), c.a);\n"
+        "#!BOTH depth = profile + 1.0;\n"
+    "#endif\n"
+    "#endif\n"
+        "return pick(none, float4(c.rgb, depth), part);\n"
+    "#else\n"
+        "#READS_PROFILE if (c.a > 0.0) { c = float4(c.rg, code_of(c.b, profile_at(fetch_profile(p).r)), c.a); }\n"
+        "return pick(none, c, c.a > 0.0);\n"
+    "#endif\n"
+    "}\n"};
 
 static const char *const ms_sss__shader_body[] = {
-    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n",
-    "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n",
-    "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n",
-    "\n",
-    "bool inside(int2 p)\n",
-    "{\n",
-    "#if HALVED\n",
-    "    return p.x >= 0 && p.y >= 0 && 2 * p.x < int(constant[0].x) && 2 * p.y < int(constant[0].y);\n",
-    "#else\n",
-    "    return p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y);\n",
-    "#endif\n",
+    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n"
+    "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n"
+    "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n"
+    "bool inside(int2 p) {\n"
+        "#HALVED return p.x >= 0 && p.y >= 0 && 2 * p.x < int(constant[0].x) && 2 * p.y < int(constant[0].y);\n"
+        "#!HALVED return p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y);\n"
     "}\n",
-    "\n",
-    "float4 texel(int2 p)\n",
-    "{\n",
-    "    float4 c = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "#if TILED\n",
-    "    int2 t = p - ms_sss_corner;\n",
-    "    if (t.x >= 0 && t.y >= 0 && t.x < TILE_X && t.y < TILE_Y) {\n",
-    "        return ms_sss_tile[t.y * TILE_X + t.x];\n",
-    "    }\n",
-    "#endif\n",
-    "    if (inside(p)) {\n",
-    "        c = source(p);\n",
-    "    }\n",
-    "    return c;\n",
+    "float4 texel(int2 p) {\n"
+        "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "#if TILED\n"
+        "int2 t = p - ms_sss_corner;\n"
+        "if (t.x >= 0 && t.y >= 0 && t.x < TILE_X && t.y < TILE_Y) { return ms_sss_tile[t.y * TILE_X + t.x]; }\n"
+    "#endif\n"
+        "if (inside(p)) { c = source(p); }\n"
+        "return c;\n"
     "}\n",
-    "\n",
-    "// Both take part and have one profile.\n",
-    "bool same(float4 there, float4 own)\n",
-    "{\n",
-    "#if BOTH\n",
-    "    return there.a > 0.0 && ((bits_of(there.b) ^ bits_of(own.b)) & 15u) == 0u;\n",
-    "#else\n",
-    "#if PROFILE\n",
-    "    return there.a > 0.0 && abs(there.a - own.a) < 0.5;\n",
-    "#else\n",
-    "    return there.a > 0.0;\n",
-    "#endif\n",
-    "#endif\n",
+    "// Both take part and have one profile.\n"
+    "bool same(float4 there, float4 own) {\n"
+    "#if BOTH\n"
+        "return there.a > 0.0 && ((bits_of(there.b) ^ bits_of(own.b)) & 15u) == 0u;\n"
+    "#else\n"
+        "#PROFILE return there.a > 0.0 && abs(there.a - own.a) < 0.5;\n"
+        "#!PROFILE return there.a > 0.0;\n"
+    "#endif\n"
     "}\n",
-    "\n",
-    "#if SHAPE\n",
-    "float2 ray_of(int2 p)\n",
-    "{\n",
-    "    float2 ray = float2(0.0, 0.0);\n",
-    "#if PERSPECTIVE\n",
-    "#if HALVED\n",
-    "    ray = (float2(2.0 * float(p.x) + 1.0, 2.0 * float(p.y) + 1.0) - 0.5 * constant[0].xy) / constant[2].y;\n",
-    "#else\n",
-    "    ray = (float2(float(p.x) + 0.5, float(p.y) + 0.5) - 0.5 * constant[0].xy) / constant[2].y;\n",
-    "#endif\n",
-    "#endif\n",
-    "    return ray;\n",
+    "#if SHAPE\n"
+    "float2 ray_of(int2 p) {\n"
+        "float2 ray = float2(0.0, 0.0);\n"
+    "#if PERSPECTIVE\n"
+        "#HALVED ray = (float2(2.0 * float(p.x) + 1.0, 2.0 * float(p.y) + 1.0) - 0.5 * constant[0].xy) / constant[2].y;\n"
+        "#!HALVED ray = (float2(float(p.x) + 0.5, float(p.y) + 0.5) - 0.5 * constant[0].xy) / constant[2].y;\n"
+    "#endif\n"
+        "return ray;\n"
     "}\n",
-    "\n",
-    "#if !WITH_NORMAL\n",
-    "// The slope from the depths before and after: their mean where the surface turns little, else the smaller one, steeper\n",
-    "// by what its step exceeds the next: near outlines depth goes as a root.\n",
-    "float slope_of(int2 p, int2 way, float4 own, float focal, float2 limit)\n",
-    "{\n",
-    "    float4 before = texel(p - way);\n",
-    "    float4 after = texel(p + way);\n",
-    "    float a = 0.0;\n",
-    "    float b = 0.0;\n",
-    "    float da = own.a - before.a;\n",
-    "    float db = after.a - own.a;\n",
-    "    bool on_a = same(before, own) && da * da * limit.x * limit.x < limit.y;\n",
-    "    bool on_b = same(after, own) && db * db * limit.x * limit.x < limit.y;\n",
-    "#if PERSPECTIVE\n",
-    "    da = da / before.a;\n",
-    "    db = db / after.a;\n",
+    "#if !WITH_NORMAL\n"
+    "// The slope from the depths before and after: their mean where the surface turns little, else the smaller one, steeper\n"
+    "// by what its step exceeds the next: near outlines depth goes as a root.\n"
+    "float slope_of(int2 p, int2 way, float4 own, float focal, float2 limit) {\n"
+        "float4 before = texel(p - way);\n"
+        "float4 after = texel(p + way);\n"
+        "float a = 0.0;\n"
+        "float b = 0.0;\n"
+        "float da = own.a - before.a;\n"
+        "float db = after.a - own.a;\n"
+        "bool on_a = same(before, own) && da * da * limit.x * limit.x < limit.y;\n"
+        "bool on_b = same(after, own) && db * db * limit.x * limit.x < limit.y;\n"
+    "#if PERSPECTIVE\n"
+        "da = da / before.a;\n"
+        "db = db / after.a;\n"
+    "#endif\n"
+        "if (on_b) { b = focal * db; }\n"
+        "a = pick(b, focal * da, on_a);\n"
+        "b = pick(a, b, on_b);\n"
+        "float slope = 0.5 * (a + b);\n"
+        "if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n"
+            "bool back = on_a && (!on_b || abs(a) < abs(b));\n"
+            "if (abs(a) < abs(b)) { slope = a; }\n"
+            "if (abs(b) < abs(a)) { slope = b; }\n"
+            "float next = pick(after.a, before.a, back);\n"
+            "float4 beyond = texel(p + way * pick(2, -2, back));\n"
+            "float step = own.a - next;\n"
+            "float inner = next - beyond.a;\n"
+            "float least = own.a * 4.7683716e-7;\n"
+    "#if PERSPECTIVE\n"
+            "step = step * beyond.a;\n"
+            "inner = inner * own.a;\n"
+            "least = least * own.a;\n"
+    "#endif\n"
+            "float more = abs(step) - abs(inner) - least;\n"
+            "if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n"
+                "more = min(more / abs(inner), 0.85);\n"
+                "slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n"
+            "}\n"
+        "}\n"
+        "return clamp(slope, -8.0, 8.0);\n"
+    "}\n"
     "#endif\n",
-    "    if (on_b) {\n",
-    "        b = focal * db;\n",
-    "    }\n",
-    "    a = pick(b, focal * da, on_a);\n",
-    "    b = pick(a, b, on_b);\n",
-    "    float slope = 0.5 * (a + b);\n",
-    "    if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n",
-    "        bool back = on_a && (!on_b || abs(a) < abs(b));\n",
-    "        if (abs(a) < abs(b)) {\n",
-    "            slope = a;\n",
-    "        }\n",
-    "        if (abs(b) < abs(a)) {\n",
-    "            slope = b;\n",
-    "        }\n",
-    "        float next = pick(after.a, before.a, back);\n",
-    "        float4 beyond = texel(p + way * pick(2, -2, back));\n",
-    "        float step = own.a - next;\n",
-    "        float inner = next - beyond.a;\n",
-    "        float least = own.a * 4.7683716e-7;\n",
-    "#if PERSPECTIVE\n",
-    "        step = step * beyond.a;\n",
-    "        inner = inner * own.a;\n",
-    "        least = least * own.a;\n",
+    "// Slopes along x and y.\n"
+    "float2 slopes_of(int2 p, float4 own, float2 ray, int at) {\n"
+        "float2 slope = float2(0.0, 0.0);\n"
+    "#if WITH_NORMAL\n"
+        "float3 normal = fetch_normal(p).rgb;\n"
+        "float eighth = max(abs(normal.x), abs(normal.y)) * 0.125;\n"
+        "float facing = max(normal.z - (ray.x * normal.x + ray.y * normal.y), eighth);\n"
+        "if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) { slope = normal.xy / facing; }\n"
+    "#else\n"
+        "float2 limit = float2(constant[at + 1].w, constant[at + 4].w);\n"
+        "float2 focal = constant[2].yz;\n"
+        "#HALVED focal = 0.5 * focal;\n"
+        "slope = float2(slope_of(p, int2(1, 0), own, focal.x, limit), slope_of(p, int2(0, 1), own, focal.y, limit));\n"
+    "#endif\n"
+        "return slope * constant[2].w;\n"
+    "}\n"
     "#endif\n",
-    "        float more = abs(step) - abs(inner) - least;\n",
-    "        if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n",
-    "            more = min(more / abs(inner), 0.85);\n",
-    "            slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n",
-    "        }\n",
-    "    }\n",
-    "    return clamp(slope, -8.0, 8.0);\n",
+    "#PREPARE float4 filter_pixel(int2 p) { return source(p); }\n",
+    "#if NEARNESS\n"
+    "// Of a pixel near another, of the same surface; at: its profile's constants.\n"
+    "float nearness(float4 there, float4 own, int at) {\n"
+        "float f = 1.0;\n"
+    "#if DEPTH\n"
+        "float dz = (there.a - own.a) * constant[at + 1].w;\n"
+        "f = max(1.0 - dz * dz / constant[at + 2].w, 0.0);\n"
+        "f = f * f * f * f;\n"
+    "#endif\n"
+        "return pick(0.0, f, same(there, own));\n"
+    "}\n"
+    "#endif\n",
+    "#if DOWN\n"
+    "float4 nearer(float4 a, float4 b) {\n"
+        "#DEPTH return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a));\n"
+        "#!DEPTH return pick(b, a, a.a > 0.0);\n"
     "}\n",
-    "\n",
+    "// The mean of those of four pixels that lie near the nearest.\n"
+    "float4 filter_pixel(int2 p) {\n"
+        "int2 first = p * 2;\n"
+        "float4 a = texel(first);\n"
+        "float4 b = texel(first + int2(1, 0));\n"
+        "float4 c = texel(first + int2(0, 1));\n"
+        "float4 d = texel(first + int2(1, 1));\n"
+        "float4 own = nearer(nearer(a, b), nearer(c, d));\n"
+        "int at = 3;\n"
+        "if (!(own.a > 0.0)) { return own; }\n"
+        "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+        "float fa = nearness(a, own, at);\n"
+        "float fb = nearness(b, own, at);\n"
+        "float fc = nearness(c, own, at);\n"
+        "float fd = nearness(d, own, at);\n"
+        "float4 mean = (fa * a + fb * b + fc * c + fd * d) / (fa + fb + fc + fd);\n"
+        "#BOTH mean = float4(mean.rg, code_of(mean.b, profile_of(own)), mean.a);\n"
+        "return mean;\n"
+    "}\n"
     "#endif\n",
-    "// Slopes along x and y.\n",
-    "float2 slopes_of(int2 p, float4 own, float2 ray, int at)\n",
-    "{\n",
-    "    float2 slope = float2(0.0, 0.0);\n",
-    "#if WITH_NORMAL\n",
-    "    float3 normal = fetch_normal(p).rgb;\n",
-    "    float eighth = max(abs(normal.x), abs(normal.y)) * 0.125;\n",
-    "    float facing = max(normal.z - (ray.x * normal.x + ray.y * normal.y), eighth);\n",
-    "    if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) {\n",
-    "        slope = normal.xy / facing;\n",
-    "    }\n",
-    "#else\n",
-    "    float2 limit = float2(constant[at + 1].w, constant[at + 4].w);\n",
-    "    float2 focal = constant[2].yz;\n",
-    "#if HALVED\n",
-    "    focal = 0.5 * focal;\n",
+    "#if NORMAL\n"
+    "// The normal of the nearest of four pixels.\n"
+    "float4 filter_pixel(int2 p) {\n"
+        "int2 first = p * 2;\n"
+        "int2 best = first;\n"
+        "float least = texel(first).a;\n"
+        "for (int i = 1; i < 4; i++) {\n"
+            "int2 q = first + int2(i % 2, i / 2);\n"
+            "float depth = texel(q).a;\n"
+            "if (depth > 0.0 && (!(least > 0.0) || depth < least)) {\n"
+                "least = depth;\n"
+                "best = q;\n"
+            "}\n"
+        "}\n"
+        "return fetch_normal(best);\n"
+    "}\n"
     "#endif\n",
-    "    slope = float2(slope_of(p, int2(1, 0), own, focal.x, limit), slope_of(p, int2(0, 1), own, focal.y, limit));\n",
-    "#endif\n",
-    "    return slope * constant[2].w;\n",
+    "#if UP\n"
+    "// Pixels a mm there, before the limit of the picture's larger side.\n"
+    "float pixels_at(float depth) {\n"
+        "float pixels = constant[0].z;\n"
+        "#PERSPECTIVE pixels = pixels / depth;\n"
+        "return pixels;\n"
     "}\n",
-    "\n",
-    "#endif\n",
-    "#if PREPARE\n",
-    "float4 filter_pixel(int2 p)\n",
-    "{\n",
-    "    return source(p);\n",
+    "// How much of the filtered light is the pixel's own: each tap's bilinear share of it.\n"
+    "float3 share_at(float depth, int at) {\n"
+        "float pixels = min(pixels_at(depth), max(constant[0].x, constant[0].y) / constant[at].w);\n"
+        "float3 share = constant[at + 2].rgb;\n"
+        "for (int t = 0; t < TERMS; t++) {\n"
+            "int block = at + t * PROFILES * STRIDE;\n"
+            "float3 across = float3(0.0, 0.0, 0.0);\n"
+            "float3 down = float3(0.0, 0.0, 0.0);\n"
+            "for (int k = 0; k < TAPS; k++) {\n"
+                "#HALF_KERNEL float4 tap = constant[block + 5 + (k + 1) / 2];\n"
+                "#!HALF_KERNEL float4 tap = constant[block + 5 + k];\n"
+                "float away = pixels * abs(tap.w);\n"
+                "across = across + tap.rgb * max(1.0 - away * constant[1].x, 0.0);\n"
+                "down = down + tap.rgb * max(1.0 - away * constant[1].y, 0.0);\n"
+            "}\n"
+            "share = share + constant[block + 1].rgb * across * down;\n"
+        "}\n"
+        "return clamp(share, float3(0.0, 0.0, 0.0), float3(0.999, 0.999, 0.999));\n"
     "}\n",
+    "// A pixel keeps its share of its own light; the rest is what became of the light of the four larger pixels around.\n"
+    "float4 filter_pixel(int2 p) {\n"
+        "float4 own = source(p);\n"
+        "float3 light = own.rgb;\n"
+        "int at = 3;\n"
+        "if (!(own.a > 0.0)) { return float4(fetch_colour(p).rgb, 1.0); }\n"
+        "#BOTH light = fetch_colour(p).rgb;\n"
+        "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+        "float3 share = share_at(own.a, at);\n"
+        "float3 soft = float3(0.0, 0.0, 0.0);\n"
+        "float weight = 0.0;\n"
+        "for (int i = 0; i < 4; i++) {\n"
+            "int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);\n"
+            "if (!inside(q * 2)) { continue; }\n"
+            "float4 there = fetch_input(q);\n"
+            "float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);\n"
+            "if (!(f > 0.0)) { continue; }\n"
+            "float3 kept = share;\n"
+            "#PERSPECTIVE kept = share_at(there.a, at);\n"
+            "float3 change = fetch_sum(q).rgb - there.rgb;\n"
+            "soft = soft + f * (there.rgb + change / (float3(1.0, 1.0, 1.0) - kept));\n"
+            "weight = weight + f;\n"
+        "}\n"
+        "float strength = constant[0].w;\n"
+        "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+        "if (!(pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5) || !(weight > 1e-6)) {\n"
+            "strength = 0.0;\n"
+        "}\n"
+        "if (strength > 0.0) { light = light + strength * (float3(1.0, 1.0, 1.0) - share) * (soft / weight - light); }\n"
+        "return float4(light, 1.0);\n"
+    "}\n"
     "#endif\n",
-    "#if NEARNESS\n",
-    "// Of a pixel near another, of the same surface; at: its profile's constants.\n",
-    "float nearness(float4 there, float4 own, int at)\n",
-    "{\n",
-    "    float f = 1.0;\n",
-    "#if DEPTH\n",
-    "    float dz = (there.a - own.a) * constant[at + 1].w;\n",
-    "    f = max(1.0 - dz * dz / constant[at + 2].w, 0.0);\n",
-    "    f = f * f * f * f;\n",
-    "#endif\n",
-    "    return pick(0.0, f, same(there, own));\n",
+    "#if PASS\n"
+    "float restore(float sum, float weight, float own, float total, bool mixed) {\n"
+        "if (mixed) { return sum + own * (total - weight); }\n"
+        "if (weight > 1e-30) { return sum / weight * total; }\n"
+        "return own * total;\n"
     "}\n",
-    "\n",
+    "#if SECOND\n"
+    "// Only the first term's pass leaves light where it was.\n"
+    "float3 unblurred(int2 p) {\n"
+        "float3 light = float3(0.0, 0.0, 0.0);\n"
+        "if (constant[2].x > 0.5) { light = fetch_input(p).rgb; }\n"
+        "return light;\n"
+    "}\n"
     "#endif\n",
-    "#if DOWN\n",
-    "float4 nearer(float4 a, float4 b)\n",
-    "{\n",
-    "#if DEPTH\n",
-    "    return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a));\n",
-    "#else\n",
-    "    return pick(b, a, a.a > 0.0);\n",
+    "float4 filter_pixel(int2 p) {\n"
+        "float4 own = texel(p);\n"
+        "float4 black = float4(0.0, 0.0, 0.0, 0.0);\n"
+        "if (!(own.a > 0.0)) {\n"
+            "#SECOND return float4(unblurred(p), 1.0);\n"
+            "#!SECOND return black;\n"
+        "}\n"
+        "int at = 3;\n"
+        "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+        "float4 total = constant[at];\n"
+        "float2 aspect = constant[1].xy;\n"
+        "float pixels = constant[0].z;\n"
+        "float most = max(constant[0].x, constant[0].y) / total.w;\n"
+        "#PERSPECTIVE pixels = pixels / own.a;\n"
+    "#if HALVED\n"
+        "pixels = 0.5 * pixels;\n"
+        "most = 0.5 * most;\n"
+    "#endif\n"
+        "bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n"
+        "pixels = min(pixels, most);\n"
+        "float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n"
+    "#if TURNED\n"
+        "float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n"
+        "float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n"
+        "axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
+    "#endif\n"
+    "#if SHAPE\n"
+        "// Of the tangent plane: depth a column and a row, in perspective relative; cosine to the ray, in mm of scaled depth.\n"
+        "float2 ray = ray_of(p);\n"
+        "float2 slopes = slopes_of(p, own, ray, at);\n"
+        "float slope = dot(axis, slopes);\n"
+        "pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n"
+        "float2 plane = slopes / constant[2].yz;\n"
+        "#HALVED plane = 2.0 * plane;\n"
+        "float towards = dot(ray, slopes) + 1.0;\n"
+        "float facing = constant[2].y / (constant[0].z * constant[at + 1].w * sqrt(dot(slopes, slopes) + towards * towards));\n"
+        "float3 curve = constant[at + 3].rgb;\n"
+        "float least = -1.0 / max(1.0, max(curve.r, max(curve.g, curve.b)));\n"
+    "#endif\n"
+        "axis = axis * aspect * pixels;\n"
+        "float3 result = own.rgb * constant[at + 5].rgb;\n"
+        "float3 weight = constant[at + 5].rgb;\n"
+        "float3 lifted = weight;\n"
+        "if (large) {\n",
+            "for (int k = 1; k < TAPS; k++) {\n"
+    "#if HALF_KERNEL\n"
+                "float4 tap = constant[at + 5 + (k + 1) / 2];\n"
+                "float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
+    "#else\n"
+                "float4 tap = constant[at + 5 + k];\n"
+                "float offset = tap.w;\n"
+    "#endif\n"
+                "float2 whole = floor(axis * offset);\n"
+                "float2 part = axis * offset - whole;\n"
+                "float4 sum = black;\n"
+                "#SHAPE float below = 0.0;\n"
+                "for (int i = 0; i < CORNERS; i++) {\n"
+    "#if TURNED\n"
+                    "int2 corner = int2(i % 2, i / 2);\n"
+                    "float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n"
+    "#else\n"
+                    "int2 corner = int2(i - i * SECOND, i * SECOND);\n"
+                    "float share = abs(1.0 - float(i) - part.x - part.y);\n"
+    "#endif\n"
+                    "if (!(share > 0.0)) { continue; }\n"
+                    "int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n"
+                    "float4 c = texel(p + beside);\n"
+                    "if (!same(c, own)) { continue; }\n"
+                    "float f = share;\n"
+    "#if DEPTH\n"
+                    "float dz = c.a - own.a;\n"
+    "#if SHAPE\n"
+                    "float gain = dot(plane, float2(float(beside.x), float(beside.y)));\n"
+                    "#PERSPECTIVE gain = gain * c.a;\n"
+                    "dz = dz - gain;\n"
+    "#endif\n"
+                    "dz = dz * constant[at + 1].w;\n"
+                    "if (!(dz * dz < constant[at + 2].w)) { continue; }\n"
+    "#if FOLLOW\n"
+                    "f = share * (1.0 - abs(dz));\n"
+    "#else\n"
+    "#if EXACT\n"
+                    "f = share * exp2(-dz * dz);\n"
+    "#else\n"
+                    "f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
+                    "f = share * f * f;\n"
+    "#endif\n"
+    "#endif\n"
+                    "#SHAPE below = below + f * dz;\n"
+    "#endif\n"
+                    "sum = sum + float4(c.rgb * f, f);\n"
+                "}\n"
+                "weight = weight + tap.rgb * sum.a;\n"
+    "#if SHAPE\n"
+                "float sine = 0.0;\n"
+                "if (abs(offset) > 1e-20) {\n"
+                    "float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n"
+                    "below = below - clamp(below, -grain, grain);\n"
+                    "sine = clamp(below * facing / abs(offset), least, 1.0);\n"
+                "}\n"
+                "float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n"
+                "lift = lift * lift;\n"
+                "tap = float4(tap.rgb * lift * lift, tap.w);\n"
+                "lifted = lifted + tap.rgb * sum.a;\n"
+    "#endif\n"
+                "result = result + tap.rgb * sum.rgb;\n"
+            "}\n"
+            "int mixed = int(constant[at + 3].w);\n"
+    "#if SHAPE\n"
+            "lifted = max(weight, lifted * constant[at + 4].rgb);\n"
+            "weight = float3(pick(lifted.r, weight.r, (mixed & 1) != 0), pick(lifted.g, weight.g, (mixed & 2) != 0),\n"
+            "    pick(lifted.b, weight.b, (mixed & 4) != 0));\n"
+    "#endif\n"
+            "result = float3(restore(result.r, weight.r, own.r, total.r, (mixed & 1) != 0),\n"
+            "    restore(result.g, weight.g, own.g, total.g, (mixed & 2) != 0),\n"
+            "    restore(result.b, weight.b, own.b, total.b, (mixed & 4) != 0));\n"
+        "} else {\n"
+            "result = own.rgb * total.rgb;\n"
+        "}\n"
+    "#if SECOND\n"
+        "float strength = 1.0;\n"
+    "#if !HALVED\n"
+        "strength = constant[0].w;\n"
+        "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+    "#endif\n"
+        "float3 delta = constant[at + 2].rgb;\n"
+        "result = constant[at + 1].rgb * result;\n"
+        "if (!large || strength < 1.0 || dot(abs(delta), float3(1.0, 1.0, 1.0)) > 0.0) {\n"
+            "float3 light = unblurred(p);\n"
+            "result = result + delta * light;\n"
+            "result = pick(light, strength * result + (1.0 - strength) * light, large);\n"
+        "}\n"
+        "return float4(result, 1.0);\n"
+    "#else\n"
+        "#BOTH result = float3(result.rg, code_of(result.b, profile_of(own)));\n"
+        "return float4(result, own.a);\n"
+    "#endif\n"
+    "}\n"
     "#endif\n",
-    "}\n",
-    "\n",
-    "// The mean of those of four pixels that lie near the nearest.\n",
-    "float4 filter_pixel(int2 p)\n",
-    "{\n",
-    "    int2 first = p * 2;\n",
-    "    float4 a = texel(first);\n",
-    "    float4 b = texel(first + int2(1, 0));\n",
-    "    float4 c = texel(first + int2(0, 1));\n",
-    "    float4 d = texel(first + int2(1, 1));\n",
-    "    float4 own = nearer(nearer(a, b), nearer(c, d));\n",
-    "    int at = 3;\n",
-    "    if (!(own.a > 0.0)) {\n",
-    "        return own;\n",
-    "    }\n",
-    "#if PROFILE\n",
-    "    at = 3 + STRIDE * int(profile_of(own));\n",
-    "#endif\n",
-    "    float fa = nearness(a, own, at);\n",
-    "    float fb = nearness(b, own, at);\n",
-    "    float fc = nearness(c, own, at);\n",
-    "    float fd = nearness(d, own, at);\n",
-    "    float4 mean = (fa * a + fb * b + fc * c + fd * d) / (fa + fb + fc + fd);\n",
-    "#if BOTH\n",
-    "    mean = float4(mean.rg, code_of(mean.b, profile_of(own)), mean.a);\n",
-    "#endif\n",
-    "    return mean;\n",
-    "}\n",
-    "#endif\n",
-    "#if NORMAL\n",
-    "// The normal of the nearest of four pixels.\n",
-    "float4 filter_pixel(int2 p)\n",
-    "{\n",
-    "    int2 first = p * 2;\n",
-    "    int2 best = first;\n",
-    "    float least = texel(first).a;\n",
-    "    for (int i = 1; i < 4; i++) {\n",
-    "        int2 q = first + int2(i % 2, i / 2);\n",
-    "        float depth = texel(q).a;\n",
-    "        if (depth > 0.0 && (!(least > 0.0) || depth < least)) {\n",
-    "            least = depth;\n",
-    "            best = q;\n",
-    "        }\n",
-    "    }\n",
-    "    return fetch_normal(best);\n",
-    "}\n",
-    "#endif\n",
-    "#if UP\n",
-    "// Pixels a mm there, before the limit of the picture's larger side.\n",
-    "float pixels_at(float depth)\n",
-    "{\n",
-    "    float pixels = constant[0].z;\n",
-    "#if PERSPECTIVE\n",
-    "    pixels = pixels / depth;\n",
-    "#endif\n",
-    "    return pixels;\n",
-    "}\n",
-    "\n",
-    "// How much of the filtered light is the pixel's own: each tap's bilinear share of it.\n",
-    "float3 share_at(float depth, int at)\n",
-    "{\n",
-    "    float pixels = min(pixels_at(depth), max(constant[0].x, constant[0].y) / constant[at].w);\n",
-    "    float3 share = constant[at + 2].rgb;\n",
-    "    for (int t = 0; t < TERMS; t++) {\n",
-    "        int block = at + t * PROFILES * STRIDE;\n",
-    "        float3 across = float3(0.0, 0.0, 0.0);\n",
-    "        float3 down = float3(0.0, 0.0, 0.0);\n",
-    "        for (int k = 0; k < TAPS; k++) {\n",
-    "#if HALF_KERNEL\n",
-    "            float4 tap = constant[block + 5 + (k + 1) / 2];\n",
-    "#else\n",
-    "            float4 tap = constant[block + 5 + k];\n",
-    "#endif\n",
-    "            float away = pixels * abs(tap.w);\n",
-    "            across = across + tap.rgb * max(1.0 - away * constant[1].x, 0.0);\n",
-    "            down = down + tap.rgb * max(1.0 - away * constant[1].y, 0.0);\n",
-    "        }\n",
-    "        share = share + constant[block + 1].rgb * across * down;\n",
-    "    }\n",
-    "    return clamp(share, float3(0.0, 0.0, 0.0), float3(0.999, 0.999, 0.999));\n",
-    "}\n",
-    "\n",
-    "// A pixel keeps its share of its own light; the rest is what became of the light of the four larger pixels around.\n",
-    "float4 filter_pixel(int2 p)\n",
-    "{\n",
-    "    float4 own = source(p);\n",
-    "    float3 light = own.rgb;\n",
-    "    int at = 3;\n",
-    "    if (!(own.a > 0.0)) {\n",
-    "        return float4(fetch_colour(p).rgb, 1.0);\n",
-    "    }\n",
-    "#if BOTH\n",
-    "    light = fetch_colour(p).rgb;\n",
-    "#endif\n",
-    "#if PROFILE\n",
-    "    at = 3 + STRIDE * int(profile_of(own));\n",
-    "#endif\n",
-    "    float3 share = share_at(own.a, at);\n",
-    "    float3 soft = float3(0.0, 0.0, 0.0);\n",
-    "    float weight = 0.0;\n",
-    "    for (int i = 0; i < 4; i++) {\n",
-    "        int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);\n",
-    "        if (!inside(q * 2)) {\n",
-    "            continue;\n",
-    "        }\n",
-    "        float4 there = fetch_input(q);\n",
-    "        float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);\n",
-    "        if (!(f > 0.0)) {\n",
-    "            continue;\n",
-    "        }\n",
-    "        float3 kept = share;\n",
-    "#if PERSPECTIVE\n",
-    "        kept = share_at(there.a, at);\n",
-    "#endif\n",
-    "        float3 change = fetch_sum(q).rgb - there.rgb;\n",
-    "        soft = soft + f * (there.rgb + change / (float3(1.0, 1.0, 1.0) - kept));\n",
-    "        weight = weight + f;\n",
-    "    }\n",
-    "    float strength = constant[0].w;\n",
-    "#if WITH_STRENGTH\n",
-    "    strength = strength * min(fetch_strength(p).r, 1.0);\n",
-    "#endif\n",
-    "    if (!(pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5) || !(weight > 1e-6)) {\n",
-    "        strength = 0.0;\n",
-    "    }\n",
-    "    if (strength > 0.0) {\n",
-    "        light = light + strength * (float3(1.0, 1.0, 1.0) - share) * (soft / weight - light);\n",
-    "    }\n",
-    "    return float4(light, 1.0);\n",
-    "}\n",
-    "#endif\n",
-    "#if PASS\n",
-    "float restore(float sum, float weight, float own, float total, bool mixed)\n",
-    "{\n",
-    "    if (mixed) {\n",
-    "        return sum + own * (total - weight);\n",
-    "    }\n",
-    "    if (weight > 1e-30) {\n",
-    "        return sum / weight * total;\n",
-    "    }\n",
-    "    return own * total;\n",
-    "}\n",
-    "\n",
-    "#if SECOND\n",
-    "// Only the first term's pass leaves light where it was.\n",
-    "float3 unblurred(int2 p)\n",
-    "{\n",
-    "    float3 light = float3(0.0, 0.0, 0.0);\n",
-    "    if (constant[2].x > 0.5) {\n",
-    "        light = fetch_input(p).rgb;\n",
-    "    }\n",
-    "    return light;\n",
-    "}\n",
-    "\n",
-    "#endif\n",
-    "float4 filter_pixel(int2 p)\n",
-    "{\n",
-    "    float4 own = texel(p);\n",
-    "    float4 black = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "    if (!(own.a > 0.0)) {\n",
-    "#if SECOND\n",
-    "        return float4(unblurred(p), 1.0);\n",
-    "#else\n",
-    "        return black;\n",
-    "#endif\n",
-    "    }\n",
-    "    int at = 3;\n",
-    "#if PROFILE\n",
-    "    at = 3 + STRIDE * int(profile_of(own));\n",
-    "#endif\n",
-    "    float4 total = constant[at];\n",
-    "    float2 aspect = constant[1].xy;\n",
-    "    float pixels = constant[0].z;\n",
-    "    float most = max(constant[0].x, constant[0].y) / total.w;\n",
-    "#if PERSPECTIVE\n",
-    "    pixels = pixels / own.a;\n",
-    "#endif\n",
-    "#if HALVED\n",
-    "    pixels = 0.5 * pixels;\n",
-    "    most = 0.5 * most;\n",
-    "#endif\n",
-    "    bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n",
-    "    pixels = min(pixels, most);\n",
-    "    float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n",
-    "#if TURNED\n",
-    "    float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n",
-    "    float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n",
-    "    axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n",
-    "#endif\n",
-    "#if SHAPE\n",
-    "    // Of the tangent plane: depth a column and a row, in perspective relative; cosine to the ray, in mm of scaled depth.\n",
-    "    float2 ray = ray_of(p);\n",
-    "    float2 slopes = slopes_of(p, own, ray, at);\n",
-    "    float slope = dot(axis, slopes);\n",
-    "    pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n",
-    "    float2 plane = slopes / constant[2].yz;\n",
-    "#if HALVED\n",
-    "    plane = 2.0 * plane;\n",
-    "#endif\n",
-    "    float towards = dot(ray, slopes) + 1.0;\n",
-    "    float facing = constant[2].y / (constant[0].z * constant[at + 1].w * sqrt(dot(slopes, slopes) + towards * towards));\n",
-    "    float3 curve = constant[at + 3].rgb;\n",
-    "    float least = -1.0 / max(1.0, max(curve.r, max(curve.g, curve.b)));\n",
-    "#endif\n",
-    "    axis = axis * aspect * pixels;\n",
-    "    float3 result = own.rgb * constant[at + 5].rgb;\n",
-    "    float3 weight = constant[at + 5].rgb;\n",
-    "    float3 lifted = weight;\n",
-    "    if (large) {\n",
-    "        for (int k = 1; k < TAPS; k++) {\n",
-    "#if HALF_KERNEL\n",
-    "            float4 tap = constant[at + 5 + (k + 1) / 2];\n",
-    "            float offset = pick(tap.w, -tap.w, k % 2 == 0);\n",
-    "#else\n",
-    "            float4 tap = constant[at + 5 + k];\n",
-    "            float offset = tap.w;\n",
-    "#endif\n",
-    "            float2 whole = floor(axis * offset);\n",
-    "            float2 part = axis * offset - whole;\n",
-    "            float4 sum = black;\n",
-    "#if SHAPE\n",
-    "            float below = 0.0;\n",
-    "#endif\n",
-    "            for (int i = 0; i < CORNERS; i++) {\n",
-    "#if TURNED\n",
-    "                int2 corner = int2(i % 2, i / 2);\n",
-    "                float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n",
-    "#else\n",
-    "                int2 corner = int2(i - i * SECOND, i * SECOND);\n",
-    "                float share = abs(1.0 - float(i) - part.x - part.y);\n",
-    "#endif\n",
-    "                if (!(share > 0.0)) {\n",
-    "                    continue;\n",
-    "                }\n",
-    "                int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n",
-    "                float4 c = texel(p + beside);\n",
-    "                if (!same(c, own)) {\n",
-    "                    continue;\n",
-    "                }\n",
-    "                float f = share;\n",
-    "#if DEPTH\n",
-    "                float dz = c.a - own.a;\n",
-    "#if SHAPE\n",
-    "                float gain = dot(plane, float2(float(beside.x), float(beside.y)));\n",
-    "#if PERSPECTIVE\n",
-    "                gain = gain * c.a;\n",
-    "#endif\n",
-    "                dz = dz - gain;\n",
-    "#endif\n",
-    "                dz = dz * constant[at + 1].w;\n",
-    "                if (!(dz * dz < constant[at + 2].w)) {\n",
-    "                    continue;\n",
-    "                }\n",
-    "#if FOLLOW\n",
-    "                f = share * (1.0 - abs(dz));\n",
-    "#else\n",
-    "#if EXACT\n",
-    "                f = share * exp2(-dz * dz);\n",
-    "#else\n",
-    "                f = (1.0 - dz * dz) * (1.0 - dz * dz);\n",
-    "                f = share * f * f;\n",
-    "#endif\n",
-    "#endif\n",
-    "#if SHAPE\n",
-    "                below = below + f * dz;\n",
-    "#endif\n",
-    "#endif\n",
-    "                sum = sum + float4(c.rgb * f, f);\n",
-    "            }\n",
-    "            weight = weight + tap.rgb * sum.a;\n",
-    "#if SHAPE\n",
-    "            float sine = 0.0;\n",
-    "            if (abs(offset) > 1e-20) {\n",
-    "                float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n",
-    "                below = below - clamp(below, -grain, grain);\n",
-    "                sine = clamp(below * facing / abs(offset), least, 1.0);\n",
-    "            }\n",
-    "            float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n",
-    "            lift = lift * lift;\n",
-    "            tap = float4(tap.rgb * lift * lift, tap.w);\n",
-    "            lifted = lifted + tap.rgb * sum.a;\n",
-    "#endif\n",
-    "            result = result + tap.rgb * sum.rgb;\n",
-    "        }\n",
-    "        int mixed = int(constant[at + 3].w);\n",
-    "#if SHAPE\n",
-    "        lifted = max(weight, lifted * constant[at + 4].rgb);\n",
-    "        weight = float3(pick(lifted.r, weight.r, (mixed & 1) != 0), pick(lifted.g, weight.g, (mixed & 2) != 0),\n",
-    "                        pick(lifted.b, weight.b, (mixed & 4) != 0));\n",
-    "#endif\n",
-    "        result = float3(restore(result.r, weight.r, own.r, total.r, (mixed & 1) != 0),\n",
-    "                        restore(result.g, weight.g, own.g, total.g, (mixed & 2) != 0),\n",
-    "                        restore(result.b, weight.b, own.b, total.b, (mixed & 4) != 0));\n",
-    "    } else {\n",
-    "        result = own.rgb * total.rgb;\n",
-    "    }\n",
-    "#if SECOND\n",
-    "    float strength = 1.0;\n",
-    "#if !HALVED\n",
-    "    strength = constant[0].w;\n",
-    "#if WITH_STRENGTH\n",
-    "    strength = strength * min(fetch_strength(p).r, 1.0);\n",
-    "#endif\n",
-    "#endif\n",
-    "    float3 delta = constant[at + 2].rgb;\n",
-    "    result = constant[at + 1].rgb * result;\n",
-    "    if (!large || strength < 1.0 || dot(abs(delta), float3(1.0, 1.0, 1.0)) > 0.0) {\n",
-    "        float3 light = unblurred(p);\n",
-    "        result = result + delta * light;\n",
-    "        result = pick(light, strength * result + (1.0 - strength) * light, large);\n",
-    "    }\n",
-    "    return float4(result, 1.0);\n",
-    "#else\n",
-    "#if BOTH\n",
-    "    result = float3(result.rg, code_of(result.b, profile_of(own)));\n",
-    "#endif\n",
-    "    return float4(result, own.a);\n",
-    "#endif\n",
-    "}\n",
-    "#endif\n",
-    "#if COMPUTE\n",
-    "\n",
-    "void filter_group(int2 group, int index)\n",
-    "{\n",
-    "    int2 first = int2(group.x * GROUP_X, group.y * GROUP_Y);\n",
-    "    int2 p = first + int2(index % GROUP_X, index / GROUP_X);\n",
-    "#if TILED\n",
-    "    ms_sss_corner = first - int2(APRON_X, APRON_Y);\n",
-    "    for (int i = index; i < TILE_X * TILE_Y; i += GROUP_X * GROUP_Y) {\n",
-    "        int2 q = ms_sss_corner + int2(i % TILE_X, i / TILE_X);\n",
-    "        float4 c = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "        if (inside(q)) {\n",
-    "            c = source(q);\n",
-    "        }\n",
-    "        ms_sss_tile[i] = c;\n",
-    "    }\n",
-    "    tile_ready();\n",
-    "#endif\n",
-    "#if SMALLER\n",
-    "    if (inside(p * 2)) {\n",
-    "#else\n",
-    "    if (inside(p)) {\n",
-    "#endif\n",
-    "#if LATER\n",
-    "        float4 before = fetch_sum(p);\n",
-    "        store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n",
-    "#else\n",
-    "        store(p, filter_pixel(p));\n",
-    "#endif\n",
-    "    }\n",
-    "}\n",
+    "#if COMPUTE\n"
+    "void filter_group(int2 group, int index) {\n"
+        "int2 first = int2(group.x * GROUP_X, group.y * GROUP_Y);\n"
+        "int2 p = first + int2(index % GROUP_X, index / GROUP_X);\n"
+    "#if TILED\n"
+        "ms_sss_corner = first - int2(APRON_X, APRON_Y);\n"
+        "for (int i = index; i < TILE_X * TILE_Y; i += GROUP_X * GROUP_Y) {\n"
+            "int2 q = ms_sss_corner + int2(i % TILE_X, i / TILE_X);\n"
+            "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
+            "if (inside(q)) { c = source(q); }\n"
+            "ms_sss_tile[i] = c;\n"
+        "}\n"
+        "tile_ready();\n"
+    "#endif\n"
+        "#SMALLER if (inside(p * 2)) {\n"
+        "#!SMALLER if (inside(p)) {\n"
+    "#if LATER\n"
+            "float4 before = fetch_sum(p);\n"
+            "store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n"
+    "#else\n"
+            "store(p, filter_pixel(p));\n"
+    "#endif\n"
+        "}\n"
+    "}\n"
     "#endif\n"};
 
 /* The steps of the pyramid; the comments of PYRAMID KERNELS hold for these lines too. */
 static const char *const ms_sss__tower_body[] = {
-    "// constant: 0 width, height, gain, profile; 1 radius in pixels (perspective: times depth), its limit, step of d a pixel at\n",
-    "// slope 1 (perspective: times d), tangent of a pixel's ray; 2 reach in radii, upright, pixels of the picture in one of the\n",
-    "// coarser level, square of the taps' radius; 3 K / 4, norm; 4 1 / reflectance, mean; 5 spread, rounding of the taps, of d,\n",
-    "// whether there is a coarser level (1) with sums (2); from 6 on weights by size: of the gather, and of RESOLVE of the\n",
-    "// pixel and its neighbours.\n",
-    "// d is linear on planes: -1 / depth in perspective, else depth; 0 where nothing takes part. A level is two textures: light\n",
-    "// and d; share of the surface, changes of d a pixel along x and y.\n",
-    "\n",
-    "// How many pixels of the picture a step of d is deep.\n",
-    "float deep_of(float d)\n",
-    "{\n",
-    "#if SHAPE\n",
-    "#if PERSPECTIVE\n",
-    "    return -1.0 / (constant[1].z * d);\n",
-    "#else\n",
-    "    return 1.0 / constant[1].z;\n",
-    "#endif\n",
-    "#else\n",
-    "    return 0.0;\n",
-    "#endif\n",
+    "// constant: 0 width, height, gain, profile; 1 radius in pixels (perspective: times depth), its limit, step of d a pixel at\n"
+    "// slope 1 (perspective: times d), tangent of a pixel's ray; 2 reach in radii, upright, pixels of the picture in one of the\n"
+    "// coarser level, square of the taps' radius; 3 K / 4, norm; 4 1 / reflectance, mean; 5 spread, rounding of the taps, of d,\n"
+    "// whether there is a coarser level (1) with sums (2); from 6 on weights by size: of the gather, and of RESOLVE of the\n"
+    "// pixel and its neighbours.\n"
+    "// d is linear on planes: -1 / depth in perspective, else depth; 0 where nothing takes part. A level is two textures: light\n"
+    "// and d; share of the surface, changes of d a pixel along x and y.\n"
+    "// How many pixels of the picture a step of d is deep.\n"
+    "float deep_of(float d) {\n"
+    "#if SHAPE\n"
+        "#PERSPECTIVE return -1.0 / (constant[1].z * d);\n"
+        "#!PERSPECTIVE return 1.0 / constant[1].z;\n"
+    "#else\n"
+        "return 0.0;\n"
+    "#endif\n"
     "}\n",
-    "\n",
-    "// The kernel's radius in pixels of the picture.\n",
-    "float radius_of(float d)\n",
-    "{\n",
-    "#if PERSPECTIVE\n",
-    "    return min(-constant[1].x * d, constant[1].y);\n",
-    "#else\n",
-    "    return min(constant[1].x, constant[1].y);\n",
-    "#endif\n",
+    "// The kernel's radius in pixels of the picture.\n"
+    "float radius_of(float d) {\n"
+        "#PERSPECTIVE return min(-constant[1].x * d, constant[1].y);\n"
+        "#!PERSPECTIVE return min(constant[1].x, constant[1].y);\n"
     "}\n",
-    "\n",
-    "#if !BASE\n",
-    "bool inside(int2 p)\n",
-    "{\n",
-    "    float2 first = float2(float(p.x), float(p.y)) * (0.5 * constant[2].z);\n",
-    "    return p.x >= 0 && p.y >= 0 && first.x < constant[0].x && first.y < constant[0].y;\n",
+    "#if !BASE\n"
+    "bool inside(int2 p) {\n"
+        "float2 first = float2(float(p.x), float(p.y)) * (0.5 * constant[2].z);\n"
+        "return p.x >= 0 && p.y >= 0 && first.x < constant[0].x && first.y < constant[0].y;\n"
     "}\n",
-    "\n",
-    "float beside(float away)\n",
-    "{\n",
-    "    float f = max(1.0 - away * away, 0.0);\n",
-    "    return f * f * f * f;\n",
+    "float beside(float away) {\n"
+        "float f = max(1.0 - away * away, 0.0);\n"
+        "return f * f * f * f;\n"
+    "}\n"
+    "#endif\n",
+    "#if !SHRINK\n"
+    "// How much larger the surface is than its picture; middle: the pixel's place in the picture.\n"
+    "float area_of(float2 slope, float2 middle) {\n"
+        "float towards = dot(slope, (middle - 0.5 * constant[0].xy) * constant[1].w) + 1.0;\n"
+        "return sqrt(dot(slope, slope) + towards * towards);\n"
+    "}\n"
+    "#endif\n",
+    "#if BASE\n"
+    "float d_of(float depth) {\n"
+        "float d = 0.0;\n"
+        "if (depth > 0.0) {\n"
+    "#if PERSPECTIVE\n"
+            "d = -1.0 / depth;\n"
+    "#else\n"
+            "#SHAPE d = depth;\n"
+            "#!SHAPE d = 1.0;\n"
+    "#endif\n"
+        "}\n"
+        "return d;\n"
     "}\n",
-    "\n",
-    "#endif\n",
-    "#if !SHRINK\n",
-    "// How much larger the surface is than its picture; middle: the pixel's place in the picture.\n",
-    "float area_of(float2 slope, float2 middle)\n",
-    "{\n",
-    "    float towards = dot(slope, (middle - 0.5 * constant[0].xy) * constant[1].w) + 1.0;\n",
-    "    return sqrt(dot(slope, slope) + towards * towards);\n",
+    "#if SLOPES\n"
+    "float d_at(int2 p) {\n"
+        "float d = 0.0;\n"
+        "if (p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y)) { d = d_of(source(p).a); }\n"
+        "return d;\n"
     "}\n",
-    "\n",
+    "// The slope from d before and after: their mean where the surface turns little, else the smaller one, steeper by what its\n"
+    "// step exceeds the next: near outlines depth goes as a root.\n"
+    "float slope_of(int2 p, int2 way, float own, float deep, float radius) {\n"
+        "float before = d_at(p - way);\n"
+        "float after = d_at(p + way);\n"
+        "float a = (own - before) * deep;\n"
+        "float b = (after - own) * deep;\n"
+        "bool on_a = abs(before) > 0.0 && abs(a) < radius;\n"
+        "bool on_b = abs(after) > 0.0 && abs(b) < radius;\n"
+        "float slope = 0.5 * (pick(0.0, a, on_a) + pick(0.0, b, on_b));\n"
+        "if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n"
+            "bool back = !on_b || (on_a && abs(a) < abs(b));\n"
+            "float next = pick(after, before, back);\n"
+            "float step = own - next;\n"
+            "float inner = next - d_at(p + way * pick(2, -2, back));\n"
+            "float more = abs(step) - abs(inner) - 2.0 * constant[5].z * abs(own);\n"
+            "if (!(on_a && on_b)) { slope = slope + slope; }\n"
+            "if (on_a && on_b && abs(a) < abs(b)) { slope = a; }\n"
+            "if (on_a && on_b && abs(b) < abs(a)) { slope = b; }\n"
+            "if (more > 0.0 && (step * deep) * (inner * deep) > 0.0) {\n"
+                "more = min(more / abs(inner), 0.85);\n"
+                "slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n"
+            "}\n"
+        "}\n"
+        "return slope;\n"
+    "}\n"
     "#endif\n",
-    "#if BASE\n",
-    "float d_of(float depth)\n",
-    "{\n",
-    "    float d = 0.0;\n",
-    "    if (depth > 0.0) {\n",
-    "#if PERSPECTIVE\n",
-    "        d = -1.0 / depth;\n",
-    "#else\n",
-    "#if SHAPE\n",
-    "        d = depth;\n",
-    "#else\n",
-    "        d = 1.0;\n",
+    "// Level 0.\n"
+    "float4 filter_pixel(int2 p) {\n"
+        "float4 own = source(p);\n"
+        "float d = d_of(own.a);\n"
+        "float2 slope = float2(0.0, 0.0);\n"
+        "float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
+        "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
+        "if (!(abs(d) > 0.0)) { return ms_sss_other; }\n"
+    "#if WITH_NORMAL\n"
+        "float3 normal = fetch_normal(p).rgb;\n"
+        "float2 ray = (middle - 0.5 * constant[0].xy) * constant[1].w;\n"
+        "float facing = max(normal.z - dot(ray, normal.xy), 0.125 * max(abs(normal.x), abs(normal.y)));\n"
+        "if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) { slope = normal.xy / facing; }\n"
+    "#endif\n"
+    "#if SLOPES\n"
+        "float deep = deep_of(d);\n"
+        "float radius = radius_of(d);\n"
+        "slope = float2(slope_of(p, int2(1, 0), d, deep, radius), slope_of(p, int2(0, 1), d, deep, radius));\n"
+    "#endif\n"
+        "slope = clamp(slope, float2(-8.0, -8.0), float2(8.0, 8.0)) * constant[2].y;\n"
+        "float step = constant[1].z;\n"
+        "#PERSPECTIVE step = -step * d;\n"
+        "ms_sss_other = float4(min(area_of(slope, middle), 10.0), slope.x * step, slope.y * step, 0.0);\n"
+        "return float4(own.rgb, d);\n"
+    "}\n"
     "#endif\n",
+    "#if SHRINK\n"
+    "// A pixel of the next level from 4 x 4: what lies near the tangent plane of the nearest of the middle four that has a\n"
+    "// quarter of the largest share.\n"
+    "float4 filter_pixel(int2 p) {\n"
+        "float most = 0.0;\n"
+        "for (int i = 0; i < 4; i++) {\n"
+            "int2 q = p * 2 + int2(i % 2, i / 2);\n"
+            "if (inside(q)) { most = max(most, fetch_surface(q).r); }\n"
+        "}\n"
+        "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
+        "if (!(most > 0.0)) { return ms_sss_other; }\n"
+        "float nearest = 3e38;\n"
+        "float2 change = float2(0.0, 0.0);\n"
+        "float2 at = change;\n"
+        "for (int i = 0; i < 4; i++) {\n"
+            "int2 q = p * 2 + int2(i % 2, i / 2);\n"
+            "if (!inside(q)) { continue; }\n"
+            "float4 surface = fetch_surface(q);\n"
+            "float d = fetch_colour(q).a;\n"
+            "if (surface.r > 0.25 * most && d < nearest) {\n"
+                "nearest = d;\n"
+                "change = surface.gb;\n"
+                "at = float2(float(i % 2) - 0.5, float(i / 2) - 0.5);\n"
+            "}\n"
+        "}\n"
+        "float scale = deep_of(nearest) / radius_of(nearest);\n"
+        "float middle = nearest - dot(at, change);\n"
+        "float least = nearest;\n"
+        "float greatest = nearest;\n"
+        "float4 light = float4(0.0, 0.0, 0.0, 0.0);\n"
+        "float3 surfaces = float3(0.0, 0.0, 0.0);\n"
+        "float seen = 0.0;\n"
+        "for (int i = 0; i < 16; i++) {\n"
+            "int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n"
+            "if (!inside(q)) { continue; }\n"
+            "float4 there = fetch_colour(q);\n"
+            "float4 surface = fetch_surface(q);\n"
+            "float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);\n"
+            "float rise = dot(away, change);\n"
+            "float f = beside((there.a - rise - middle) * scale / constant[2].x) * surface.r;\n"
+            "f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);\n"
+            "if (f > 0.0 && abs((there.a - nearest) * scale) < 1.0) {\n"
+                "least = min(least, there.a);\n"
+                "greatest = max(greatest, there.a);\n"
+                "light = light + f * float4(there.rgb, there.a - rise);\n"
+                "float part = f / max(surface.r, 1.0);\n"
+                "surfaces = surfaces + float3(f, part * surface.g, part * surface.b);\n"
+                "seen = seen + part;\n"
+            "}\n"
+        "}\n"
+        "if (!(surfaces.r > 1e-20)) { return ms_sss_other; }\n"
+        "light = light / surfaces.r;\n"
+        "change = 2.0 * surfaces.gb / seen;\n"
+        "ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);\n"
+        "return float4(light.rgb, clamp(light.a, least, greatest));\n"
+    "}\n"
     "#endif\n",
-    "    }\n",
-    "    return d;\n",
+    "#if GATHERS\n"
+    "// Weights of kernels of this radius in pixels, linear between the sizes of the table.\n"
+    "float3 weight_at(float size, int table) {\n"
+        "int i = clamp((int(bits_of(size)) - 0x3f800000) >> 21u, 0, LAST_SIZE);\n"
+        "float low = float_of(uint(0x3f800000 + (i << 21u)));\n"
+        "float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));\n"
+        "float t = clamp((size - low) / (high - low), 0.0, 1.0);\n"
+        "return constant[table + i].rgb + t * (constant[table + i + 1].rgb - constant[table + i].rgb);\n"
     "}\n",
-    "\n",
-    "#if SLOPES\n",
-    "float d_at(int2 p)\n",
-    "{\n",
-    "    float d = 0.0;\n",
-    "    if (p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y)) {\n",
-    "        d = d_of(source(p).a);\n",
-    "    }\n",
-    "    return d;\n",
+    "// light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square of sin(theta), of which grain may\n"
+    "// be rounding.\n"
+    "float raise(float light, float moment, float square, float grain, float quarter, float most) {\n"
+        "float mean = 0.0;\n"
+        "if (abs(light) > 0.0) { mean = moment / light; }\n"
+        "mean = clamp(mean - clamp(mean, -grain, grain), -1.0, 1.0);\n"
+        "float u = max(quarter * mean + 1.0, 0.0);\n"
+        "float spread = max(square - (grain * grain + mean * mean), 0.0);\n"
+        "return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);\n"
     "}\n",
-    "\n",
-    "// The slope from d before and after: their mean where the surface turns little, else the smaller one, steeper by what its\n",
-    "// step exceeds the next: near outlines depth goes as a root.\n",
-    "float slope_of(int2 p, int2 way, float own, float deep, float radius)\n",
-    "{\n",
-    "    float before = d_at(p - way);\n",
-    "    float after = d_at(p + way);\n",
-    "    float a = (own - before) * deep;\n",
-    "    float b = (after - own) * deep;\n",
-    "    bool on_a = abs(before) > 0.0 && abs(a) < radius;\n",
-    "    bool on_b = abs(after) > 0.0 && abs(b) < radius;\n",
-    "    float slope = 0.5 * (pick(0.0, a, on_a) + pick(0.0, b, on_b));\n",
-    "    if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n",
-    "        bool back = !on_b || (on_a && abs(a) < abs(b));\n",
-    "        float next = pick(after, before, back);\n",
-    "        float step = own - next;\n",
-    "        float inner = next - d_at(p + way * pick(2, -2, back));\n",
-    "        float more = abs(step) - abs(inner) - 2.0 * constant[5].z * abs(own);\n",
-    "        if (!(on_a && on_b)) {\n",
-    "            slope = slope + slope;\n",
-    "        }\n",
-    "        if (on_a && on_b && abs(a) < abs(b)) {\n",
-    "            slope = a;\n",
-    "        }\n",
-    "        if (on_a && on_b && abs(b) < abs(a)) {\n",
-    "            slope = b;\n",
-    "        }\n",
-    "        if (more > 0.0 && (step * deep) * (inner * deep) > 0.0) {\n",
-    "            more = min(more / abs(inner), 0.85);\n",
-    "            slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n",
-    "        }\n",
-    "    }\n",
-    "    return slope;\n",
-    "}\n",
-    "\n",
+    "// The light of the next coarser level from up to 6 x 6 pixels around, counted by its distance in space and lifted by how far\n"
+    "// it lies below the tangent plane, and the sums of that level; sums of weights to ms_sss_other.\n"
+    "float3 gather(int2 p, float d, float2 change) {\n"
+        "float cells = constant[2].z;\n"
+        "float deep = deep_of(d) / cells;\n"
+        "float radius = radius_of(d);\n"
+        "float2 slope = change * (2.0 * deep);\n"
+        "float area = area_of(slope, float2(float(p.x) + 0.5, float(p.y) + 0.5) * (0.5 * cells));\n"
+        "float cap = min(area, 1.5);\n"
+        "float limit = radius / cells;\n"
+        "float near_plane = 1.0 / (limit * constant[2].x);\n"
+        "float wide = cap * cap * constant[2].w;\n"
+        "float weight = 0.0;\n"
+        "float square = 0.0;\n"
+        "float3 light = float3(0.0, 0.0, 0.0);\n"
+        "float3 moment = light;\n"
+        "float3 sums = light;\n"
+        "float3 weights = light;\n"
+        "for (int j = 0; j < 6; j++) {\n"
+            "for (int k = 0; k < 6; k++) {\n"
+                "int2 q = int2(p.x / 2 + k - 3 + p.x % 2, p.y / 2 + j - 3 + p.y % 2);\n"
+                "float2 away = float2(float(k) - 2.75 + 0.5 * float(p.x % 2), float(j) - 2.75 + 0.5 * float(p.y % 2));\n"
+                "if (dot(away, away) > wide || !inside(q * 2)) { continue; }\n"
+                "float4 there = fetch_coarse(q);\n"
+                "float dz = (there.a - d) * deep;\n"
+                "if (!(abs(there.a) > 0.0 && dz * dz < limit * limit)) { continue; }\n"
+                "float below = dz - dot(away, slope);\n"
+                "float t = max(1.0 - (dz * dz + dot(away, away)) / wide, 0.0);\n"
+                "float w = t * t * fetch_coarse_surface(q).r;\n"
+                "weight = weight + w;\n"
+                "light = light + w * there.rgb;\n"
+                "moment = moment + w * below * there.rgb;\n"
+                "square = square + w * below * below;\n"
+                "if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && constant[5].w > 1.5) {\n"
+                    "t = beside(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);\n"
+                    "sums = sums + t * fetch_sum(q).rgb;\n"
+                    "weights = weights + t * fetch_weight(q).rgb;\n"
+                "}\n"
+            "}\n"
+        "}\n"
+    "#if TILTED\n"
+        "float facing = 1.0 / (cap * area);\n"
+        "float turn = facing * constant[4].w;\n"
+        "float grain = turn * constant[5].y;\n"
+        "#!PERSPECTIVE grain = grain * d;\n"
+        "// Too steep for a tangent plane on this level.\n"
+        "if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) {\n"
+            "square = 0.0;\n"
+            "moment = float3(0.0, 0.0, 0.0);\n"
+        "}\n"
+        "if (weight > 0.0) { square = square / weight; }\n"
+        "square = square * facing * facing * constant[5].x;\n"
+        "light = float3(raise(light.r, moment.r * turn, square, grain, constant[3].r, constant[4].r),\n"
+        "    raise(light.g, moment.g * turn, square, grain, constant[3].g, constant[4].g),\n"
+        "    raise(light.b, moment.b * turn, square, grain, constant[3].b, constant[4].b));\n"
+    "#endif\n"
+        "float3 share = weight_at(radius / cap, 6) * (constant[3].w / (cap * cap));\n"
+        "weights = weights + share * weight;\n"
+        "ms_sss_other = float4(weights.r, weights.g, weights.b, 0.0);\n"
+        "return sums + share * light;\n"
+    "}\n"
     "#endif\n",
-    "// Level 0.\n",
-    "float4 filter_pixel(int2 p)\n",
-    "{\n",
-    "    float4 own = source(p);\n",
-    "    float d = d_of(own.a);\n",
-    "    float2 slope = float2(0.0, 0.0);\n",
-    "    float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n",
-    "    ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "    if (!(abs(d) > 0.0)) {\n",
-    "        return ms_sss_other;\n",
-    "    }\n",
-    "#if WITH_NORMAL\n",
-    "    float3 normal = fetch_normal(p).rgb;\n",
-    "    float2 ray = (middle - 0.5 * constant[0].xy) * constant[1].w;\n",
-    "    float facing = max(normal.z - dot(ray, normal.xy), 0.125 * max(abs(normal.x), abs(normal.y)));\n",
-    "    if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) {\n",
-    "        slope = normal.xy / facing;\n",
-    "    }\n",
+    "#if GATHER\n"
+    "float4 filter_pixel(int2 p) {\n"
+        "float d = fetch_colour(p).a;\n"
+        "float3 sum = float3(0.0, 0.0, 0.0);\n"
+        "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
+        "if (abs(d) > 0.0) { sum = gather(p, d, fetch_surface(p).gb); }\n"
+        "return float4(sum, 0.0);\n"
+    "}\n"
     "#endif\n",
-    "#if SLOPES\n",
-    "    float deep = deep_of(d);\n",
-    "    float radius = radius_of(d);\n",
-    "    slope = float2(slope_of(p, int2(1, 0), d, deep, radius), slope_of(p, int2(0, 1), d, deep, radius));\n",
-    "#endif\n",
-    "    slope = clamp(slope, float2(-8.0, -8.0), float2(8.0, 8.0)) * constant[2].y;\n",
-    "    float step = constant[1].z;\n",
-    "#if PERSPECTIVE\n",
-    "    step = -step * d;\n",
-    "#endif\n",
-    "    ms_sss_other = float4(min(area_of(slope, middle), 10.0), slope.x * step, slope.y * step, 0.0);\n",
-    "    return float4(own.rgb, d);\n",
-    "}\n",
-    "#endif\n",
-    "#if SHRINK\n",
-    "// A pixel of the next level from 4 x 4: what lies near the tangent plane of the nearest of the middle four that has a\n",
-    "// quarter of the largest share.\n",
-    "float4 filter_pixel(int2 p)\n",
-    "{\n",
-    "    float most = 0.0;\n",
-    "    for (int i = 0; i < 4; i++) {\n",
-    "        int2 q = p * 2 + int2(i % 2, i / 2);\n",
-    "        if (inside(q)) {\n",
-    "            most = max(most, fetch_surface(q).r);\n",
-    "        }\n",
-    "    }\n",
-    "    ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "    if (!(most > 0.0)) {\n",
-    "        return ms_sss_other;\n",
-    "    }\n",
-    "    float nearest = 3e38;\n",
-    "    float2 change = float2(0.0, 0.0);\n",
-    "    float2 at = change;\n",
-    "    for (int i = 0; i < 4; i++) {\n",
-    "        int2 q = p * 2 + int2(i % 2, i / 2);\n",
-    "        if (!inside(q)) {\n",
-    "            continue;\n",
-    "        }\n",
-    "        float4 surface = fetch_surface(q);\n",
-    "        float d = fetch_colour(q).a;\n",
-    "        if (surface.r > 0.25 * most && d < nearest) {\n",
-    "            nearest = d;\n",
-    "            change = surface.gb;\n",
-    "            at = float2(float(i % 2) - 0.5, float(i / 2) - 0.5);\n",
-    "        }\n",
-    "    }\n",
-    "    float scale = deep_of(nearest) / radius_of(nearest);\n",
-    "    float middle = nearest - dot(at, change);\n",
-    "    float least = nearest;\n",
-    "    float greatest = nearest;\n",
-    "    float4 light = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "    float3 surfaces = float3(0.0, 0.0, 0.0);\n",
-    "    float seen = 0.0;\n",
-    "    for (int i = 0; i < 16; i++) {\n",
-    "        int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n",
-    "        if (!inside(q)) {\n",
-    "            continue;\n",
-    "        }\n",
-    "        float4 there = fetch_colour(q);\n",
-    "        float4 surface = fetch_surface(q);\n",
-    "        float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);\n",
-    "        float rise = dot(away, change);\n",
-    "        float f = beside((there.a - rise - middle) * scale / constant[2].x) * surface.r;\n",
-    "        f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);\n",
-    "        if (f > 0.0 && abs((there.a - nearest) * scale) < 1.0) {\n",
-    "            least = min(least, there.a);\n",
-    "            greatest = max(greatest, there.a);\n",
-    "            light = light + f * float4(there.rgb, there.a - rise);\n",
-    "            float part = f / max(surface.r, 1.0);\n",
-    "            surfaces = surfaces + float3(f, part * surface.g, part * surface.b);\n",
-    "            seen = seen + part;\n",
-    "        }\n",
-    "    }\n",
-    "    if (!(surfaces.r > 1e-20)) {\n",
-    "        return ms_sss_other;\n",
-    "    }\n",
-    "    light = light / surfaces.r;\n",
-    "    change = 2.0 * surfaces.gb / seen;\n",
-    "    ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);\n",
-    "    return float4(light.rgb, clamp(light.a, least, greatest));\n",
-    "}\n",
-    "#endif\n",
-    "#if GATHERS\n",
-    "// Weights of kernels of this radius in pixels, linear between the sizes of the table.\n",
-    "float3 weight_at(float size, int table)\n",
-    "{\n",
-    "    int i = clamp((int(bits_of(size)) - 0x3f800000) >> 21u, 0, LAST_SIZE);\n",
-    "    float low = float_of(uint(0x3f800000 + (i << 21u)));\n",
-    "    float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));\n",
-    "    float t = clamp((size - low) / (high - low), 0.0, 1.0);\n",
-    "    return constant[table + i].rgb + t * (constant[table + i + 1].rgb - constant[table + i].rgb);\n",
-    "}\n",
-    "\n",
-    "// light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square of sin(theta), of which grain may\n",
-    "// be rounding.\n",
-    "float raise(float light, float moment, float square, float grain, float quarter, float most)\n",
-    "{\n",
-    "    float mean = 0.0;\n",
-    "    if (abs(light) > 0.0) {\n",
-    "        mean = moment / light;\n",
-    "    }\n",
-    "    mean = clamp(mean - clamp(mean, -grain, grain), -1.0, 1.0);\n",
-    "    float u = max(quarter * mean + 1.0, 0.0);\n",
-    "    float spread = max(square - (grain * grain + mean * mean), 0.0);\n",
-    "    return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);\n",
-    "}\n",
-    "\n",
-    "// The light of the next coarser level from up to 6 x 6 pixels around, counted by its distance in space and lifted by how far\n",
-    "// it lies below the tangent plane, and the sums of that level; sums of weights to ms_sss_other.\n",
-    "float3 gather(int2 p, float d, float2 change)\n",
-    "{\n",
-    "    float cells = constant[2].z;\n",
-    "    float deep = deep_of(d) / cells;\n",
-    "    float radius = radius_of(d);\n",
-    "    float2 slope = change * (2.0 * deep);\n",
-    "    float area = area_of(slope, float2(float(p.x) + 0.5, float(p.y) + 0.5) * (0.5 * cells));\n",
-    "    float cap = min(area, 1.5);\n",
-    "    float limit = radius / cells;\n",
-    "    float near_plane = 1.0 / (limit * constant[2].x);\n",
-    "    float wide = cap * cap * constant[2].w;\n",
-    "    float weight = 0.0;\n",
-    "    float square = 0.0;\n",
-    "    float3 light = float3(0.0, 0.0, 0.0);\n",
-    "    float3 moment = light;\n",
-    "    float3 sums = light;\n",
-    "    float3 weights = light;\n",
-    "    for (int j = 0; j < 6; j++) {\n",
-    "        for (int k = 0; k < 6; k++) {\n",
-    "            int2 q = int2(p.x / 2 + k - 3 + p.x % 2, p.y / 2 + j - 3 + p.y % 2);\n",
-    "            float2 away = float2(float(k) - 2.75 + 0.5 * float(p.x % 2), float(j) - 2.75 + 0.5 * float(p.y % 2));\n",
-    "            if (dot(away, away) > wide || !inside(q * 2)) {\n",
-    "                continue;\n",
-    "            }\n",
-    "            float4 there = fetch_coarse(q);\n",
-    "            float dz = (there.a - d) * deep;\n",
-    "            if (!(abs(there.a) > 0.0 && dz * dz < limit * limit)) {\n",
-    "                continue;\n",
-    "            }\n",
-    "            float below = dz - dot(away, slope);\n",
-    "            float t = max(1.0 - (dz * dz + dot(away, away)) / wide, 0.0);\n",
-    "            float w = t * t * fetch_coarse_surface(q).r;\n",
-    "            weight = weight + w;\n",
-    "            light = light + w * there.rgb;\n",
-    "            moment = moment + w * below * there.rgb;\n",
-    "            square = square + w * below * below;\n",
-    "            if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && constant[5].w > 1.5) {\n",
-    "                t = beside(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);\n",
-    "                sums = sums + t * fetch_sum(q).rgb;\n",
-    "                weights = weights + t * fetch_weight(q).rgb;\n",
-    "            }\n",
-    "        }\n",
-    "    }\n",
-    "#if TILTED\n",
-    "    float facing = 1.0 / (cap * area);\n",
-    "    float turn = facing * constant[4].w;\n",
-    "    float grain = turn * constant[5].y;\n",
-    "#if !PERSPECTIVE\n",
-    "    grain = grain * d;\n",
-    "#endif\n",
-    "    // Too steep for a tangent plane on this level.\n",
-    "    if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) {\n",
-    "        square = 0.0;\n",
-    "        moment = float3(0.0, 0.0, 0.0);\n",
-    "    }\n",
-    "    if (weight > 0.0) {\n",
-    "        square = square / weight;\n",
-    "    }\n",
-    "    square = square * facing * facing * constant[5].x;\n",
-    "    light = float3(raise(light.r, moment.r * turn, square, grain, constant[3].r, constant[4].r),\n",
-    "                   raise(light.g, moment.g * turn, square, grain, constant[3].g, constant[4].g),\n",
-    "                   raise(light.b, moment.b * turn, square, grain, constant[3].b, constant[4].b));\n",
-    "#endif\n",
-    "    float3 share = weight_at(radius / cap, 6) * (constant[3].w / (cap * cap));\n",
-    "    weights = weights + share * weight;\n",
-    "    ms_sss_other = float4(weights.r, weights.g, weights.b, 0.0);\n",
-    "    return sums + share * light;\n",
-    "}\n",
-    "\n",
-    "#endif\n",
-    "#if GATHER\n",
-    "float4 filter_pixel(int2 p)\n",
-    "{\n",
-    "    float d = fetch_colour(p).a;\n",
-    "    float3 sum = float3(0.0, 0.0, 0.0);\n",
-    "    ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n",
-    "    if (abs(d) > 0.0) {\n",
-    "        sum = gather(p, d, fetch_surface(p).gb);\n",
-    "    }\n",
-    "    return float4(sum, 0.0);\n",
-    "}\n",
-    "#endif\n",
-    "#if RESOLVE\n",
-    "// The pixel's own light, that of its neighbours as far as they lie near its tangent plane, and the sums.\n",
-    "float4 filter_pixel(int2 p)\n",
-    "{\n",
-    "    float4 own = fetch_colour(p);\n",
-    "    if (!(abs(own.a) > 0.0)) {\n",
-    "        return float4(fetch_input(p).rgb, 1.0);\n",
-    "    }\n",
-    "    float4 surface = fetch_surface(p);\n",
-    "    float deep = deep_of(own.a);\n",
-    "    float radius = radius_of(own.a);\n",
-    "    float size = radius / clamp(surface.r, 1.0, 1.5);\n",
-    "    float3 keep = weight_at(size, 6 + SIZES);\n",
-    "    float3 pass_on = weight_at(size, 6 + 2 * SIZES);\n",
-    "    float3 sum = keep * own.rgb;\n",
-    "    float3 weight = keep;\n",
-    "    for (int i = 0; i < 9; i++) {\n",
-    "        int2 q = p + int2(i % 3 - 1, i / 3 - 1);\n",
-    "        if (!inside(q)) {\n",
-    "            continue;\n",
-    "        }\n",
-    "        float4 there = fetch_colour(q);\n",
-    "        float rise = float(i % 3 - 1) * surface.g + float(i / 3 - 1) * surface.b;\n",
-    "        float away = (there.a - own.a - rise) * deep;\n",
-    "        float f = max(1.0 - 0.25 * away * away, 0.0);\n",
-    "        f = f * f * pick(0.25, 0.5, i % 3 == 1) * pick(0.25, 0.5, i / 3 == 1);\n",
-    "        if (abs(there.a) > 0.0) {\n",
-    "            sum = sum + f * pass_on * there.rgb;\n",
-    "            weight = weight + f * pass_on;\n",
-    "        }\n",
-    "    }\n",
-    "    if (constant[5].w > 0.5) {\n",
-    "        sum = sum + gather(p, own.a, surface.gb);\n",
-    "        weight = weight + ms_sss_other.rgb;\n",
-    "    }\n",
-    "    float strength = constant[0].z;\n",
-    "#if WITH_STRENGTH\n",
-    "    strength = strength * min(fetch_strength(p).r, 1.0);\n",
-    "#endif\n",
-    "    if (!(radius > 0.5)) {\n",
-    "        strength = 0.0;\n",
-    "    }\n",
-    "    float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30), pick(own.g, sum.g / weight.g, weight.g > 1e-30),\n",
-    "                          pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n",
-    "    return float4(own.rgb + strength * (light - own.rgb), 1.0);\n",
-    "}\n",
+    "#if RESOLVE\n"
+    "// The pixel's own light, that of its neighbours as far as they lie near its tangent plane, and the sums.\n"
+    "float4 filter_pixel(int2 p) {\n"
+        "float4 own = fetch_colour(p);\n"
+        "if (!(abs(own.a) > 0.0)) { return float4(fetch_input(p).rgb, 1.0); }\n"
+        "float4 surface = fetch_surface(p);\n"
+        "float deep = deep_of(own.a);\n"
+        "float radius = radius_of(own.a);\n"
+        "float size = radius / clamp(surface.r, 1.0, 1.5);\n"
+        "float3 keep = weight_at(size, 6 + SIZES);\n"
+        "float3 pass_on = weight_at(size, 6 + 2 * SIZES);\n"
+        "float3 sum = keep * own.rgb;\n"
+        "float3 weight = keep;\n"
+        "for (int i = 0; i < 9; i++) {\n"
+            "int2 q = p + int2(i % 3 - 1, i / 3 - 1);\n"
+            "if (!inside(q)) { continue; }\n"
+            "float4 there = fetch_colour(q);\n"
+            "float rise = float(i % 3 - 1) * surface.g + float(i / 3 - 1) * surface.b;\n"
+            "float away = (there.a - own.a - rise) * deep;\n"
+            "float f = max(1.0 - 0.25 * away * away, 0.0);\n"
+            "f = f * f * pick(0.25, 0.5, i % 3 == 1) * pick(0.25, 0.5, i / 3 == 1);\n"
+            "if (abs(there.a) > 0.0) {\n"
+                "sum = sum + f * pass_on * there.rgb;\n"
+                "weight = weight + f * pass_on;\n"
+            "}\n"
+        "}\n"
+        "if (constant[5].w > 0.5) {\n"
+            "sum = sum + gather(p, own.a, surface.gb);\n"
+            "weight = weight + ms_sss_other.rgb;\n"
+        "}\n"
+        "float strength = constant[0].z;\n"
+        "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+        "if (!(radius > 0.5)) { strength = 0.0; }\n"
+        "float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30), pick(own.g, sum.g / weight.g, weight.g > 1e-30),\n"
+        "    pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n"
+        "return float4(own.rgb + strength * (light - own.rgb), 1.0);\n"
+    "}\n"
     "#endif\n"};
 
 static const char *const ms_sss__transmission_body[] = {
-    "float ms_sss_through(float reflectance, float decay, float thickness, float parallel)\n",
-    "{\n",
-    "    float dark = max(1.0 - reflectance, 1e-4);\n",
-    "    float R = 1.0 - dark;\n",
-    "    float y = decay * max(thickness, 0.0);\n",
-    "    float x = exp(-y);\n",
-    "    float gone = 1.0 - x;\n",
-    "    float slab = 1.0 - 0.85 * dark * dark * dark * dark * dark * (1.0 - exp(-0.8 * y));\n",
-    "    if (!(reflectance > 0.0)) {\n",
-    "        return 0.0;\n",
-    "    }\n",
-    "    if (y < 0.02) {\n", /* where the difference would lose digits */
-    "        gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0));\n",
-    "    }\n",
-    "    slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));\n",
-    "    return slab * (1.0 + dark / R * max(parallel, 0.0));\n",
+    "float ms_sss_through(float reflectance, float decay, float thickness, float parallel) {\n"
+        "float dark = max(1.0 - reflectance, 1e-4);\n"
+        "float R = 1.0 - dark;\n"
+        "float y = decay * max(thickness, 0.0);\n"
+        "float x = exp(-y);\n"
+        "float gone = 1.0 - x;\n"
+        "float slab = 1.0 - 0.85 * dark * dark * dark * dark * dark * (1.0 - exp(-0.8 * y));\n"
+        "if (!(reflectance > 0.0)) { return 0.0; }\n"
+        "if (y < 0.02) {\n" /* where the difference would lose digits */
+            "gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0));\n"
+        "}\n"
+        "slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));\n"
+        "return slab * (1.0 + dark / R * max(parallel, 0.0));\n"
     "}\n",
-    "\n",
-    "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal, float3 to_light, float3 light)\n",
-    "{\n",
-    "    float entry = dot(entry_normal, to_light);\n",
-    "    float parallel = -dot(normal, entry_normal);\n",
-    "    if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) {\n",
-    "        return float3(0.0, 0.0, 0.0);\n",
-    "    }\n",
-    "    return entry * light * float3(ms_sss_through(reflectance.r, decay.r, thickness_mm, parallel),\n",
-    "        ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel), ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n",
+    "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal, float3 to_light, float3 light) {\n"
+        "float entry = dot(entry_normal, to_light);\n"
+        "float parallel = -dot(normal, entry_normal);\n"
+        "if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) { return float3(0.0, 0.0, 0.0); }\n"
+        "return entry * light * float3(ms_sss_through(reflectance.r, decay.r, thickness_mm, parallel),\n"
+        "    ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel), ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n"
     "}\n"};
 
 /* What lines are chosen by, and what stands as a number in them. */
@@ -7726,42 +7480,49 @@ static size_t ms_sss__say_declaration(ms_sss__text *text, const char *s, int out
     return at + 1;
 }
 
-static void ms_sss__say_line(ms_sss__text *text, const char *s)
+static void ms_sss__say_line(ms_sss__text *text, const char *s, const char *end, int outside)
 {
-    const int outside = *s != ' ';
-    while (*s == ' ') s += ms_sss__say_word(text, s);
-    if (strncmp(s, "for (", 5) == 0) {
-        ms_sss__say(text, "for (");
-        s += 5;
+    if (s[0] != '/') {
+        if (strncmp(s, "for (", 5) == 0) {
+            ms_sss__say(text, "for (");
+            s += 5;
+        }
+        s += ms_sss__say_declaration(text, s, outside);
+        while (s < end) s += ms_sss__say_word(text, s);
     }
-    if (s[0] == '/' && s[1] == '/') {
-        ms_sss__say(text, s);
-        return;
-    }
-    s += ms_sss__say_declaration(text, s, outside);
-    while (*s) s += ms_sss__say_word(text, s);
+    ms_sss__say_part(text, s, (size_t)(end - s) + 1);
 }
 
-static void ms_sss__say_body(ms_sss__text *text, const char *const *line, size_t count)
+/* Lines are indented by braces, with a blank one between functions. No string is longer than what C99 promises to take. */
+static void ms_sss__say_body(ms_sss__text *text, const char *const *part, size_t parts)
 {
-    int skipped = 0, depth = 0; /* skipped: depth of the #if that is not taken, 0: none */
-    size_t i;
-    for (i = 0; i < count; ++i) {
-        const char *s = line[i];
-        if (strncmp(s, "#if ", 4) == 0) {
-            const int not_it = s[4] == '!';
-            const int feature = ms_sss__find_feature(s + 4 + not_it, ms_sss__name_length(s + 4 + not_it));
-            MS_ASSERT(feature >= 0);
-            ++depth;
-            if (!skipped && (text->feature[feature] != 0) == not_it) skipped = depth;
-        } else if (strncmp(s, "#else", 5) == 0) {
-            if (skipped == depth) skipped = 0;
-            else if (!skipped) skipped = depth;
-        } else if (strncmp(s, "#endif", 6) == 0) {
-            if (skipped == depth) skipped = 0;
-            --depth;
-        } else if (!skipped) {
-            ms_sss__say_line(text, s);
+    int skipped = 0, depth = 0, braces = 0, ended = text->length > 0, i; /* skipped: depth of the #if that is not taken, 0: none; ended: a function */
+    const char *s, *end, *c;
+    for (; parts > 0; ++part, --parts) {
+        for (s = *part; *s; s = end + 1) {
+            end = strchr(s, '\n');
+            if (s[0] == '#') {
+                const int open = strncmp(s, "#if ", 4) == 0, not_it = s[open ? 4 : 1] == '!';
+                const char *name = s + (open ? 4 : 1) + not_it;
+                const size_t n = ms_sss__name_length(name);
+                const int feature = ms_sss__find_feature(name, n), taken = feature >= 0 && (text->feature[feature] != 0) != not_it;
+                depth += open;
+                if (open) {
+                    if (!skipped && !taken) skipped = depth;
+                } else if (feature < 0) { /* #else, #endif */
+                    if (skipped == depth) skipped = 0;
+                    else if (!skipped && s[2] == 'l') skipped = depth;
+                    depth -= s[2] == 'n';
+                }
+                if (open || !taken) continue;
+                s = name + n + 1;
+            }
+            if (skipped) continue;
+            if (ended) ms_sss__say(text, "\n");
+            for (i = *s == '}'; i < braces; ++i) ms_sss__say(text, "    ");
+            ms_sss__say_line(text, s, end, braces == 0);
+            for (c = s; c < end; ++c) braces += (*c == '{') - (*c == '}');
+            ended = braces == 0 && end[-1] == '}';
         }
     }
 }
@@ -7955,7 +7716,6 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
         if (used[i]) ms_sss__say_dialect(text, d->texture, s, name[i], i);
     if (tower) ms_sss__say(text, d->other);
     ms_sss__say_dialect(text, s->compute ? d->tile : tower && !resolve ? d->fragments : d->fragment, s, "", 0);
-    ms_sss__say(text, "\n");
     if (!tower || base) ms_sss__say_body(text, ms_sss__source_body, sizeof ms_sss__source_body / sizeof ms_sss__source_body[0]);
     if (tower) ms_sss__say_body(text, ms_sss__tower_body, sizeof ms_sss__tower_body / sizeof ms_sss__tower_body[0]);
     else ms_sss__say_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
