@@ -120,6 +120,26 @@ typedef struct image__bytes {
 /* Nearest of the 256 levels; NaN and negative values become 0, what is above 1 becomes 255. */
 static inline unsigned char image_to_byte(float v) { return (unsigned char)(v > 0 ? v < 1 ? v * 255 + 0.5f : 255 : 0); }
 
+/* Binary16, and back: nearest, ties to even; what is beyond 65504 becomes 65504. */
+static inline uint16_t image_to_half(float v)
+{
+    float size = fabsf(v);
+    int e;
+    uint16_t sign = v < 0 ? 0x8000u : 0;
+    if (!(size < 65504)) return (uint16_t)(sign | 0x7bffu);
+    (void)frexpf(size, &e); /* size < 2^e: steps of 2^(e - 11), subnormal ones of 2^-24 */
+    e = size > 0 && e > -13 ? e : -13;
+    return (uint16_t)(sign | (((unsigned)(e + 13) << 10) + (unsigned)lrintf(ldexpf(size, 11 - e))));
+}
+
+static inline float image_from_half(uint16_t h)
+{
+    float v = (float)(h & 1023);
+    int e = h >> 10 & 31;
+    v = e == 31 ? (v > 0 ? NAN : INFINITY) : e ? ldexpf(v + 1024, e - 25) : ldexpf(v, -24);
+    return h & 0x8000 ? -v : v;
+}
+
 static inline int image__has_extension(const char *path, const char *extension)
 {
     size_t n = strlen(path), m = strlen(extension), i;

@@ -2,9 +2,9 @@
 
      cc -O2 -I. examples/train.c -o build/train -lpthread -lm       (-O3 -fno-math-errno -fno-trapping-math: faster)
      build/train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N | --psnr DB]
-                 [--trunk RENDERER.safetensors] [--rank 96] [--width 384] [--depth 3] [--type F16] [--epochs N] [--channels auto] [--hidden auto] [--seed 1]
+                 [--trunk RENDERER.safetensors] [--rank 96] [--width 384] [--depth 3] [--teachers 3] [--type F16] [--epochs N] [--channels auto] [--hidden auto] [--seed 1]
                  [--threads 2] [--again] [--every 20]
-     build/train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--seed 1] [--threads 2]
+     build/train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--sharp LIST] [--seed 1] [--threads 2]
      build/train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]
 
    PICTURES: a folder of square PNG, PPM or PFM files, all of one size; or one file in which they stand below or beside each other, row by row
@@ -13,20 +13,24 @@
    "file" and names the picture. PNG and PPM hold display values, PFM linear light. --size: side of the network's pictures, a divisor of theirs.
    Parameters outside [0, 1] are mapped to it; ranges go into the file's metadata "ms_ranges", the names into "ms_parameters".
 
-   The network is a small trunk (--depth layers of --width ELUs) whose last layer, linear, is made of the pictures' principal components:
+   The network is a small trunk (--depth layers of --width SiLUs) whose last layer, linear, is made of the pictures' principal components:
    the trunk learns their coordinates, which is the picture's error less what no network of that rank could draw. Where a colour channel
    depends on parameters of its own and others that all share, one network serves the three (--channels auto finds out; none; or lists such as
    "0,3,6;1,4,6;2,5,6"). Parameters that a picture does not depend on, since a lobe's share is 0 or 1, are drawn anew each time (--hidden auto finds
    them; none; or "0@7=1,4@7=0": the first where the eighth is 1 ..., of a channel's list).
+   Networks from other starts err apart: --teachers of them are trained, and their mean is taught to the one that is saved, on eight times as many
+   materials as there are pictures; 0: one network and its pictures, in a quarter of the time.
    --bytes (4M): the largest file; --psnr: the quality that is enough; either picks rank and type (a --rank that is a multiple of 32 runs fastest). --check: another folder, FOLDER, with FOLDER.csv (or of
    `make dataset`), for the final measure; two of the same materials cancel their noise. Otherwise every 16th picture is held out.
-   --trunk: the trunk of a renderer that is there, and a new pixels' layer for it, of the pictures' full size: for larger pictures with more noise than
-   a trunk could learn from. They are regressed on its features in linear light, and what is noise in the result is shrunk (a folder of `make dataset`).
-   A run that was interrupted goes on where OUT.safetensors.checkpoint says (written every 20 seconds), to the same bits; --again starts afresh.
+   --trunk: the trunk of a renderer that is there, and a new pixels' layer for it, of the pictures' full size or --size: for larger pictures with more
+   noise than a trunk could learn from, or to take the noise out of a layer. They are regressed on its features in linear light, and what is noise in
+   the result is shrunk (a folder of `make dataset`).
+   A run that was interrupted goes on where OUT.safetensors.checkpoint0 and so on say (every 20 seconds), to the same bits; --again starts afresh.
 
    --inversion: --count small networks from a picture to its parameters, for build/match and ms_pme.h, learnt through the renderer alone: a picture
    that it draws (many of them edited: contrast, black level, mixed channels) is inverted, drawn again and compared. The network that is best for a
-   picture learns most from it, since a match takes the best of all. They are called OUT_PREFIX1.safetensors and so on. */
+   picture learns most from it, since a match takes the best of all. They are called OUT_PREFIX1.safetensors and so on. --sharp 7,16,17: what is
+   0 or 1 in half of the materials; the renderer's file knows, if this program made it. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "image.h"
@@ -38,8 +42,8 @@
 
 static const char usage_text[] =
     "usage: train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N | --psnr DB] [--trunk RENDERER.safetensors] [--rank 96] [--width 384] "
-    "[--depth 3] [--type F32|F16|I8] [--epochs N] [--channels auto|none|LISTS] [--hidden auto|none|LIST] [--seed 1] [--threads 2] [--again] [--every 20]\n"
-    "       train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--seed 1] [--threads 2]\n"
+    "[--depth 3] [--teachers 3] [--type F32|F16|I8] [--epochs N] [--channels auto|none|LISTS] [--hidden auto|none|LIST] [--seed 1] [--threads 2] [--again] [--every 20]\n"
+    "       train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--sharp LIST] [--seed 1] [--threads 2]\n"
     "       train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]\n";
 
 enum { MOST_PARAMETERS = 256, MOST_HIDDEN = 512, CHUNK = 128 };
@@ -94,32 +98,6 @@ static void set_free(material_set *s)
     free(s->low);
     free(s->high);
     memset(s, 0, sizeof *s);
-}
-
-static float half_to_float(uint16_t h)
-{
-    float v = (float)(h & 1023);
-    int e = h >> 10 & 31;
-    v = e == 31 ? (v > 0 ? NAN : INFINITY) : e ? ldexpf(v + 1024, e - 25) : ldexpf(v, -24);
-    return h & 0x8000 ? -v : v;
-}
-
-static uint16_t float_to_half(float f)
-{
-    uint32_t u, sign, m;
-    int e;
-    memcpy(&u, &f, 4);
-    sign = u >> 16 & 0x8000u;
-    e = (int)(u >> 23 & 255) - 112;
-    m = (u & 0x7fffffu) | 0x800000u;
-    if (e >= 31) return (uint16_t)(sign | 0x7bffu); /* the largest */
-    if (e <= 0) {
-        if (e < -10) return (uint16_t)sign;
-        m = (m >> (14 - e)) + (m >> (13 - e) & 1);
-        return (uint16_t)(sign | m);
-    }
-    m = ((uint32_t)e << 10) + ((m & 0x7fffffu) >> 13) + ((m >> 12 & 1) & ((m & 0xfffu) != 0 || (m >> 13 & 1)));
-    return (uint16_t)(sign | (m > 0x7bffu ? 0x7bffu : m));
 }
 
 static uint16_t display(float linear)
@@ -333,16 +311,24 @@ static void read_part(void *context, int index)
     for (i = 0; i < n; ++i) {
         int bad = f == NULL || fread(bytes, 2, pixels, f) != pixels;
         for (k = 0; k < pixels && !bad; ++k) {
-            picture[k] = half_to_float((uint16_t)(bytes[2 * k] | bytes[2 * k + 1] << 8));
+            picture[k] = image_from_half((uint16_t)(bytes[2 * k] | bytes[2 * k + 1] << 8));
             if (!(picture[k] >= 0 && picture[k] < 1e30f)) bad = 2;
         }
         if (bad) {
             snprintf(p->problem[index % 8], sizeof p->problem[0], "%.120s: picture %d %s", p->name[index], i, bad == 2 ? "has a value that is no number" : "is cut off");
             break;
         }
-        if (p->set->linear) /* of the full size */
-            for (k = 0; k < pixels; ++k)
-                p->set->linear[(size_t)(p->first[index] + i) * pixels + k % 3 * (pixels / 3) + k / 3] = (uint16_t)(bytes[2 * k] | bytes[2 * k + 1] << 8);
+        if (p->set->linear) { /* means over boxes */
+            int size = p->set->size, box = p->side / size, c, x, y, j;
+            uint16_t *to = p->set->linear + (size_t)(p->first[index] + i) * 3 * (size_t)size * (size_t)size;
+            for (c = 0; c < 3; ++c)
+                for (y = 0; y < size; ++y)
+                    for (x = 0; x < size; ++x) {
+                        float sum = 0;
+                        for (j = 0; j < box * box; ++j) sum += picture[3 * ((y * box + j / box) * p->side + x * box + j % box) + c];
+                        *to++ = image_to_half(sum / (float)(box * box));
+                    }
+        }
         if (p->set->value)
             add_picture(picture, p->side, p->set->size, 1, p->set->value + (size_t)(p->first[index] + i) * 3 * (size_t)p->set->size * (size_t)p->set->size);
     }
@@ -383,7 +369,7 @@ static int read_parts(train_pool *pool, const char *folder, char **name, int cou
     s->size = size ? size : p.side;
     if (p.side % s->size) return free(p.first), wrong("%s: pictures of %d pixels cannot be brought to %d: not a divisor", folder, p.side, s->size);
     s->x = (float *)zeros((size_t)total * 19, sizeof(float));
-    if (linear) s->linear = (uint16_t *)room((size_t)total * 3 * (size_t)p.side * (size_t)p.side, sizeof(uint16_t)), s->size = p.side;
+    if (linear) s->linear = (uint16_t *)room((size_t)total * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
     else s->value = (uint16_t *)room((size_t)total * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
     train_run(pool, count, read_part, &p);
     free(p.first);
@@ -936,7 +922,7 @@ static void trainer_start(trainer *t, train_pool *pool, form *f, const int *size
         t->in[k] = (float *)room((size_t)CHUNK * (size_t)sizes[0], sizeof(float));
         t->g[k] = (float *)room((size_t)CHUNK * (size_t)widest(&t->net), sizeof(float));
         t->spare[k] = (float *)room((size_t)CHUNK * (size_t)widest(&t->net), sizeof(float));
-        for (l = 0; l < t->net.layers; ++l) t->act[k][l] = (float *)room((size_t)CHUNK * (size_t)t->net.size[l + 1], sizeof(float));
+        for (l = 0; l < t->net.layers; ++l) t->act[k][l] = (float *)room((size_t)CHUNK * (size_t)t->net.size[l + 1], 2 * sizeof(float));
     }
 }
 
@@ -1023,7 +1009,7 @@ static void saved_dense(saved *s, const char *name, const char *activation, ms_n
         if (scale) scale[i] = row_step(w, columns);
         for (j = 0; j < columns; ++j)
             if (scale) ((signed char *)to)[i * columns + j] = to_i8(w[j], scale[i]);
-            else if (type == MS_NN_F16) ((uint16_t *)to)[i * columns + j] = float_to_half(w[j]);
+            else if (type == MS_NN_F16) ((uint16_t *)to)[i * columns + j] = image_to_half(w[j]);
             else ((float *)to)[i * columns + j] = w[j];
     }
     snprintf(at, sizeof s->layers - strlen(s->layers), "%s{\"type\":\"dense\",\"name\":\"%s\",\"units\":%.0f,\"activation\":\"%s\"}", at > s->layers ? "," : "", name, (double)rows, activation);
@@ -1133,8 +1119,8 @@ static int report_all(const char *what, const ms_nn *nn, const material_set *a, 
 /* --- a renderer --------------------------------------------------------------------------------------------------- */
 
 typedef struct options {
-    const char *check[2], *channels, *hidden, *trunk;
-    int size, held_out, rank, width, depth, epochs, threads, again, count, first;
+    const char *check[2], *channels, *hidden, *trunk, *sharp;
+    int size, held_out, rank, width, depth, epochs, threads, again, count, first, teachers;
     ms_nn_dtype type;
     double bytes, psnr, rate, every;
     uint64_t seed;
@@ -1323,13 +1309,13 @@ static void rows_of(const form *f, const material_set *s, train_pictures *y)
     y->pixels = 3 * (size_t)s->size * (size_t)s->size / (size_t)f->lists;
 }
 
-static void learn(trainer *t, const options *o, watch *w, size_t outputs, int rows, const char *checkpoint, uint64_t key)
+static void learn(trainer *t, const options *o, watch *w, size_t outputs, int rows, int epochs, const char *checkpoint, uint64_t key)
 {
     int *order = (int *)room((size_t)rows, sizeof(int)), epoch, steps = (rows + t->batch - 1) / t->batch, i, first, batch = t->batch;
     double start = now(), saved_at = start, said = start;
     epoch = first = o->again ? 0 : checkpoint_load(checkpoint, key, t);
     if (epoch) printf("goes on at epoch %d of %s\n", epoch, checkpoint);
-    for (; epoch < o->epochs; ++epoch) {
+    for (; epoch < epochs; ++epoch) {
         uint64_t seed = o->seed * 1000003u + (uint64_t)epoch;
         double sum = 0, at;
         for (i = 0; i < rows; ++i) order[i] = i;
@@ -1343,7 +1329,7 @@ static void learn(trainer *t, const options *o, watch *w, size_t outputs, int ro
             t->order = order + i;
             t->batch = rows - i < batch ? rows - i : batch;
             chunks = (t->batch + CHUNK - 1) / CHUNK;
-            t->rate = (float)o->rate * train_cycle((double)t->step / ((double)steps * o->epochs), &t->beta1);
+            t->rate = (float)o->rate * train_cycle((double)t->step / ((double)steps * epochs), &t->beta1);
             train_adam_count(&t->adam, t->beta1);
             train_run(t->pool, chunks, step_chunk, t);
             train_run(t->pool, 4, step_update, t);
@@ -1352,20 +1338,75 @@ static void learn(trainer *t, const options *o, watch *w, size_t outputs, int ro
         }
         t->batch = batch;
         at = now();
-        if (at - said > 10 || epoch + 1 == o->epochs || (epoch - first) % (o->epochs / 10 + 1) == 0) {
-            printf("epoch %d of %d: error of training %.2f dB, of the held-out %.2f dB; %.0f s, %.0f s left\n", epoch + 1, o->epochs,
+        if (at - said > 10 || epoch + 1 == epochs || (epoch - first) % (epochs / 10 + 1) == 0) {
+            printf("epoch %d of %d: error of training %.2f dB, of the held-out %.2f dB; %.0f s, %.0f s left\n", epoch + 1, epochs,
                    -10 * log10(fmax(sum / rows * (t->f->lists) / (double)outputs, 1e-9)), watch_dB(w, t, outputs), at - start,
-                   (at - start) / (epoch + 1 - first) * (o->epochs - epoch - 1));
+                   (at - start) / (epoch + 1 - first) * (epochs - epoch - 1));
             fflush(stdout);
             said = at;
         }
-        if (at - saved_at >= o->every && epoch + 1 < o->epochs) {
+        if (at - saved_at >= o->every || epoch + 1 == epochs) {
             const char *problem = checkpoint_save(checkpoint, key, t, epoch + 1);
             if (problem) fprintf(stderr, "train: %s: %s\n", checkpoint, problem);
             saved_at = now();
         }
     }
     free(order);
+}
+
+/* Several networks, each from another start, err apart: their mean is nearer to the truth. One network learns it, on as many materials as it takes. */
+typedef struct lesson_rows {
+    int rows, rank;
+    float *x, *c; /* [rows][inputs], [rows][rank] */
+} lesson_rows;
+
+enum { LESSONS = 8 }; /* rows for each that was drawn */
+
+/* The materials, then ones that have each parameter of one or the other of two; what does not matter is drawn anew. */
+static lesson_rows lesson_make(const options *o, const form *f, int rows, const float *x, int rank)
+{
+    lesson_rows l;
+    uint64_t seed = o->seed * 77 + 5;
+    int i, j;
+    l.rows = rows * LESSONS;
+    l.rank = rank;
+    l.x = (float *)room((size_t)l.rows * (size_t)f->inputs, sizeof(float));
+    l.c = (float *)zeros((size_t)l.rows * (size_t)rank, sizeof(float));
+    for (i = 0; i < l.rows; ++i) {
+        const float *a = x + (i % rows) * f->inputs, *b = i < rows ? a : x + (int)(train_bits(&seed) % (uint64_t)rows) * f->inputs;
+        float *to = l.x + (size_t)i * (size_t)f->inputs;
+        for (j = 0; j < f->inputs; ++j) to[j] = train_bits(&seed) & 1 ? a[j] : b[j];
+        redraw(f, to, train_bits(&seed));
+    }
+    return l;
+}
+
+typedef struct lesson_sum {
+    trainer *t;
+    lesson_rows *l;
+    float share;
+} lesson_sum;
+
+static void lesson_part(void *context, int part)
+{
+    const lesson_sum *s = (const lesson_sum *)context;
+    trainer *t = s->t;
+    const float *out = t->act[part][t->net.layers - 1];
+    int from, n, j, rows = s->l->rows;
+    for (from = part * CHUNK; from < rows; from += 2 * CHUNK) {
+        n = rows - from < CHUNK ? rows - from : (int)CHUNK;
+        train_forward(&t->net, t->work[part], n, s->l->x + (size_t)from * (size_t)t->f->inputs, t->act[part]);
+        for (j = 0; j < n * t->rank; ++j) s->l->c[(size_t)from * (size_t)t->rank + (size_t)j] += s->share * out[j];
+    }
+}
+
+static void lesson_add(lesson_rows *l, trainer *t, float share)
+{
+    lesson_sum s;
+    s.t = t;
+    s.l = l;
+    s.share = share * t->scale;
+    train_run(t->pool, 2, lesson_part, &s);
 }
 
 /* --- a larger picture from the coordinates of a smaller one ------------------------------------------------------- */
@@ -1522,7 +1563,7 @@ static void larger_basis(train_pool *pool, const material_set *s, int lists, int
     l.half = (float *)room(65536, sizeof(float));
     l.decode = (float *)room(4096, sizeof(float));
     l.slope = (float *)room(4096, sizeof(float));
-    for (k = 0; k < 65536; ++k) l.half[k] = half_to_float((uint16_t)k);
+    for (k = 0; k < 65536; ++k) l.half[k] = image_from_half((uint16_t)k);
     for (k = 0; k < 4096; ++k) {
         float v = (float)k / 4095, e = 1e-3f;
         l.decode[k] = image_srgb_decode(v);
@@ -1605,7 +1646,7 @@ static int renderer_file(const trainer *t, const form *f, const train_components
     }
     for (l = 0; l + 1 < t->net.layers; ++l) {
         snprintf(name, sizeof name, "hidden%d", l + 1);
-        saved_dense(&file, name, "elu", MS_NN_F16, (size_t)t->net.size[l + 1], (size_t)t->net.size[l], train_weight(&t->net, l), train_bias(&t->net, l));
+        saved_dense(&file, name, t->net.silu ? "silu" : "elu", MS_NN_F16, (size_t)t->net.size[l + 1], (size_t)t->net.size[l], train_weight(&t->net, l), train_bias(&t->net, l));
     }
     if (type == MS_NN_I8) (void)rounding(c, pixels, rank, factor);
     else for (j = 0; j < rank; ++j) factor[j] = 1;
@@ -1679,6 +1720,7 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     form f;
     trainer t;
     watch w;
+    lesson_rows lesson;
     image__bytes bytes;
     ms_nn *nn = NULL;
     ms_error error;
@@ -1689,6 +1731,7 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     uint64_t key = 0xcbf29ce484222325u;
     float *x;
     memset(check, 0, sizeof check);
+    memset(&lesson, 0, sizeof lesson);
     if (!set_read(pool, pictures, csv, o->size, NULL, &s)) return 0;
     for (k = 0; k < 2 && o->check[k]; ++k)
         if (!set_read(pool, o->check[k], csv, s.size, &s, &check[k])) return 0;
@@ -1765,23 +1808,36 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     }
     memset(&w, 0, sizeof w);
     watch_make(&w, &f, &held, &c, y.mean, o->rank);
-    trainer_start(&t, pool, &f, sizes, o->depth + 2, 256, o->seed);
-    t.batch = 256;
-    t.scale = (float)sqrt((c.total > 0 ? c.total : 1)) / 8;
-    t.floor = 1e-6f * (float)y.pixels;
-    t.x = x;
     if (o->rank < c.rank) /* the first ones, close together */
         for (i = 0; i < y.rows; ++i)
             for (j = 0; j < o->rank; ++j) c.coordinate[i * (size_t)o->rank + (size_t)j] = c.coordinate[i * (size_t)c.rank + (size_t)j];
-    t.c = c.coordinate;
     key = hash_bytes(key, sizes, sizeof(int) * (size_t)(o->depth + 2));
     key = hash_bytes(key, &o->seed, sizeof o->seed);
     key = hash_bytes(key, &o->epochs, sizeof o->epochs);
     key = hash_bytes(key, &f, sizeof f);
     key = hash_bytes(key, x, y.rows * (size_t)f.inputs * sizeof(float));
-    key = hash_bytes(key, t.c, y.rows * (size_t)o->rank * sizeof(float));
-    snprintf(checkpoint, sizeof checkpoint, "%.980s.checkpoint", path);
-    learn(&t, o, &w, pixels, (int)y.rows, checkpoint, key);
+    key = hash_bytes(key, c.coordinate, y.rows * (size_t)o->rank * sizeof(float));
+    if (o->teachers) lesson = lesson_make(o, &f, (int)y.rows, x, o->rank);
+    for (k = 0;; ++k) {
+        uint64_t theirs = hash_bytes(hash_bytes(key, &k, sizeof k), &o->teachers, sizeof o->teachers);
+        int last = k == o->teachers;
+        if (o->teachers) printf(last ? "their mean:\n" : "teacher %d of %d:\n", k + 1, o->teachers);
+        trainer_start(&t, pool, &f, sizes, o->depth + 2, 256, o->seed + (uint64_t)k);
+        t.net.silu = 1; /* smoother than ELUs: a decibel on materials that it never saw */
+        for (i = 0; i < t.net.count; ++i) t.net.p[i] *= 1.6f; /* they halve what goes through */
+        t.scale = (float)sqrt((c.total > 0 ? c.total : 1)) / 8;
+        t.floor = 1e-6f * (float)y.pixels;
+        t.batch = 256;
+        t.x = lesson.rows && last ? lesson.x : x;
+        t.c = lesson.rows && last ? lesson.c : c.coordinate;
+        snprintf(checkpoint, sizeof checkpoint, "%.980s.checkpoint%d", path, k);
+        learn(&t, o, &w, pixels, lesson.rows && last ? lesson.rows : (int)y.rows, lesson.rows && last ? (3 * o->epochs + 2 * LESSONS - 1) / (2 * LESSONS) : o->epochs, checkpoint, theirs);
+        if (last) break;
+        lesson_add(&lesson, &t, 1.0f / (float)o->teachers);
+        trainer_end(&t);
+    }
+    free(lesson.x);
+    free(lesson.c);
 
     /* what is saved is what is measured */
     fine = renderer_file(&t, &f, &c, y.mean, &s, o->type, &bytes);
@@ -1792,7 +1848,10 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
         const char *problem = file_save(path, bytes.data, bytes.size);
         if (problem) fine = wrong("%s: %s", path, problem);
         else {
-            remove(checkpoint);
+            for (k = 0; k <= o->teachers; ++k) {
+                snprintf(checkpoint, sizeof checkpoint, "%.980s.checkpoint%d", path, k);
+                remove(checkpoint);
+            }
             printf("%s: %.2f MB; %.0f s\n", path, 1e-6 * (double)bytes.size, now() - start);
         }
     }
@@ -1830,7 +1889,7 @@ static float tensor_value(const ms_nn_tensor *t, size_t i)
     if (t->dtype == MS_NN_I8) return (float)((const signed char *)t->data)[i];
     if (t->dtype == MS_NN_F16) {
         memcpy(&h, (const char *)t->data + 2 * i, 2);
-        return half_to_float(h);
+        return image_from_half(h);
     }
     memcpy(&f, (const char *)t->data + 4 * i, 4);
     return f;
@@ -1858,22 +1917,22 @@ static int tensor_dense(const ms_nn_file *file, const char *name, size_t *rows, 
     return 1;
 }
 
-static int frozen_load(const char *path, frozen *r)
+static int frozen_load(const char *path, const char *sharp, frozen *r)
 {
     ms_nn *nn;
     ms_error error;
-    const char *layers, *sharp, *at;
+    const char *layers, *at;
     char name[24], *end;
     size_t rows[TRAIN_LAYERS], columns[TRAIN_LAYERS], i, j, k, n;
     float *weight[TRAIN_LAYERS], *bias[TRAIN_LAYERS], *basis;
     double *gram;
-    int sizes[TRAIN_LAYERS + 1], count = 0, c, l;
+    int sizes[TRAIN_LAYERS + 1], count = 0, silu = 0, c, l;
     uint64_t seed = 1;
     memset(r, 0, sizeof *r);
     if (ms_nn_load_file(path, NULL, &nn, &error) != MS_OK) return wrong("%s: %s", path, error.message);
     r->parameters = (int)ms_nn_input_size(nn);
     layers = ms_nn_file_metadata(ms_nn_tensors(nn), "ms_nn_layers");
-    sharp = ms_nn_file_metadata(ms_nn_tensors(nn), "ms_sharp");
+    if (sharp == NULL) sharp = ms_nn_file_metadata(ms_nn_tensors(nn), "ms_sharp");
     while (count < TRAIN_LAYERS - 1) {
         snprintf(name, sizeof name, "hidden%d", count + 1);
         if (!tensor_dense(ms_nn_tensors(nn), name, &rows[count], &columns[count], &weight[count], &bias[count])) break;
@@ -1899,6 +1958,8 @@ static int frozen_load(const char *path, frozen *r)
             }
     }
     if (columns[0] != (size_t)r->f.inputs || ms_nn_output_size(nn) != (size_t)r->f.lists * r->pixels) return wrong("%s: its layers do not fit each other", path);
+    for (l = 0; l < ms_nn_layer_count(nn); ++l)
+        if (strcmp(ms_nn_layer_at(nn, l).name, "hidden1") == 0) silu = strcmp(ms_nn_layer_at(nn, l).activation, "silu") == 0;
     while (sharp && *sharp && r->sharps < MOST_PARAMETERS) {
         l = (int)strtol(sharp, &end, 10);
         if (end == sharp) break;
@@ -1925,6 +1986,7 @@ static int frozen_load(const char *path, frozen *r)
     sizes[0] = r->f.inputs;
     for (l = 0; l <= count; ++l) sizes[l + 1] = (int)rows[l];
     if (!train_net_make(&r->net, sizes, count + 2, 0, &seed)) return wrong("out of memory");
+    r->net.silu = silu;
     for (l = 0; l < count; ++l) {
         memcpy(train_weight(&r->net, l), weight[l], rows[l] * columns[l] * sizeof(float));
         memcpy(train_bias(&r->net, l), bias[l], rows[l] * sizeof(float));
@@ -1970,7 +2032,7 @@ typedef struct inverting {
     float rate, share, scale;
     uint64_t seed;
     train_work *work[16];
-    float *u[16], *x[16], *rows[16], *act[16][TRAIN_LAYERS], *ract[16][TRAIN_LAYERS], *g[16], *spare[16], *gx[16], *guess[16], *out[16];
+    float *u[16], *x[16], *rows[16], *act[16][16][TRAIN_LAYERS], *ract[16][16][TRAIN_LAYERS], *g[16], *spare[16], *gx[16], *guess[16];
     double best[16], one[16];
     int only_measure;
 } inverting;
@@ -2025,16 +2087,15 @@ static void invert_part(void *context, int part)
     uint64_t seed = t->seed * 64 + (uint64_t)part;
     t->best[part] = t->one[part] = 0;
     draw(r, PART, t->x[part], &seed);
-    frozen_run(r, t->work[part], PART, t->x[part], t->rows[part], t->ract[part], u);
+    frozen_run(r, t->work[part], PART, t->x[part], t->rows[part], t->ract[part][0], u);
     for (i = 0; i < PART && !t->only_measure; ++i)
         if (train_uniform(&seed) < 0.3f) edit(r, u + i * wide, &seed);
     for (i = 0; i < PART * wide; ++i) scaled[i] = u[i] * t->scale;
     for (k = 0; k < t->nets; ++k) { /* errors first: who is best of a picture learns most of it */
-        train_forward(&t->net[k], t->work[part], PART, scaled, t->act[part]);
-        memcpy(t->out[part] + k * PART * d, t->act[part][t->net[k].layers - 1], (size_t)(PART * d) * sizeof(float));
-        frozen_run(r, t->work[part], PART, t->out[part] + k * PART * d, t->rows[part], t->ract[part], NULL);
+        train_forward(&t->net[k], t->work[part], PART, scaled, t->act[part][k]);
+        frozen_run(r, t->work[part], PART, t->act[part][k][t->net[k].layers - 1], t->rows[part], t->ract[part][k], NULL);
         for (i = 0; i < PART; ++i) {
-            const float *v = t->ract[part][last] + i * wide;
+            const float *v = t->ract[part][k][last] + i * wide;
             double s = 0;
             for (j = 0; j < wide; ++j) s += (double)((v[j] - u[i * wide + j]) * (v[j] - u[i * wide + j]));
             error[k][i] = s / (3.0 * r->size * r->size);
@@ -2051,21 +2112,19 @@ static void invert_part(void *context, int part)
     if (t->only_measure) return;
     for (k = 0; k < t->nets; ++k) {
         memset(t->grad[part][k], 0, t->net[k].count * sizeof(float));
-        frozen_run(r, t->work[part], PART, t->out[part] + k * PART * d, t->rows[part], t->ract[part], NULL);
         for (i = 0; i < PART; ++i) {
-            const float *v = t->ract[part][last] + i * wide;
+            const float *v = t->ract[part][k][last] + i * wide;
             float *g = t->g[part] + i * wide, by;
             int is_best = 1;
             for (j = 0; j < t->nets; ++j) is_best = is_best && (error[k][i] < error[j][i] || (error[k][i] <= error[j][i] && k <= j));
             by = (t->share + (is_best ? 1 : 0)) / ((float)sqrt(error[k][i] + 2e-5) * 3 * (float)(r->size * r->size) * (float)t->batch);
             for (j = 0; j < wide; ++j) g[j] = (v[j] - u[i * wide + j]) * by;
         }
-        train_backward(&r->net, t->work[part], PART * r->f.lists, t->rows[part], t->ract[part], t->g[part], t->spare[part], NULL, t->gx[part]);
+        train_backward(&r->net, t->work[part], PART * r->f.lists, t->rows[part], t->ract[part][k], t->g[part], t->spare[part], NULL, t->gx[part]);
         memset(t->g[part], 0, (size_t)(PART * d) * sizeof(float));
         for (i = 0; i < PART * r->f.lists; ++i)
             for (j = 0; j < r->f.inputs; ++j) t->g[part][i / r->f.lists * d + r->f.list[i % r->f.lists][j]] += t->gx[part][i * r->f.inputs + j];
-        train_forward(&t->net[k], t->work[part], PART, scaled, t->act[part]);
-        train_backward(&t->net[k], t->work[part], PART, scaled, t->act[part], t->g[part], t->spare[part], t->grad[part][k], NULL);
+        train_backward(&t->net[k], t->work[part], PART, scaled, t->act[part][k], t->g[part], t->spare[part], t->grad[part][k], NULL);
     }
 }
 
@@ -2130,7 +2189,7 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
     int sizes[5], k, l, part, step, wide, most, steps = o->epochs ? o->epochs : 6000;
     uint64_t seed = o->seed;
     double start = now(), said = start, sum = 0;
-    if (!frozen_load(path, &r)) return 0;
+    if (!frozen_load(path, o->sharp, &r)) return 0;
     memset(&t, 0, sizeof t);
     wide = r.f.lists * r.rank;
     if (wide > 2048) return wrong("%s: %d features; 2048 are possible", path, wide);
@@ -2157,17 +2216,18 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
         t.u[part] = (float *)room(n * (size_t)wide, sizeof(float));
         t.guess[part] = (float *)room(n * (size_t)wide, sizeof(float));
         t.x[part] = (float *)room(n * (size_t)r.parameters, sizeof(float));
-        t.out[part] = (float *)room(n * (size_t)(r.parameters * t.nets), sizeof(float));
         t.rows[part] = (float *)room(n * (size_t)(r.f.lists * r.f.inputs), sizeof(float));
         t.gx[part] = (float *)room(n * (size_t)(r.f.lists * r.f.inputs), sizeof(float));
         t.g[part] = (float *)room(n * (size_t)most, sizeof(float));
         t.spare[part] = (float *)room(n * (size_t)most, sizeof(float));
-        for (l = 0; l < r.net.layers; ++l) t.ract[part][l] = (float *)room(n * (size_t)(r.f.lists * r.net.size[l + 1]), sizeof(float));
-        for (l = 0; l < 4; ++l) t.act[part][l] = (float *)room(n * (size_t)sizes[l + 1], sizeof(float));
-        for (k = 0; k < t.nets; ++k) t.grad[part][k] = (float *)room(t.net[k].count, sizeof(float));
+        for (k = 0; k < t.nets; ++k) {
+            for (l = 0; l < r.net.layers; ++l) t.ract[part][k][l] = (float *)room(n * (size_t)(r.f.lists * r.net.size[l + 1]), 2 * sizeof(float));
+            for (l = 0; l < 4; ++l) t.act[part][k][l] = (float *)room(n * (size_t)sizes[l + 1], 2 * sizeof(float));
+            t.grad[part][k] = (float *)room(t.net[k].count, sizeof(float));
+        }
     }
     draw(&r, PART, t.x[0], &seed);
-    frozen_run(&r, t.work[0], PART, t.x[0], t.rows[0], t.ract[0], t.u[0]);
+    frozen_run(&r, t.work[0], PART, t.x[0], t.rows[0], t.ract[0][0], t.u[0]);
     for (k = 0; k < PART * wide; ++k) sum += (double)(t.u[0][k] * t.u[0][k]);
     t.scale = (float)(1 / sqrt(sum / (PART * wide) + 1e-20));
     printf("%d networks for %s: %d parameters, pictures of %d x %d, %d features\n", t.nets, path, r.parameters, r.size, r.size, wide);
@@ -2213,14 +2273,14 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
         free(t.u[part]);
         free(t.guess[part]);
         free(t.x[part]);
-        free(t.out[part]);
         free(t.rows[part]);
         free(t.gx[part]);
         free(t.g[part]);
         free(t.spare[part]);
-        for (l = 0; l < r.net.layers; ++l) free(t.ract[part][l]);
-        for (l = 0; l < 4; ++l) free(t.act[part][l]);
-        for (k = 0; k < t.nets; ++k) free(t.grad[part][k]);
+        for (k = 0; k < t.nets; ++k) {
+            for (l = 0; l < TRAIN_LAYERS; ++l) free(t.ract[part][k][l]), free(t.act[part][k][l]);
+            free(t.grad[part][k]);
+        }
     }
     frozen_free(&r);
     return 1;
@@ -2250,10 +2310,10 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     memset(&t, 0, sizeof t);
     memset(&c, 0, sizeof c);
     memset(&bytes, 0, sizeof bytes);
-    if (!frozen_load(o->trunk, &r)) return 0;
+    if (!frozen_load(o->trunk, NULL, &r)) return 0;
     count = list_folder(pictures, part, &name);
     if (count < 1) return wrong("%s: --trunk needs a folder of `make dataset`: linear light", pictures);
-    if (!read_parts(pool, pictures, name, count, 0, 1, &s)) return 0;
+    if (!read_parts(pool, pictures, name, count, o->size, 1, &s)) return 0;
     list_free(name, count);
     if (s.parameters != r.parameters) return wrong("%s: %d parameters, %s has %d", pictures, s.parameters, o->trunk, r.parameters);
     memset(&names, 0, sizeof names);
@@ -2277,7 +2337,7 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     x = (float *)room((size_t)rows * (size_t)r.f.inputs, sizeof(float));
     u = (float *)room((size_t)rows * (size_t)full, sizeof(float));
     inputs_of(&r.f, &s, x);
-    for (k = 0; k < r.net.layers; ++k) act[k] = (float *)room((size_t)CHUNK * (size_t)r.net.size[k + 1], sizeof(float));
+    for (k = 0; k < r.net.layers; ++k) act[k] = (float *)room((size_t)CHUNK * (size_t)r.net.size[k + 1], 2 * sizeof(float));
     for (i = 0; i < rows; i += CHUNK) {
         int n = rows - i < CHUNK ? rows - i : (int)CHUNK;
         train_forward(&r.net, work, n, x + (size_t)i * (size_t)r.f.inputs, act);
@@ -2427,7 +2487,9 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
             ++i;
             if (strcmp(a, "--size") == 0) fine = number(a, next, 1, 4096, &v), o->size = (int)v;
             else if (strcmp(a, "--trunk") == 0 && next) o->trunk = next;
+            else if (strcmp(a, "--sharp") == 0 && next) o->sharp = next;
             else if (strcmp(a, "--check") == 0 && checks < 2 && next) o->check[checks++] = next;
+            else if (strcmp(a, "--teachers") == 0) fine = number(a, next, 0, 16, &v), o->teachers = (int)v;
             else if (strcmp(a, "--held-out") == 0) fine = number(a, next, 1, 1e6, &v), o->held_out = (int)v;
             else if (strcmp(a, "--bytes") == 0) fine = number(a, next, 1e4, 1e10, &o->bytes);
             else if (strcmp(a, "--psnr") == 0) fine = number(a, next, 10, 80, &o->psnr);
@@ -2466,6 +2528,7 @@ int main(int argc, char **argv)
     o.depth = 3;
     o.threads = 2;
     o.count = 5;
+    o.teachers = 3;
     o.first = 64;
     o.type = MS_NN_F16;
     o.rate = 0;

@@ -4,8 +4,8 @@
      train_pool pool;
      train_pool_start(&pool, 2);                             the calling thread takes part
      train_net net;
-     train_net_make(&net, sizes, 5, 0, &seed);               sizes [5]: inputs, three hidden layers of ELUs, outputs
-     train_forward(&net, &work, n, x, act);                  act[l] [n][sizes[l + 1]]
+     train_net_make(&net, sizes, 5, 0, &seed);               sizes [5]: inputs, three hidden layers, outputs
+     train_forward(&net, &work, n, x, act);                  act[l] [n][sizes[l + 1]], and room for as much behind it
      train_backward(&net, &work, n, x, act, g, spare, grad, g_x);
 
    The work is cut by the problem alone: the number of threads changes no result. */
@@ -247,7 +247,7 @@ static inline void train_product(train_work *w, int m, int n, int k, train_matri
 enum { TRAIN_LAYERS = 8 };
 
 typedef struct train_net {
-    int layers, sigmoid;           /* the last layer is linear, or sigmoids; those before it ELUs */
+    int layers, sigmoid, silu;     /* the last layer is linear, or sigmoids; those before it ELUs, or x / (1 + exp(-x)) */
     int size[TRAIN_LAYERS + 1];
     size_t at[TRAIN_LAYERS];       /* of weight [size[l + 1]][size[l]], then bias [size[l + 1]], in p */
     size_t count;
@@ -296,34 +296,41 @@ TRAIN__INLINE float train__exp(float x)
     return p * f;
 }
 
-TRAIN__INLINE void train__elu_body(float *x, size_t n)
+/* y = f(y), and f's slope there. */
+TRAIN__INLINE void train__bend_body(int silu, float *y, float *slope, size_t n)
 {
     size_t i;
-    for (i = 0; i < n; ++i) {
-        float low = x[i] < 0 ? x[i] : 0, e;
-        low = low > -80 ? low : -80;
-        e = train__exp(low) - 1;
-        x[i] = x[i] > 0 ? x[i] : e;
-    }
+    if (silu)
+        for (i = 0; i < n; ++i) {
+            float v = y[i], low = v < 0 ? v : -v, e = train__exp(low > -80 ? low : -80), s = (v < 0 ? e : 1) / (1 + e);
+            y[i] = v * s;
+            slope[i] = s + v * s * (1 - s);
+        }
+    else
+        for (i = 0; i < n; ++i) {
+            float v = y[i], low = v < 0 ? v : 0, e = train__exp(low > -80 ? low : -80);
+            y[i] = v > 0 ? v : e - 1;
+            slope[i] = v > 0 ? 1 : e;
+        }
 }
 
-static void train__elu_plain(float *x, size_t n) { train__elu_body(x, n); }
+static void train__bend_plain(int silu, float *y, float *slope, size_t n) { train__bend_body(silu, y, slope, n); }
 #if defined(__GNUC__) && defined(__x86_64__)
-__attribute__((target("avx2,fma"))) static void train__elu_avx2(float *x, size_t n) { train__elu_body(x, n); }
+__attribute__((target("avx2,fma"))) static void train__bend_avx2(int silu, float *y, float *slope, size_t n) { train__bend_body(silu, y, slope, n); }
 #endif
 
-static inline void train__elu(float *x, size_t n)
+static inline void train__bend(int silu, float *y, float *slope, size_t n)
 {
 #if defined(__GNUC__) && defined(__x86_64__)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-        train__elu_avx2(x, n);
+        train__bend_avx2(silu, y, slope, n);
         return;
     }
 #endif
-    train__elu_plain(x, n);
+    train__bend_plain(silu, y, slope, n);
 }
 
-/* act[l] [n][size[l + 1]] of x [n][size[0]]. */
+/* act[l] [n][size[l + 1]] of x [n][size[0]], behind it the slopes of the hidden layers' functions, as many. */
 static inline void train_forward(const train_net *net, train_work *w, int n, const float *x, float *const *act)
 {
     int l, i, j;
@@ -333,7 +340,7 @@ static inline void train_forward(const train_net *net, train_work *w, int n, con
         for (i = 0; i < n; ++i) memcpy(act[l] + (size_t)i * (size_t)outputs, bias, (size_t)outputs * sizeof(float));
         train_product(w, n, outputs, net->size[l], train_rows(in, (size_t)net->size[l]), train_transposed(train_weight(net, l), (size_t)net->size[l]),
                       act[l], (size_t)outputs, 1);
-        if (l + 1 < net->layers) train__elu(act[l], (size_t)n * (size_t)outputs);
+        if (l + 1 < net->layers) train__bend(net->silu, act[l], act[l] + (size_t)n * (size_t)outputs, (size_t)n * (size_t)outputs);
         else if (net->sigmoid)
             for (j = 0; j < n * outputs; ++j) act[l][j] = 1 / (1 + expf(-act[l][j]));
     }
@@ -349,7 +356,7 @@ static inline void train_backward(const train_net *net, train_work *w, int n, co
         size_t k, many = (size_t)n * (size_t)outputs;
         float *to = l ? spare : g_x;
         const float *in = l ? act[l - 1] : x, *y = act[l];
-        if (!last) for (k = 0; k < many; ++k) g[k] *= y[k] > 0 ? 1 : y[k] + 1;
+        if (!last) for (k = 0; k < many; ++k) g[k] *= y[many + k];
         else if (net->sigmoid) for (k = 0; k < many; ++k) g[k] *= y[k] * (1 - y[k]);
         if (grad) {
             float *bias = grad + net->at[l] + (size_t)inputs * (size_t)outputs;

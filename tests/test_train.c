@@ -59,21 +59,22 @@ static double loss_of(const train_net *net, train_work *w, int n, const float *x
     return s;
 }
 
-/* Gradients by weights and inputs against central differences, for the linear and the sigmoid end. */
+/* Gradients by weights and inputs against central differences, for ELUs and SiLUs, the linear and the sigmoid end. */
 static void test_gradient(void)
 {
     static const int sizes[] = {5, 9, 7, 4};
     enum { N = 11 };
     train_work *w = (train_work *)malloc(sizeof *w);
-    float x[N * 5], weight[N * 4], act0[N * 9], act1[N * 7], act2[N * 4], g[N * 9], spare[N * 9], gx[N * 5], *act[3], *grad;
+    float x[N * 5], weight[N * 4], act0[2 * N * 9], act1[2 * N * 7], act2[2 * N * 4], g[N * 9], spare[N * 9], gx[N * 5], *act[3], *grad;
     uint64_t seed = test_seed + 5;
     int sigmoid, i;
     act[0] = act0, act[1] = act1, act[2] = act2;
-    for (sigmoid = 0; sigmoid < 2; ++sigmoid) {
+    for (sigmoid = 0; sigmoid < 4; ++sigmoid) {
         train_net net;
         double worst = 0, size = 0;
         size_t k;
-        CHECK(train_net_make(&net, sizes, 4, sigmoid, &seed));
+        CHECK(train_net_make(&net, sizes, 4, sigmoid & 1, &seed));
+        net.silu = sigmoid >> 1;
         grad = (float *)calloc(net.count, sizeof(float));
         for (k = 0; k < net.count; ++k) net.p[k] *= 2; /* bends */
         for (i = 0; i < N * 5; ++i) x[i] = train_normal(&seed);
@@ -92,24 +93,27 @@ static void test_gradient(void)
             size = fmax(size, fabs(mine));
         }
         CHECK_LE(worst, 5e-3 * size); /* floats: 1e-6 over 8e-3, and a step's square over the kink of an ELU's second derivative */
-        TEST_NOTE("%s: worst %.1e of %.1e", sigmoid ? "sigmoid" : "linear", worst, size);
+        TEST_NOTE("%s, %s: worst %.1e of %.1e", sigmoid >> 1 ? "SiLU" : "ELU", sigmoid & 1 ? "sigmoid" : "linear", worst, size);
         free(grad);
         free(net.p);
     }
     free(w);
 }
 
+/* The functions of the hidden layers and their slopes, against double. */
 static void test_exp(void)
 {
     double worst = 0;
-    int i;
-    for (i = 0; i <= 80000; ++i) {
-        float x = -(float)i / 1000, y[1];
-        y[0] = x;
-        train__elu(y, 1);
-        worst = fmax(worst, fabs((double)y[0] - (exp((double)x) - 1)));
-    }
-    CHECK_LE(worst, 2e-7); /* two roundings of what is below 1 */
+    int i, silu;
+    for (silu = 0; silu < 2; ++silu)
+        for (i = -80000; i <= 80000; ++i) {
+            float y = (float)i / 1000, slope;
+            double x = (double)y, s = 1 / (1 + exp(-x));
+            train__bend(silu, &y, &slope, 1);
+            worst = fmax(worst, fabs((double)y - (silu ? x * s : x < 0 ? exp(x) - 1 : x)) / fmax(1, fabs(x)));
+            worst = fmax(worst, fabs((double)slope - (silu ? s + x * s * (1 - s) : x < 0 ? exp(x) : 1)));
+        }
+    CHECK_LE(worst, 2e-6); /* roundings of 6e-8, of 1 - s times x, which is 17 where s becomes 1 */
     TEST_NOTE("worst %.1e", worst);
 }
 
@@ -302,7 +306,7 @@ static int same_files(const char *a, const char *b)
     return same;
 }
 
-#define TOY "build/train " FOLDER "%s " FOLDER "%s.csv " FOLDER "%s --rank 24 --width 48 --epochs %d %s"
+#define TOY "build/train " FOLDER "%s " FOLDER "%s.csv " FOLDER "%s --rank 24 --width 48 --teachers 1 --epochs %d %s"
 
 static void test_folder(void)
 {
@@ -334,7 +338,7 @@ static void test_folder(void)
     CHECK_INT(run(TOY, "pfm", "pfm", "b.safetensors", EPOCHS, "--threads 3 --channels '0,3,4,5;1,3,4,5;2,3,4,5'"), 0);
     CHECK(same_files(FOLDER "a.safetensors", FOLDER "b.safetensors"));
     remove(FOLDER "c.safetensors");
-    for (wait = 0.2; wait < 20 && !exists(FOLDER "c.safetensors.checkpoint") && !exists(FOLDER "c.safetensors"); wait *= 1.5) {
+    for (wait = 0.2; wait < 20 && !exists(FOLDER "c.safetensors.checkpoint0") && !exists(FOLDER "c.safetensors"); wait *= 1.5) {
         char command[200];
         snprintf(command, sizeof command, "timeout -s KILL %.2f ", wait);
         strcat(command, TOY);
@@ -344,7 +348,7 @@ static void test_folder(void)
     CHECK_INT(run(TOY, "pfm", "pfm", "c.safetensors", EPOCHS, ""), 0);
     CHECK(strstr(said, "goes on at epoch") != NULL);
     CHECK(same_files(FOLDER "a.safetensors", FOLDER "c.safetensors"));
-    CHECK(!exists(FOLDER "c.safetensors.checkpoint"));
+    CHECK(!exists(FOLDER "c.safetensors.checkpoint0"));
     /* an inversion network: what it answers draws a picture like the one it was given */
     CHECK_INT(run("build/train --inversion " FOLDER "a.safetensors " FOLDER "inv --count 2 --first 24 --width 32 --steps 500"), 0);
     {
@@ -479,7 +483,7 @@ static void test_larger(void)
     if (!have_tool()) SKIP("build/train is not there; make builds it");
     parts(FOLDER "noisy", 0, 10, 0.08f, 1);
     parts(FOLDER "clean", 500, 1, 0, 1);
-    CHECK_INT(run("build/train " FOLDER "noisy - " FOLDER "small.safetensors --size 32 --rank 12 --width 32 --epochs 60 --check " FOLDER "clean"), 0);
+    CHECK_INT(run("build/train " FOLDER "noisy - " FOLDER "small.safetensors --size 32 --rank 12 --width 32 --teachers 0 --epochs 60 --check " FOLDER "clean"), 0);
     coarse = told("check: mean ");
     CHECK_INT(run("build/train " FOLDER "noisy - " FOLDER "large.safetensors --trunk " FOLDER "small.safetensors --rank 6 --type I8 --check " FOLDER "clean"), 0);
     large = told("check: mean ");

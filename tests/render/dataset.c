@@ -31,27 +31,6 @@ static void choose_material(uint32_t index, float x[MATERIAL_PARAMETERS])
     if (index % 4 == 1) x[11] = 0.3f * x[11] * x[11];
 }
 
-/* Round to nearest even; beyond 65504 is 65504. */
-static uint16_t to_half(float v)
-{
-    uint32_t u, mantissa, rounded;
-    int exponent;
-    if (!(v > 0)) return 0;
-    if (v > 65504) v = 65504;
-    memcpy(&u, &v, 4);
-    exponent = (int)(u >> 23) - 112;
-    mantissa = (u & 0x7fffffu) | 0x800000u;
-    if (exponent <= 0) {
-        if (exponent < -10) return 0;
-        mantissa >>= 1 - exponent;
-        exponent = 0;
-        rounded = mantissa + 0xfffu + (mantissa >> 13 & 1);
-        return (uint16_t)(rounded >> 13);
-    }
-    rounded = (mantissa & 0x7fffffu) + 0xfffu + (mantissa >> 13 & 1);
-    return (uint16_t)(((uint32_t)exponent << 10) + (rounded >> 13));
-}
-
 static void put_u32(FILE *f, uint32_t v)
 {
     int k;
@@ -100,7 +79,7 @@ static int write_part(const material_scene *stage, const char *folder, uint32_t 
         choose_material(first + i, x);
         if (!material_render(stage, x, size, size, samples, (first + i) ^ trace__hash(take), &picture)) break;
         for (p = 0; p < image_count(&picture); ++p) {
-            uint16_t h = to_half(picture.pixels[p]);
+            uint16_t h = image_to_half(picture.pixels[p] > 0 ? picture.pixels[p] : 0);
             fputc(h & 255, f);
             fputc(h >> 8, f);
         }
