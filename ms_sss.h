@@ -3684,15 +3684,23 @@ typedef struct ms_sss__sweep {
     ptrdiff_t *row, *column; /* the same in floats, from MARGIN rows above the picture on; 0 1 2 ..., from -MARGIN on */
 } ms_sss__sweep;
 
+/* Axes of each pixel's own: the picture lies in planes with an empty row above and below. */
+typedef struct ms_sss__turning {
+    const float (*direction)[2];
+    int second, height;
+    ptrdiff_t stride;
+} ms_sss__turning;
+
 /* A row that a pass makes. What lies i steps along the axis from a group is at from + group + step[i]: red, and `plane` floats on
    green, blue and depth. */
 typedef struct ms_sss__line {
     const float *from;
     const ptrdiff_t *step;
     ptrdiff_t group, plane;    /* floats from a group to the next, from red to green */
-    const float *own[3];       /* with slopes: pixels a mm of the tangent plane, depth that it gains a pixel (relative in perspective), cosine of the normal to the ray */
+    const ms_sss__turning *turn; /* NULL: along an axis */
+    const float *own[3];       /* with slopes: where turned, both; else pixels a mm of the tangent plane, depth that it gains a pixel (relative in perspective), cosine of the normal to the ray */
     const unsigned char *plan;
-    int axis, at, count;       /* 0: x, count columns; 1: y, row at of count */
+    int axis, at, count;       /* 0: x, count columns; 1: y, row at of count; 2: turned, row at, count columns */
     int first, last;           /* columns to make */
     float *to[3];
     ptrdiff_t to_group;
@@ -4763,79 +4771,47 @@ static void ms_sss__turned_band(void *context, int task)
     }
 }
 
-/* Pixel (x, y) of a pass along its own axis, with slope (sx, sy): four pixels beside a tap. */
-static void ms_sss__turned_pixel(const ms_sss__job *job, float *const colour[3], int second, int x, int y, float sx, float sy, float out[3])
-{
-    const ms_sss__pass *p = &job->pass;
-    const ptrdiff_t here = y * job->stride + x;
-    const float z = job->depth[here], *turn = job->direction[ms_sss__turn(x, y)];
-    const float dx = second ? -turn[1] : turn[0], dy = second ? turn[0] : turn[1], plane_x = sx / p->focal[0], plane_y = sy / p->focal[1];
-    float own[3] = {0, 0, 0}, sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0}, lifted[3] = {0, 0, 0}, size, grain = z * p->grain;
-    int k, c, corner;
-    for (c = 0; c < 3; ++c) out[c] = z < INFINITY ? colour[c][here] * p->total[c] : 0;
-    size = z < INFINITY ? ms_sss__size_scalar(p, z) : 0;
-    if (!(size > p->size_min)) return;
-    if (job->shaped) {
-        ms_sss__tangent_scalar(p, dx, dy, x, y, size, sx, sy, own);
-        size = own[0];
-    }
-    for (k = p->tap_count - 1; k > 0; --k) {
-        const float mm = p->offset_mm[k], tx = mm * (dx * size * p->aspect[0]), ty = mm * (dy * size * p->aspect[1]);
-        const float ix = ms_sss__floor(tx), iy = ms_sss__floor(ty);
-        float tap[3] = {0, 0, 0}, n = 0, below = 0, sine = 0;
-        for (corner = 0; corner < 4; ++corner) {
-            const int i = (int)ix + corner % 2, j = (int)iy + corner / 2;
-            const ptrdiff_t at = ms_sss__clamp(y + j, -1, job->frame.height) * job->stride + ms_sss__clamp(x + i, -MS_SSS__LEFT, job->frame.width);
-            const float h = (corner % 2 ? tx - ix : 1 - (tx - ix)) * (corner / 2 ? ty - iy : 1 - (ty - iy)), there = job->depth[at];
-            const float gain = (float)i * plane_x + (float)j * plane_y;
-            float dz = there - z, f;
-            if (!(there < INFINITY)) continue;
-            if (job->shaped) dz -= p->perspective ? gain * there : gain;
-            if (!(dz * dz < p->cut)) continue;
-            f = h * (p->follow ? 1 - fabsf(dz) : p->exact ? ms_sss__exp2_minus_scalar(dz * dz) : ms_sss__falloff_scalar(dz));
-            for (c = 0; c < 3; ++c) tap[c] += f * colour[c][at];
-            n += f;
-            below += f * dz;
-        }
-        if (job->shaped) {
-            sine = ms_sss__beyond_scalar(below, grain * (2 + fabsf(tx) + fabsf(ty))) * own[2] * (fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0);
-            sine = sine > 1 ? 1 : sine < p->least ? p->least : sine;
-        }
-        for (c = 0; c < 3; ++c) {
-            const float lift = ms_sss__lift_scalar(p, c, sine), w = p->weight[k][c];
-            norm[c] += w * n;
-            lifted[c] += w * lift * n;
-            sum[c] += w * lift * tap[c];
-        }
-    }
-    for (c = 0; c < 3; ++c) {
-        const float w = p->weight[0][c], light = colour[c][here];
-        norm[c] += w;
-        if (job->shaped && !p->mixed[c] && norm[c] < p->root[c] * (lifted[c] + w)) norm[c] = p->root[c] * (lifted[c] + w);
-        out[c] = ms_sss__restore_scalar(sum[c] + light * w, norm[c], light, p->total[c], p->mixed[c]);
-    }
-}
-
+/* A pass of a band of rows, each pixel along its own axis. */
 static void ms_sss__turned_pass(const ms_sss__job *job, int task, int second)
 {
     const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y, c, x;
+    const unsigned char plan = MS_SSS__ANY;
+    const ptrdiff_t still = 0;
+    ms_sss__turning turn;
+    ms_sss__sweep s;
+    ms_sss__line l;
+    int y, c;
+    memset(&s, 0, sizeof s);
+    s.shaped = job->shaped;
+    turn.direction = job->direction;
+    turn.second = second;
+    turn.height = job->frame.height;
+    turn.stride = job->stride;
+    memset(&l, 0, sizeof l);
+    l.turn = &turn;
+    l.plan = &plan;
+    l.step = &still;
+    l.axis = 2;
+    l.count = job->frame.width;
+    l.group = l.to_group = job->simd->lanes;
+    l.plane = second ? job->middle[1] - job->middle[0] : job->source[1] - job->source[0];
     for (y = begin; y < end; ++y) {
         const int first = job->first[y], last = job->last[y];
         const float *depth[5];
-        float *slope[2], *to[3], out[3];
+        float *slope[2];
         if (first == last) continue;
+        l.at = y;
+        l.first = first;
+        l.last = last;
+        l.from = (second ? job->middle[0] : job->source[0]) + y * job->stride;
         for (c = 0; c < 5; ++c) depth[c] = job->depth + ms_sss__clamp(y + c - 2, -1, job->frame.height) * job->stride;
-        for (c = 0; c < 2; ++c) slope[c] = ms_sss__buffer(job, task, 18 + c);
-        for (c = 0; c < 3; ++c) to[c] = second ? ms_sss__buffer(job, task, 21 + c) : job->middle[c] + y * job->stride;
+        for (c = 0; c < 2; ++c) l.own[c] = slope[c] = ms_sss__buffer(job, task, 18 + c);
+        for (c = 0; c < 3; ++c) l.to[c] = second ? ms_sss__buffer(job, task, 21 + c) : job->middle[c] + y * job->stride;
         if (job->shaped) ms_sss__slopes(job, task, y, depth, slope);
-        for (x = first; x < last; ++x) {
-            ms_sss__turned_pixel(job, second ? job->middle : job->source, second, x, y, job->shaped ? slope[0][x] : 0, job->shaped ? slope[1][x] : 0, out);
-            for (c = 0; c < 3; ++c) to[c][x] = out[c];
-        }
-        for (c = 0; c < 3; ++c) to[c] += first;
-        if (second) ms_sss__finish(job, task, y, first, last - first, to, job->depth + y * job->stride + first, 0);
+        job->simd->sweep[0](&s, &job->pass, &l, 1, first, last);
+        for (c = 0; c < 3; ++c) l.to[c] += first;
+        if (second) ms_sss__finish(job, task, y, first, last - first, l.to, job->depth + y * job->stride + first, 0);
     }
 }
 
@@ -5297,7 +5273,7 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
         if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
         if (i < 3) job->middle[i] = plane;
         else if (i == 3) job->depth = plane;
-        else if (i < 7) job->source[i - 4] = plane;
+        else if (i < 7) job->source[6 - i] = plane; /* so that depth is three planes behind red there, too */
         at += layout.plane;
     }
     ms_sss__clear_around(job);
@@ -8601,59 +8577,93 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
 }
 #endif
 
-/* The group at column x by any taps. Neighbours mostly share the integer part of a tap's position: each distinct one is handled
-   once for all lanes that have it. h is a pixel's share of a tap (bilinear), f what its depth leaves of it. */
-static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
+/* The group at column x by any taps along an axis, or turned: along each pixel's own. Neighbours mostly share the integer part of a
+   tap's position: each distinct one is handled once for all lanes that have it. h is a pixel's share of a tap (bilinear), f what its
+   depth leaves of it. */
+static MS_SSS__INLINE void MS_SSS__NAME(group)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, const int turned, MS_SSS__V out[3])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const float *here = l->from + x / MS_SSS__LANES * l->group, *at = here + l->step[0];
-    const MS_SSS__V z = MS_SSS__LOAD(at + 3 * l->plane), aspect = MS_SSS__SET(p->aspect[l->axis]);
-    const int low = l->axis ? -1 - l->at : -MS_SSS__LANES - x, high = l->axis ? l->count - l->at : l->count - x;
+    const MS_SSS__V z = MS_SSS__LOAD(at + 3 * l->plane);
+    const int low = l->axis == 1 ? -1 - l->at : -MS_SSS__LANES - x, high = l->axis == 1 ? l->count - l->at : l->count - x;
     const unsigned pending = MS_SSS__BITS(MS_SSS__NAME(need)(p, z));
-    MS_SSS__V size, rise = zero, facing = zero, grain = zero, sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
-    int k, c, j;
-    if (s->shaped) {
+    MS_SSS__V size, rise = zero, rise_y = zero, facing = zero, grain = zero, sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
+    MS_SSS__V dx = one, dy = zero;
+    int k, c, j, j_y;
+    if (!pending) return;
+    size = MS_SSS__NAME(size)(p, z);
+    if (s->shaped) grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
+    if (turned) {
+        float turn[2][MS_SSS__LANES];
+        for (k = 0; k < MS_SSS__LANES; ++k) {
+            const float *d = l->turn->direction[ms_sss__turn(x + k, l->at)];
+            turn[0][k] = l->turn->second ? -d[1] : d[0];
+            turn[1][k] = l->turn->second ? d[0] : d[1];
+        }
+        dx = MS_SSS__LOAD(turn[0]);
+        dy = MS_SSS__LOAD(turn[1]);
+        if (s->shaped) {
+            const MS_SSS__V sx = MS_SSS__LOAD(l->own[0] + x), sy = MS_SSS__LOAD(l->own[1] + x);
+            MS_SSS__V own[3];
+            MS_SSS__NAME(tangent)(p, dx, dy, x, l->at, size, sx, sy, own);
+            size = own[0];
+            facing = own[2];
+            rise = MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0]));
+            rise_y = MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]));
+        }
+        dy = MS_SSS__MUL(dy, MS_SSS__MUL(size, MS_SSS__SET(p->aspect[1])));
+    } else if (s->shaped) {
         size = MS_SSS__LOAD(l->own[0] + x);
         rise = MS_SSS__LOAD(l->own[1] + x);
         facing = MS_SSS__LOAD(l->own[2] + x);
-        grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
-    } else {
-        size = MS_SSS__NAME(size)(p, z);
     }
+    dx = MS_SSS__MUL(dx, MS_SSS__MUL(size, MS_SSS__SET(p->aspect[turned ? 0 : l->axis])));
     for (k = p->tap_count - 1; k > 0; --k) {
         const float mm = p->offset_mm[k];
-        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SET(mm), MS_SSS__MUL(size, aspect)), whole = MS_SSS__FLOOR(t), r = MS_SSS__SUB(t, whole);
+        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SET(mm), dx), whole = MS_SSS__FLOOR(t), r = MS_SSS__SUB(t, whole);
+        const MS_SSS__V t_y = MS_SSS__MUL(MS_SSS__SET(mm), dy), whole_y = turned ? MS_SSS__FLOOR(t_y) : zero, r_y = MS_SSS__SUB(t_y, whole_y);
         MS_SSS__V tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
-        float floors[MS_SSS__LANES];
+        float floors[MS_SSS__LANES], floors_y[MS_SSS__LANES];
         unsigned left = pending;
         MS_SSS__STORE(floors, whole);
+        if (turned) MS_SSS__STORE(floors_y, whole_y);
         while (left) {
-            const float one_floor = floors[ms_sss__lowest(left)];
-            const MS_SSS__MASK same = MS_SSS__SAME(whole, MS_SSS__SET(one_floor));
+            const int lane = ms_sss__lowest(left), i = (int)floors[lane], i_y = turned ? (int)floors_y[lane] : 0;
+            MS_SSS__MASK same = MS_SSS__SAME(whole, MS_SSS__SET(floors[lane]));
+            if (turned) same = MS_SSS__BOTH(same, MS_SSS__SAME(whole_y, MS_SSS__SET(floors_y[lane])));
             left &= ~MS_SSS__BITS(same);
             MS_SSS__UNROLL
-            for (j = 0; j < 2; ++j) {
-                const int i = (int)one_floor + j, near_i = ms_sss__clamp(i, low, high);
-                const float *from = l->axis ? here + l->step[near_i] : here + near_i;
-                const MS_SSS__V there = MS_SSS__LOAD(from + 3 * l->plane), gain = MS_SSS__MUL(rise, MS_SSS__SET((float)i));
-                MS_SSS__V dz = MS_SSS__SUB(there, z), q, f;
-                MS_SSS__MASK near_by;
-                if (s->shaped) dz = p->perspective ? MS_SSS__LESSEN(gain, there, dz) : MS_SSS__SUB(dz, gain);
-                q = MS_SSS__MUL(dz, dz);
-                near_by = MS_SSS__BOTH(same, MS_SSS__LESS(q, MS_SSS__SET(p->cut)));
-                if (!MS_SSS__BITS(near_by)) continue;
-                if (p->follow) f = MS_SSS__SUB(one, MS_SSS__ABS(dz));
-                else if (p->exact) f = MS_SSS__NAME(exp2_minus)(MS_SSS__MIN(q, MS_SSS__SET(120.0f)));
-                else f = MS_SSS__NAME(falloff)(dz);
-                f = MS_SSS__SELECT(near_by, MS_SSS__MUL(j ? r : MS_SSS__SUB(one, r), f), zero);
+            for (j_y = 0; j_y < (turned ? 2 : 1); ++j_y) {
+                const float *row = turned ? here + ms_sss__clamp(i_y + j_y, -1 - l->at, l->turn->height - l->at) * l->turn->stride : here;
                 MS_SSS__UNROLL
-                for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MADD(f, MS_SSS__LOAD(from + c * l->plane), tap[c]);
-                n = MS_SSS__ADD(n, f);
-                below = MS_SSS__MADD(f, dz, below);
+                for (j = 0; j < 2; ++j) {
+                    const int near_i = ms_sss__clamp(i + j, low, high);
+                    const float *from = l->axis == 1 ? row + l->step[near_i] : row + near_i;
+                    const MS_SSS__V there = MS_SSS__LOAD(from + 3 * l->plane);
+                    MS_SSS__V dz = MS_SSS__SUB(there, z), q, f, h = j ? r : MS_SSS__SUB(one, r);
+                    MS_SSS__MASK near_by;
+                    if (turned) h = MS_SSS__MUL(h, j_y ? r_y : MS_SSS__SUB(one, r_y));
+                    if (s->shaped) {
+                        MS_SSS__V gain = MS_SSS__MUL(rise, MS_SSS__SET((float)(i + j)));
+                        if (turned) gain = MS_SSS__MADD(rise_y, MS_SSS__SET((float)(i_y + j_y)), gain);
+                        dz = p->perspective ? MS_SSS__LESSEN(gain, there, dz) : MS_SSS__SUB(dz, gain);
+                    }
+                    q = MS_SSS__MUL(dz, dz);
+                    near_by = MS_SSS__BOTH(same, MS_SSS__LESS(q, MS_SSS__SET(p->cut)));
+                    if (!MS_SSS__BITS(near_by)) continue;
+                    if (p->follow) f = MS_SSS__SUB(one, MS_SSS__ABS(dz));
+                    else if (p->exact) f = MS_SSS__NAME(exp2_minus)(MS_SSS__MIN(q, MS_SSS__SET(120.0f)));
+                    else f = MS_SSS__NAME(falloff)(dz);
+                    f = MS_SSS__SELECT(near_by, MS_SSS__MUL(h, f), zero);
+                    MS_SSS__UNROLL
+                    for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MADD(f, MS_SSS__LOAD(from + c * l->plane), tap[c]);
+                    n = MS_SSS__ADD(n, f);
+                    if (s->shaped) below = MS_SSS__MADD(f, turned ? MS_SSS__SELECT(near_by, dz, zero) : dz, below); /* turned axes meet infinite depths */
+                }
             }
         }
         if (s->shaped) {
-            const MS_SSS__V away = MS_SSS__ABS(t);
+            const MS_SSS__V away = MS_SSS__ADD(MS_SSS__ABS(t), MS_SSS__ABS(t_y));
             sine = MS_SSS__NAME(beyond)(below, MS_SSS__MADD(grain, away, MS_SSS__ADD(grain, grain)));
             sine = MS_SSS__MUL(sine, MS_SSS__MUL(facing, MS_SSS__SET(fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0.0f)));
             sine = MS_SSS__MAX(MS_SSS__MIN(sine, one), MS_SSS__SET(p->least));
@@ -8676,6 +8686,16 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
         if (s->shaped && !p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(MS_SSS__SET(p->root[c]), MS_SSS__ADD(lifted[c], w)));
         out[c] = MS_SSS__NAME(restore)(MS_SSS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
     }
+}
+
+static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
+{
+    MS_SSS__NAME(group)(s, p, l, x, 0, out);
+}
+
+static MS_SSS__APART void MS_SSS__NAME(any_turned)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
+{
+    MS_SSS__NAME(group)(s, p, l, x, 1, out);
 }
 
 /* A pass of several rows between columns first and last, chunk by chunk so that what they share stays in the cache. */
@@ -8703,7 +8723,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
             for (g = 0; g < n; ++g) {
                 const int at = x + g * MS_SSS__LANES, group = at / MS_SSS__LANES, kind = l->plan[group * s->plan_size];
                 const float *here = l->from + group * l->group + l->step[0];
-                if (kind == MS_SSS__ANY) MS_SSS__NAME(any)(s, p, l, at, out[g]);
+                if (kind == MS_SSS__ANY && l->turn) MS_SSS__NAME(any_turned)(s, p, l, at, out[g]);
+                else if (kind == MS_SSS__ANY) MS_SSS__NAME(any)(s, p, l, at, out[g]);
                 if (kind == MS_SSS__ANY || kind == MS_SSS__SOME) {
                     const MS_SSS__MASK need = MS_SSS__NAME(need)(p, MS_SSS__LOAD(here + 3 * l->plane));
                     MS_SSS__UNROLL

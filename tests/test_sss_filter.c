@@ -1801,7 +1801,7 @@ static void case_golden(void)
 {
     static const uint64_t expected[5][2] = { /* without and with fused multiply-add */
         {0xb26006cf495ba589u, 0x31c53e49840ed9b6u}, {0x6f981e66170a5797u, 0xcb92c7a82ecfc0fcu}, {0x11a9c2f798bf665eu, 0x762a01f36a2cb846u},
-        {0x17c8be3494cbd827u, 0x52fd88765cea2867u}, {0xe98f97fd70a2b765u, 0x483030fc651b424eu}};
+        {0x17c8be3494cbd827u, 0x52fd88765cea2867u}, {0xe98f97fd70a2b765u, 0x88f04f320feef331u}};
 #if (defined(__x86_64__) || defined(_M_X64)) && !defined(__FMA__) && !defined(__FAST_MATH__) /* contraction changes the scalar text */
     int kind, level;
     for (kind = 0; kind < 5; ++kind)
