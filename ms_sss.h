@@ -572,8 +572,8 @@ typedef struct ms_sss_frame {
 
 /* How a tap whose surface lies dz in front of or behind the pixel counts. */
 typedef enum ms_sss_depth_mode {
-    MS_SSS_DEPTH_AWARE = 0,  /* weight times a falloff in dz, about exp(-dz^2 / (2 sigma^2)) (see `exact`), from the tangent plane (see
-                                `flat`), 0 beyond 3.1 sigma (flat 1: and beyond the kernel's radius); the rest is renormalised */
+    MS_SSS_DEPTH_AWARE = 0,  /* weight times a falloff in dz from the tangent plane, 0 from depth_sigma_mm on, see ms_sss_filter;
+                                flat 1: in dz, and 0 beyond the kernel's radius; the rest is renormalised */
     MS_SSS_DEPTH_FOLLOW = 1, /* older engines: the tap's colour fades to the pixel's own over follow_mm */
     MS_SSS_DEPTH_SCALE = 2   /* depth sets the kernel's size in pixels only; light leaks across silhouettes */
 } ms_sss_depth_mode;
@@ -595,7 +595,8 @@ typedef struct ms_sss_filter_options {
                                 picture: a scene in metres needs 1000 */
     int uv_steps;            /* 0: square pixels, kernel round; 1: older engines' steps in uv, wider by width / height along x */
     ms_sss_depth_mode depth_mode;
-    float depth_sigma_mm;    /* sigma of MS_SSS_DEPTH_AWARE; 0: the profile's 99% radius times 0.25 (flat 1: 0.12, between: between) */
+    float depth_sigma_mm;    /* of MS_SSS_DEPTH_AWARE: |dz| / 3.0746 from which on nothing counts; 0: such that this is 1.5 times the
+                                profile's 99% radius (flat 1: 0.37 times, between: between) */
     float follow_mm;         /* of MS_SSS_DEPTH_FOLLOW: |dz| at which nothing of the tap is left; 0: the kernel's radius */
     ms_sss_albedo_mode albedo_mode;
     float fade;              /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
@@ -606,8 +607,8 @@ typedef struct ms_sss_filter_options {
     ms_parallel parallel;
     float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                                 1: not at all, as if every pixel faced the camera; between: slopes are that much less */
-    int exact;               /* depth weights, 0: (1 - (dz / (3.0746 sigma))^2)^4; 1: the Gaussian, for comparisons. Pyramid: 1 gathers more
-                                widely, see there */
+    int exact;               /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1: 0.12), and no
+                                more, for comparisons. Pyramid: 1 gathers more widely, see there */
     ms_sss_method method;
     float budget;            /* AUTO: root mean square that half resolution may differ by from taps, over the picture's standard deviation
                                 (0.03 + 0.35 / radius in pixels on pictures with edges); 0: nothing, so never half */
@@ -634,6 +635,10 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
      reaches another pixel. Nor does light cross between profiles.
    - Slope (see `flat`): taps are spaced on the surface's tangent plane, and depth counts against it, so that a plane is
      filtered alike at any tilt up to 83 degrees. Exact about the screen's axes; diagonal tilts shear the kernel.
+   - Distance: a tap's pixel dz off the tangent plane, the tap x mm away on it, counts (1 - dz^2 / D^2) / (1 + dz^2 / x^2), D the
+     depth of depth_sigma_mm: light along an axis falls about as 1 / distance^2. (flat 1: (1 - dz^2 / D^2)^4.)
+   - Area: where the surface bends away between two taps by an angle of tangent m, the outer one stands for more of it:
+     1 + m^2 / 2 times as much, at most 3 times. Not for terms with weights of both signs.
    - Elevation (see ELEVATION): sin(theta) = how far the tap lies below the pixel's tangent plane over the tap's distance, which
      on a sphere is the same. No pass multiplies the mean by more than reflectance^(-1/2): reflectance times output is never above
      the brightest input.
@@ -646,7 +651,7 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    - Half resolution: a pixel keeps the share of its own light that it keeps at full resolution, so that detail stays; the rest
      comes from the up to four larger pixels around that lie near it in depth, and none leaves it as it is.
    - Pyramids: MS_UNSUPPORTED with what ms_sss_pyramid_filter does not take, but for frame->profile; AUTO then takes none.
-   - Depth edges wider than 3.1 sigma, flat 1: than the kernel's radius, let nothing through; beside a slope that is counted
+   - Depth edges wider than D, flat 1: than that or the kernel's radius, let nothing through; beside a slope that is counted
      against its continuation.
    Bit-equal for any thread count at one level; across levels within 2e-6 of the largest input near the pixel.
    Work is in proportion to the pixels that take part. No allocation. Calls may overlap if workspace and output differ.
@@ -3636,8 +3641,10 @@ enum {
 
 #define MS_SSS__AWAY 1e15f /* in a sweep: depth of what takes no part */
 
-/* (1 - (dz / (3.0746 sigma))^2)^4, which stands for exp(-dz^2 / (2 sigma^2)): within 0.013 of it everywhere. */
+/* (1 - (dz / (3.0746 sigma))^2)^4 stands for exp(-dz^2 / (2 sigma^2)): within 0.013 of it everywhere. */
 #define MS_SSS__FALLOFF_END 3.0746
+#define MS_SSS__SPARSE 1e-3f  /* weight below which a tap's height is that of the one before it */
+#define MS_SSS__AREA_MAX 3.0f /* a tap stands for at most so much more surface */
 
 /* Taps of one pass at whole-pixel offsets, for kernels of one size everywhere. */
 typedef struct ms_sss__fixed {
@@ -3647,7 +3654,7 @@ typedef struct ms_sss__fixed {
 } ms_sss__fixed;
 
 /* Taps of one pass at positions that each pixel's size gives. Depths are scaled so that a pixel dz away counts 2^-dz^2,
-   (1 - dz^2)^4, or 1 - |dz| with follow. */
+   (1 - dz^2)^4, with slopes (1 - dz^2) / (1 + remote dz^2), or 1 - |dz| with follow. */
 typedef struct ms_sss__pass {
     int tap_count;
     const float *offset_mm;
@@ -3666,7 +3673,25 @@ typedef struct ms_sss__pass {
     float grain;        /* a plane that fits depths with relative errors of grain / 2 errs by at most grain (2 + i) times depth i pixels away:
                            2 errors for the depths there and here, as many for each step between, and one pixel more beside a tap */
     float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
+    float remote, bulge; /* square of the mm of dz 1, times upright; square root of upright / 2; exact: 0 */
+    float apart;        /* dz at which the pixels of a larger one part */
 } ms_sss__pass;
+
+/* Light of a tap x mm away falls about as 1 / x^2: what lies dz off the plane counts 1 / (1 + remote dz^2). At most 1e6, so that products of three stay finite. */
+static MS_SSS__INLINE float ms_sss__remote(const ms_sss__pass *p, float mm)
+{
+    const float most = 1e6f, square = mm * mm;
+    return p->remote < most * square ? p->remote / square : p->remote > 0 ? most : 0;
+}
+
+/* A tap stands for the more surface the more it bends away between the tap before, at inner mm, and it: 1 + (bulge times the
+   change of height in mm)^2, sec^2 of that angle to second order of both axes. */
+static MS_SSS__INLINE float ms_sss__bulge(const ms_sss__pass *p, float mm, float *inner)
+{
+    const float gap = fabsf(mm) - *inner;
+    *inner = fabsf(mm);
+    return gap > 1e-20f ? p->bulge / gap : 0;
+}
 
 /* Both passes of a kernel: the second follows the first in slabs of rows, which lie in a ring, in groups of one vector each of
    red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share stand 16 times. */
@@ -3676,6 +3701,7 @@ typedef struct ms_sss__sweep {
     int shaped, reach, bands, band, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
     float offset[2][MS_SSS__PAIRS][16]; /* mm; of the axes in their own pixels */
     float nearness[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* 1 / offset; centre, pairs */
+    float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16];
     float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
     int rows;          /* of a window: 5 with slopes, else 1 */
     ptrdiff_t plan_row, window_row, window_size;
@@ -4672,6 +4698,7 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
     const ms_sss_kernel *k = job->kernel;
     const ms_sss__pass *p = &job->pass;
     const int pairs = k->tap_count / 2;
+    float inner = 0;
     int i, c;
     if (pairs > MS_SSS__PAIRS || p->exact || p->follow || s->lanes == 1) return 0;
     for (c = 0; c < 3; ++c) ms_sss__splat(s->weight[0][c], (double)p->weight[0][c]);
@@ -4684,6 +4711,8 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
         }
         for (c = 0; c < 2; ++c) ms_sss__splat(s->offset[c][i], fabs(x) * (double)p->aspect[c]);
         ms_sss__splat(s->nearness[i], 1 / fabs(x));
+        ms_sss__splat(s->remote[i], (double)ms_sss__remote(p, (float)x));
+        ms_sss__splat(s->bulge[i], (double)ms_sss__bulge(p, (float)x, &inner));
     }
     return pairs;
 }
@@ -5011,20 +5040,23 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     p->perspective = o->fov_degrees > 0;
     p->follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
     p->exact = o->exact;
-    p->cut = 1.0f;
+    p->cut = p->apart = 1.0f;
     if (p->follow) {
         kappa = mm / (o->follow_mm > 0 ? (double)o->follow_mm : radius);
     } else if (o->depth_mode == MS_SSS_DEPTH_AWARE) {
         const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
-        const double part = job->shaped ? 0.12 + 0.13 * (1 - (double)o->flat) : 0.12;
-        const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : part * extent;
-        double end = MS_SSS__FALLOFF_END * sigma, unit = 0.84932180028801904 / sigma; /* exp(-dz^2 / (2 sigma^2)) = 2^-(unit dz)^2 */
+        const double upright = job->shaped ? 1 - (double)o->flat : 0, sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
+        double end = MS_SSS__FALLOFF_END * sigma, unit = 0.84932180028801904 / sigma, apart; /* exp(-dz^2 / (2 sigma^2)) = 2^-(unit dz)^2 */
         if (!job->shaped && (o->exact || radius < end)) end = radius;
+        apart = end;
+        if (job->shaped && !o->exact && !(o->depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
         if (!o->exact) unit = 1 / end;
         kappa = mm * unit;
         p->cut = (float)(end * unit * end * unit < 120 ? end * unit * end * unit : 120);
         p->reach = (float)(radius * unit * radius * unit);
         p->unit = (float)(1 / unit);
+        p->apart = (float)(apart * unit < 10.954451 ? apart * unit : 10.954451); /* as the cut */
+        p->remote = o->exact ? 0 : (float)(upright / (unit * unit));
     }
     job->depth_scale = (float)kappa;
     widest = (double)(p->aspect[0] > p->aspect[1] ? p->aspect[0] : p->aspect[1]);
@@ -5040,7 +5072,7 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     p->least = -1;
     p->grain = job->rough ? 9.7668e-4f : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
     for (c = 0; c < 3; ++c) {
-        p->curve[c] = k->elevation_axis[c] / 4;
+        p->curve[c] = k->elevation_axis[c] / 4 * p->upright;
         p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
         if (p->curve[c] * p->least < -1) p->least = -1 / p->curve[c]; /* where 1 + K sin(theta) / 4 is 0 */
     }
@@ -5079,6 +5111,7 @@ static void ms_sss__set_term(ms_sss__job *job, int term)
     job->term = term;
     p->weight = job->kernel->weight[term];
     ms_sss__totals(job->kernel, term, p->follow && job->frame.depth.channel[0] != NULL, p->total, p->mixed);
+    p->bulge = job->shaped && !p->exact && !p->mixed[0] && !p->mixed[1] && !p->mixed[2] ? sqrtf(0.5f * p->upright) : 0;
     if (job->fixed) {
         ms_sss__fix(&job->taps[0], job->kernel, term, (double)p->size * (double)p->aspect[0], side);
         ms_sss__fix(&job->taps[1], job->kernel, term, (double)p->size * (double)p->aspect[1], side);
@@ -5517,7 +5550,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     h->size = half->job.pass.size;
     h->size_max = half->job.pass.size_max;
     h->size_min = half->job.pass.size_min;
-    h->within = 1 / sqrtf(half->job.pass.cut);
+    h->within = 1 / half->job.pass.apart;
     h->scale = half->job.depth_scale;
     for (c = 0; c < 2; ++c) h->aspect[c] = half->job.pass.aspect[c];
     for (i = 1; i < k->tap_count; ++i)
@@ -7961,6 +7994,8 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #undef MS_SSS__APART
 #undef MS_SSS__PREFETCH
 #undef MS_SSS__AWAY
+#undef MS_SSS__SPARSE
+#undef MS_SSS__AREA_MAX
 #undef MS_SSS__FALLOFF_END
 #undef MS_SSS__GATHER
 #endif /* MS_SSS_IMPLEMENTATION */
@@ -8284,8 +8319,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(tangent)(const ms_sss__pass *p, MS_SSS__
 
 /* The slope of two one-sided ones that count where their step in depth is under the kernel's radius: their mean where the
    surface turns little between them, else the smaller, so that none is taken across an edge or a crease. Towards an outline
-   depth goes as the root of the distance to it: by what a step exceeds the next one inwards, more than rounding can, its slope
-   is the steeper (circles seen edge on; planes stay). Five depths, z in the middle. */
+   depth goes as the root of the distance to it: by what a step exceeds the next one inwards, both being more than rounding, its
+   slope is the steeper (circles seen edge on; planes stay). Five depths, z in the middle. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float focal, const MS_SSS__V at[5])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f), reach = MS_SSS__SET(p->reach), f = MS_SSS__SET(focal), limit = MS_SSS__SET(8.0f);
@@ -8310,7 +8345,7 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float
             inner = MS_SSS__MUL(inner, z);
             least = MS_SSS__MUL(least, z);
         }
-        excess = MS_SSS__SUB(MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner)), least);
+        excess = MS_SSS__SUB(MS_SSS__MIN(MS_SSS__ABS(inner), MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner))), least); /* NaN stays */
         more = MS_SSS__MIN(MS_SSS__DIV(excess, MS_SSS__ABS(inner)), MS_SSS__SET(0.85f));
         more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(step, inner))), more, zero);
         more = MS_SSS__MUL(more, MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
@@ -8476,7 +8511,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
 {
     const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f);
     const ptrdiff_t *step = l->step, plane = l->plane;
-    MS_SSS__V h[MS_SSS__PAIRS][MS_SSS__CHUNK][6], sum[MS_SSS__PAIRS][MS_SSS__CHUNK][2], sine[MS_SSS__PAIRS][MS_SSS__CHUNK][2];
+    MS_SSS__V h[MS_SSS__PAIRS][MS_SSS__CHUNK][6], sum[MS_SSS__PAIRS][MS_SSS__CHUNK][2], sine[MS_SSS__PAIRS][MS_SSS__CHUNK][2], away[2];
     int g, k, j, side, c;
     for (g = 0; g < n; ++g) {
         const unsigned char *plan = l->plan + (x / MS_SSS__LANES + g) * s->plan_size;
@@ -8492,6 +8527,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
         } else {
             size = MS_SSS__NAME(size)(p, z);
         }
+        away[0] = away[1] = zero;
         for (k = 0; k < s->pairs; ++k) {
             const int two = plan[k + 1] & MS_SSS__BESIDE, i = plan[k + 1] - two;
             const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[l->axis][k])), base = MS_SSS__SET((float)i), r = MS_SSS__SUB(t, base);
@@ -8507,25 +8543,64 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
             }
             MS_SSS__UNROLL
             for (side = 0; side < 2; ++side) {
-                MS_SSS__V below = zero, all = zero, gain = side ? MS_SSS__SUB(zero, start) : start;
+                MS_SSS__V gain = side ? MS_SSS__SUB(zero, start) : start, f[3], dz[3], over[3], all, below, both, inverse, lies;
                 MS_SSS__UNROLL
                 for (j = 0; j < 3; ++j) {
-                    MS_SSS__V there, dz, f;
+                    MS_SSS__V there, square;
                     if (j == 2 && !two) break;
                     there = MS_SSS__LOAD(here + step[side ? -i - j : i + j] + 3 * plane);
-                    dz = MS_SSS__SUB(there, z);
-                    if (shaped) dz = p->perspective ? MS_SSS__LESSEN(gain, there, dz) : MS_SSS__SUB(dz, gain);
-                    f = MS_SSS__MUL(share[j], MS_SSS__NAME(falloff)(dz));
-                    h[k][g][3 * side + j] = f;
-                    all = j ? MS_SSS__ADD(all, f) : f;
-                    if (shaped) {
-                        below = j ? MS_SSS__MADD(f, dz, below) : MS_SSS__MUL(f, dz);
-                        gain = side ? MS_SSS__SUB(gain, rise) : MS_SSS__ADD(gain, rise);
+                    dz[j] = MS_SSS__SUB(there, z);
+                    if (!shaped) {
+                        f[j] = MS_SSS__MUL(share[j], MS_SSS__NAME(falloff)(dz[j]));
+                        continue;
+                    }
+                    dz[j] = p->perspective ? MS_SSS__LESSEN(gain, there, dz[j]) : MS_SSS__SUB(dz[j], gain);
+                    gain = side ? MS_SSS__SUB(gain, rise) : MS_SSS__ADD(gain, rise);
+                    square = MS_SSS__MIN(MS_SSS__MUL(dz[j], dz[j]), one);
+                    f[j] = MS_SSS__LESSEN(share[j], square, share[j]);
+                    over[j] = MS_SSS__MADD(MS_SSS__LOAD(s->remote[k]), square, one);
+                }
+                if (shaped) { /* f / over, by one division that serves 1 / (all + SPARSE) too */
+                    both = MS_SSS__MUL(over[0], over[1]);
+                    f[0] = MS_SSS__MUL(f[0], over[1]);
+                    f[1] = MS_SSS__MUL(f[1], over[0]);
+                    if (two) {
+                        f[0] = MS_SSS__MUL(f[0], over[2]);
+                        f[1] = MS_SSS__MUL(f[1], over[2]);
+                        f[2] = MS_SSS__MUL(f[2], both);
+                        both = MS_SSS__MUL(both, over[2]);
+                    }
+                    all = MS_SSS__ADD(f[0], f[1]);
+                    below = MS_SSS__MADD(f[1], dz[1], MS_SSS__MUL(f[0], dz[0]));
+                    if (two) {
+                        all = MS_SSS__ADD(all, f[2]);
+                        below = MS_SSS__MADD(f[2], dz[2], below);
+                    }
+                    lies = MS_SSS__MADD(MS_SSS__SET(MS_SSS__SPARSE), both, all);
+                    inverse = MS_SSS__DIV(one, MS_SSS__MUL(both, lies));
+                    lies = MS_SSS__MUL(inverse, lies); /* 1 / both */
+                    below = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(MS_SSS__MUL(below, lies), least));
+                    sine[k][g][side] = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(below, MS_SSS__LOAD(s->nearness[k])), one), MS_SSS__SET(p->least));
+                    below = MS_SSS__MUL(MS_SSS__MADD(MS_SSS__SET(MS_SSS__SPARSE), away[side], below), MS_SSS__MUL(inverse, MS_SSS__MUL(both, both)));
+                    inverse = MS_SSS__MUL(MS_SSS__SUB(below, away[side]), MS_SSS__LOAD(s->bulge[k]));
+                    away[side] = below;
+                    lies = MS_SSS__MUL(lies, MS_SSS__MIN(MS_SSS__MADD(inverse, inverse, one), MS_SSS__SET(MS_SSS__AREA_MAX)));
+                    sum[k][g][side] = MS_SSS__MUL(all, lies);
+                    MS_SSS__UNROLL
+                    for (j = 0; j < 3; ++j) {
+                        if (j == 2 && !two) break;
+                        h[k][g][3 * side + j] = MS_SSS__MUL(f[j], lies);
+                    }
+                } else {
+                    all = MS_SSS__ADD(f[0], f[1]);
+                    if (two) all = MS_SSS__ADD(all, f[2]);
+                    sum[k][g][side] = all;
+                    MS_SSS__UNROLL
+                    for (j = 0; j < 3; ++j) {
+                        if (j == 2 && !two) break;
+                        h[k][g][3 * side + j] = f[j];
                     }
                 }
-                sum[k][g][side] = all;
-                if (shaped)
-                    sine[k][g][side] = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(MS_SSS__NAME(beyond)(below, least), MS_SSS__MUL(facing, MS_SSS__LOAD(s->nearness[k]))), one), MS_SSS__SET(p->least));
             }
         }
     }
@@ -8589,7 +8664,9 @@ static MS_SSS__INLINE void MS_SSS__NAME(group)(const ms_sss__sweep *s, const ms_
     const unsigned pending = MS_SSS__BITS(MS_SSS__NAME(need)(p, z));
     MS_SSS__V size, rise = zero, rise_y = zero, facing = zero, grain = zero, sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
     MS_SSS__V dx = one, dy = zero;
-    int k, c, j, j_y;
+    MS_SSS__V away[2] = {zero, zero};
+    float inner[2] = {0, 0};
+    int order, k, c, j, j_y;
     if (!pending) return;
     size = MS_SSS__NAME(size)(p, z);
     if (s->shaped) grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
@@ -8618,8 +8695,9 @@ static MS_SSS__INLINE void MS_SSS__NAME(group)(const ms_sss__sweep *s, const ms_
         facing = MS_SSS__LOAD(l->own[2] + x);
     }
     dx = MS_SSS__MUL(dx, MS_SSS__MUL(size, MS_SSS__SET(p->aspect[turned ? 0 : l->axis])));
-    for (k = p->tap_count - 1; k > 0; --k) {
-        const float mm = p->offset_mm[k];
+    for (order = 1; order < p->tap_count; ++order) { /* with slopes outwards */
+        const int side = p->offset_mm[s->shaped ? order : 0] < 0;
+        const float mm = p->offset_mm[k = s->shaped ? order : p->tap_count - order], remote = ms_sss__remote(p, mm), bulge = ms_sss__bulge(p, mm, &inner[side]);
         const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SET(mm), dx), whole = MS_SSS__FLOOR(t), r = MS_SSS__SUB(t, whole);
         const MS_SSS__V t_y = MS_SSS__MUL(MS_SSS__SET(mm), dy), whole_y = turned ? MS_SSS__FLOOR(t_y) : zero, r_y = MS_SSS__SUB(t_y, whole_y);
         MS_SSS__V tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
@@ -8653,6 +8731,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(group)(const ms_sss__sweep *s, const ms_
                     if (!MS_SSS__BITS(near_by)) continue;
                     if (p->follow) f = MS_SSS__SUB(one, MS_SSS__ABS(dz));
                     else if (p->exact) f = MS_SSS__NAME(exp2_minus)(MS_SSS__MIN(q, MS_SSS__SET(120.0f)));
+                    else if (s->shaped) f = MS_SSS__DIV(MS_SSS__SUB(one, q), MS_SSS__MADD(MS_SSS__SET(remote), q, one));
                     else f = MS_SSS__NAME(falloff)(dz);
                     f = MS_SSS__SELECT(near_by, MS_SSS__MUL(h, f), zero);
                     MS_SSS__UNROLL
@@ -8663,10 +8742,18 @@ static MS_SSS__INLINE void MS_SSS__NAME(group)(const ms_sss__sweep *s, const ms_
             }
         }
         if (s->shaped) {
-            const MS_SSS__V away = MS_SSS__ADD(MS_SSS__ABS(t), MS_SSS__ABS(t_y));
-            sine = MS_SSS__NAME(beyond)(below, MS_SSS__MADD(grain, away, MS_SSS__ADD(grain, grain)));
-            sine = MS_SSS__MUL(sine, MS_SSS__MUL(facing, MS_SSS__SET(fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0.0f)));
+            MS_SSS__V bend;
+            below = MS_SSS__NAME(beyond)(below, MS_SSS__MADD(grain, MS_SSS__ADD(MS_SSS__ABS(t), MS_SSS__ABS(t_y)), MS_SSS__ADD(grain, grain)));
+            below = MS_SSS__MUL(facing, below);
+            sine = MS_SSS__MUL(below, MS_SSS__SET(fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0.0f));
             sine = MS_SSS__MAX(MS_SSS__MIN(sine, one), MS_SSS__SET(p->least));
+            below = MS_SSS__DIV(MS_SSS__MADD(MS_SSS__SET(MS_SSS__SPARSE), away[side], below), MS_SSS__ADD(n, MS_SSS__SET(MS_SSS__SPARSE)));
+            bend = MS_SSS__MUL(MS_SSS__SUB(below, away[side]), MS_SSS__SET(bulge));
+            away[side] = below;
+            bend = MS_SSS__MIN(MS_SSS__MADD(bend, bend, one), MS_SSS__SET(MS_SSS__AREA_MAX));
+            n = MS_SSS__MUL(n, bend);
+            MS_SSS__UNROLL
+            for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MUL(tap[c], bend);
         }
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {

@@ -212,7 +212,7 @@ static double plain_steeper(double z, double next, double far, int perspective, 
     const double step = perspective ? 1 / next - 1 / z : z - next, inner = perspective ? 1 / far - 1 / next : next - far;
     double t;
     if (!(step * inner > 0)) return 1;
-    t = (fabs(step) - fabs(inner) - 2 * grain * (perspective ? 1 / z : z)) / fabs(inner); /* three depths are rounded */
+    t = (fmin(fabs(step) - fabs(inner), fabs(inner)) - 2 * grain * (perspective ? 1 / z : z)) / fabs(inner); /* three depths are rounded */
     t = t < 0 ? 0 : t > 0.85 ? 0.85 : t;
     return 1 + t * (0.5 + 0.5 * t + 0.7 * t * t * t);
 }
@@ -275,14 +275,13 @@ static plain_surface plain_shape(const plain *p, int i)
     return s;
 }
 
-/* What depth leaves of pixel j, dx and dy pixels from i: within [0, 1]. below: under the tangent plane along its normal, mm
-   over the normal's cosine. */
-static double plain_depth_factor(const plain *p, const ms_sss_kernel *k, const plain_surface *surface, int i, int j, int dx, int dy, double *below)
+/* What depth leaves of pixel j, dx and dy pixels from i, for a tap x mm away: within [0, 1]. below: under the tangent plane
+   along its normal, mm over the normal's cosine. */
+static double plain_depth_factor(const plain *p, const ms_sss_kernel *k, const plain_surface *surface, double x, int i, int j, int dx, int dy, double *below)
 {
     const double mm = p->o.mm_per_unit > 0 ? (double)p->o.mm_per_unit : 1;
     const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
-    const double part = plain_shaped(p) ? 0.12 + 0.13 * (1 - (double)p->o.flat) : 0.12;
-    const double sigma = p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : part * extent;
+    const double upright = plain_shaped(p) ? 1 - (double)p->o.flat : 0, sigma = p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
     const double follow = p->o.follow_mm > 0 ? (double)p->o.follow_mm : (double)k->radius_mm;
     double dz, end = 3.0746 * sigma;
     *below = 0;
@@ -291,7 +290,10 @@ static double plain_depth_factor(const plain *p, const ms_sss_kernel *k, const p
     if (p->o.depth_mode == MS_SSS_DEPTH_FOLLOW) return fabs(dz) < follow ? 1 - fabs(dz) / follow : 0;
     if (plain_shaped(p)) *below = dz -= (dx * surface->step[0] + dy * surface->step[1]) * (p->o.fov_degrees > 0 ? (double)p->s->depth[j] : 1) * mm;
     else if (p->o.exact || (double)k->radius_mm < end) end = (double)k->radius_mm;
+    if (plain_shaped(p) && !p->o.exact && !(p->o.depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
     if (!(fabs(dz) < end)) return 0;
+    if (plain_shaped(p) && !p->o.exact) /* light at distance sqrt(x^2 + dz^2) in place of x, when it falls as the square */
+        return x > 0 ? (1 - dz * dz / (end * end)) / (1 + fmin(upright / (x * x), 1e6 / (end * end)) * dz * dz) : 1;
     return p->o.exact ? exp(-dz * dz / (2 * sigma * sigma)) : pow(1 - dz * dz / (end * end), 4);
 }
 
@@ -312,10 +314,16 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
             const int i = y * w + x;
             const ms_sss_kernel *kernel;
             double size[2], dx = second ? 0 : 1, dy = second ? 1 : 0, sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0}, lifted[3] = {0, 0, 0}, least = -1;
-            double total[3] = {0, 0, 0};
+            double total[3] = {0, 0, 0}, height[2] = {0, 0}, inner[2] = {0, 0}, bulge;
             int mixed[3] = {0, 0, 0};
             if (!plain_part(p, i)) continue;
             kernel = &p->kernels[plain_profile(p, i)];
+            for (k = 0; k < kernel->tap_count; ++k)
+                for (c = 0; c < 3; ++c) {
+                    total[c] += (double)kernel->weight[term][k][c];
+                    if (kernel->weight[term][k][c] < 0) mixed[c] = 1;
+                }
+            bulge = p->o.exact || mixed[0] || mixed[1] || mixed[2] ? 0 : (1 - (double)p->o.flat) / 2;
             plain_size(p, i, size);
             if (p->o.rotation != 0 || p->o.jitter > 0) {
                 const double angle = (double)p->o.rotation +
@@ -328,15 +336,11 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                 const double square = 1 + surface[i].ray[0] * surface[i].ray[0] + surface[i].ray[1] * surface[i].ray[1];
                 for (c = 0; c < 2; ++c) size[c] /= sqrt(1 + 2 * ray * along + along * along * square);
                 for (c = 0; c < 3; ++c)
-                    if ((double)kernel->elevation_axis[c] * least < -4) least = -4 / (double)kernel->elevation_axis[c];
+                    if ((double)kernel->elevation_axis[c] * (1 - (double)p->o.flat) * least < -4) least = -4 / ((double)kernel->elevation_axis[c] * (1 - (double)p->o.flat));
             }
             for (k = 0; k < kernel->tap_count; ++k) {
-                double part_sum[3] = {0, 0, 0}, part_norm = 0, below = 0, sine = 0;
+                double part_sum[3] = {0, 0, 0}, part_norm = 0, below = 0, sine = 0, area = 1;
                 const double tx = (double)kernel->offset_mm[k] * dx * size[0], ty = (double)kernel->offset_mm[k] * dy * size[1];
-                for (c = 0; c < 3; ++c) {
-                    total[c] += (double)kernel->weight[term][k][c];
-                    if (kernel->weight[term][k][c] < 0) mixed[c] = 1;
-                }
                 for (sub = 0; sub < 4; ++sub) {
                     const int px = x + (int)floor(tx) + sub % 2, py = y + (int)floor(ty) + sub / 2, j = py * w + px;
                     const double ax = tx - floor(tx), ay = ty - floor(ty);
@@ -344,7 +348,7 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                     if (f <= 0) continue;
                     if (px < 0 || py < 0 || px >= w || py >= h || !plain_part(p, j)) continue;
                     if (plain_profile(p, i) != plain_profile(p, j)) continue;
-                    f *= plain_depth_factor(p, kernel, &surface[i], i, j, px - x, py - y, &deep);
+                    f *= plain_depth_factor(p, kernel, &surface[i], fabs((double)kernel->offset_mm[k]), i, j, px - x, py - y, &deep);
                     below += f * deep;
                     part_norm += f;
                     for (c = 0; c < 3; ++c) part_sum[c] += f * in[c][j];
@@ -355,12 +359,20 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                     below = below > least_below ? below - least_below : below < -least_below ? below + least_below : 0;
                     sine = below * surface[i].facing / fabs((double)kernel->offset_mm[k]);
                     sine = sine > 1 ? 1 : sine < least ? least : sine;
+                    { /* a surface that bends away from the plane shows less of itself there than it has */
+                        const int side = kernel->offset_mm[k] < 0;
+                        const double x_mm = fabs((double)kernel->offset_mm[k]);
+                        const double at = (below * surface[i].facing + 1e-3 * height[side]) / (part_norm + 1e-3), steep = (at - height[side]) / (x_mm - inner[side]);
+                        area = fmin(3, 1 + bulge * steep * steep);
+                        height[side] = at;
+                        inner[side] = x_mm;
+                    }
                 }
                 for (c = 0; c < 3; ++c) {
-                    const double weight = (double)kernel->weight[term][k][c], lift = pow(1 + (double)kernel->elevation_axis[c] / 4 * sine, 4);
-                    sum[c] += weight * lift * part_sum[c];
-                    norm[c] += weight * part_norm;
-                    lifted[c] += weight * lift * part_norm;
+                    const double weight = (double)kernel->weight[term][k][c], lift = pow(1 + (double)kernel->elevation_axis[c] * (1 - (double)p->o.flat) / 4 * sine, 4);
+                    sum[c] += weight * lift * area * part_sum[c];
+                    norm[c] += weight * area * part_norm;
+                    lifted[c] += weight * lift * area * part_norm;
                 }
             }
             for (c = 0; c < 3 && plain_shaped(p); ++c) /* never more than reflectance^(-1/2) times the mean */
@@ -667,23 +679,24 @@ static void case_depth_edge(void)
     kernel[0] = test_kernel(13, 3.0, 0.0);
     kernel[1] = test_kernel_terms(9, 3.0);
     for (kind = 1; kind < 3; ++kind) {
-        for (variant = 0; variant < 8; ++variant) {
+        for (variant = 0; variant < 16; ++variant) {
             ms_sss_filter_options o = test_options(kind);
             float *out[3];
             ms_sss_frame f;
             if (variant & 1) o.rotation = 0.5f;
             if (variant & 2) o.depth_mode = MS_SSS_DEPTH_FOLLOW;
+            if (variant & 8) o.flat = 1;
             for (c = 0; c < 3; ++c) out[c] = test_floats(90 * 70);
             for (y = 0; y < 70; ++y) {
                 for (x = 0; x < 90; ++x) {
-                    const int near_by = x + y / 3 < 50; /* a slanted edge, 3.01 mm deep */
-                    s.depth[y * 90 + x] = near_by ? 50.0f : 53.01f;
+                    const int near_by = x + y / 3 < 50; /* a slanted edge, deeper than the kernel's radius, with slopes 1.5 times that */
+                    s.depth[y * 90 + x] = near_by ? 50.0f : variant & 10 ? 53.01f : 54.51f;
                     for (c = 0; c < 3; ++c)
                         s.rgb[c][y * 90 + x] = near_by ? 0.0f : (x % 4 < 2 ? 1e6f : 1.0f);
                 }
             }
             f = test_frame(&s, WITH_DEPTH, out);
-            test_run(&f, &kernel[variant / 4], 1, &o);
+            test_run(&f, &kernel[variant / 4 % 2], 1, &o);
             for (c = 0; c < 3; ++c) {
                 for (y = 0; y < 70; ++y) {
                     for (x = 0; x < 90; ++x) {
