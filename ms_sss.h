@@ -852,10 +852,10 @@ typedef struct ms_sss_shader_profile {
     float total[3];    /*  0: sum of the weights of a pass */
     float radius_mm;   /* 12 */
     float scale[3];    /* 16: of the term */
-    float depth_scale; /* 28: 1 / (3.0746 sigma), exact: 1 / (sqrt(2 / ln 2) sigma), follow: 1 / follow_mm; times mm_per_unit */
+    float depth_scale; /* 28: 1 / the depth at which nothing counts (see MS_SSS_DEPTH_AWARE), exact: 1 / (sqrt(2 / ln 2) sigma), follow: 1 / follow_mm; times mm_per_unit */
     float delta[3];    /* 32: weight of the unblurred input */
-    float cut;         /* 44: square of the scaled depth difference from which on a tap does not count, 120 at most */
-    float curve[3];    /* 48: elevation_axis / 4 */
+    float cut;         /* 44: square of the scaled depth difference from which on a tap (with slopes, exact 0: half resolution) does not count, 120 at most */
+    float curve[3];    /* 48: elevation_axis / 4, with slopes times 1 - flat */
     float mixed;       /* 60: 1 red, 2 green, 4 blue, added: what is missing goes to the pixel's own colour */
     float root[3];     /* 64: square root of the reflectance */
     float reach;       /* 76: square of the scaled radius, the step in depth that ends a surface */
@@ -6716,7 +6716,7 @@ static const char *const ms_sss__shader_body[] = {
             "inner = inner * own.a;\n"
             "least = least * own.a;\n"
     "#endif\n"
-            "float more = abs(step) - abs(inner) - least;\n"
+            "float more = min(abs(step) - abs(inner), abs(inner)) - least;\n"
             "if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n"
                 "more = min(more / abs(inner), 0.85);\n"
                 "slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n"
@@ -6896,7 +6896,7 @@ static const char *const ms_sss__shader_body[] = {
         "axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
     "#endif\n"
     "#if SHAPE\n"
-        "// Of the tangent plane: depth a column and a row, in perspective relative; cosine to the ray, in mm of scaled depth.\n"
+        "// Of the tangent plane: depth a column and a row, in perspective relative; mm of scaled depth, times the cosine to the ray.\n"
         "float2 ray = ray_of(p);\n"
         "float2 slopes = slopes_of(p, own, ray, at);\n"
         "float slope = dot(axis, slopes);\n"
@@ -6904,9 +6904,13 @@ static const char *const ms_sss__shader_body[] = {
         "float2 plane = slopes / constant[2].yz;\n"
         "#HALVED plane = 2.0 * plane;\n"
         "float towards = dot(ray, slopes) + 1.0;\n"
-        "float facing = constant[2].y / (constant[0].z * constant[at + 1].w * sqrt(dot(slopes, slopes) + towards * towards));\n"
+        "float deep = constant[2].y / (constant[0].z * constant[at + 1].w);\n"
+        "float facing = deep / sqrt(dot(slopes, slopes) + towards * towards);\n"
         "float3 curve = constant[at + 3].rgb;\n"
         "float least = -1.0 / max(1.0, max(curve.r, max(curve.g, curve.b)));\n"
+        "// Of the taps before on both sides: how far below the plane, and how far away.\n"
+        "float2 height = float2(0.0, 0.0);\n"
+        "float2 inner = height;\n"
     "#endif\n"
         "axis = axis * aspect * pixels;\n"
         "float3 result = own.rgb * constant[at + 5].rgb;\n"
@@ -6925,6 +6929,7 @@ static const char *const ms_sss__shader_body[] = {
                 "float2 part = axis * offset - whole;\n"
                 "float4 sum = black;\n"
                 "#SHAPE float below = 0.0;\n"
+                "#SPATIAL float remote = min(constant[2].w * deep * deep / max(offset * offset, 1e-30), 1e6);\n"
                 "for (int i = 0; i < CORNERS; i++) {\n"
     "#if TURNED\n"
                     "int2 corner = int2(i % 2, i / 2);\n"
@@ -6946,29 +6951,39 @@ static const char *const ms_sss__shader_body[] = {
                     "dz = dz - gain;\n"
     "#endif\n"
                     "dz = dz * constant[at + 1].w;\n"
-                    "if (!(dz * dz < constant[at + 2].w)) { continue; }\n"
-    "#if FOLLOW\n"
-                    "f = share * (1.0 - abs(dz));\n"
-    "#else\n"
-    "#if EXACT\n"
-                    "f = share * exp2(-dz * dz);\n"
-    "#else\n"
+                    "#SPATIAL if (!(dz * dz < 1.0)) { continue; }\n"
+                    "#!SPATIAL if (!(dz * dz < constant[at + 2].w)) { continue; }\n"
+                    "#SPATIAL f = share * (1.0 - dz * dz) / (remote * dz * dz + 1.0);\n"
+                    "#FOLLOW f = share * (1.0 - abs(dz));\n"
+                    "#EXACT f = share * exp2(-dz * dz);\n"
+    "#if FALLOFF\n"
                     "f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
                     "f = share * f * f;\n"
-    "#endif\n"
     "#endif\n"
                     "#SHAPE below = below + f * dz;\n"
     "#endif\n"
                     "sum = sum + float4(c.rgb * f, f);\n"
                 "}\n"
+    "#if SHAPE\n"
+                "float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n"
+                "float sine = 0.0;\n"
+                "below = facing * (below - clamp(below, -grain, grain));\n"
+                "if (abs(offset) > 1e-20) { sine = clamp(below / abs(offset), least, 1.0); }\n"
+    "#if SPATIAL\n"
+                "// The more the surface bends away between the tap before and this one, the more of it there is.\n"
+                "bool back = offset < 0.0;\n"
+                "float before = pick(height.x, height.y, back);\n"
+                "float gap = abs(offset) - pick(inner.x, inner.y, back);\n"
+                "float lower = (below + 0.001 * before) / (sum.a + 0.001);\n"
+                "float bend = 0.0;\n"
+                "if (gap > 1e-20 && constant[at + 3].w < 0.5) { bend = (lower - before) / gap; }\n"
+                "sum = sum * min(0.5 * constant[2].w * bend * bend + 1.0, 3.0);\n"
+                "height = pick(float2(lower, height.y), float2(height.x, lower), back);\n"
+                "inner = pick(float2(abs(offset), inner.y), float2(inner.x, abs(offset)), back);\n"
+    "#endif\n"
+    "#endif\n"
                 "weight = weight + tap.rgb * sum.a;\n"
     "#if SHAPE\n"
-                "float sine = 0.0;\n"
-                "if (abs(offset) > 1e-20) {\n"
-                    "float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n"
-                    "below = below - clamp(below, -grain, grain);\n"
-                    "sine = clamp(below * facing / abs(offset), least, 1.0);\n"
-                "}\n"
                 "float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n"
                 "lift = lift * lift;\n"
                 "tap = float4(tap.rgb * lift * lift, tap.w);\n"
@@ -7108,7 +7123,7 @@ static const char *const ms_sss__tower_body[] = {
             "float next = pick(after, before, back);\n"
             "float step = own - next;\n"
             "float inner = next - d_at(p + way * pick(2, -2, back));\n"
-            "float more = abs(step) - abs(inner) - 2.0 * constant[5].z * abs(own);\n"
+            "float more = min(abs(step) - abs(inner), abs(inner)) - 2.0 * constant[5].z * abs(own);\n"
             "if (!(on_a && on_b)) { slope = slope + slope; }\n"
             "if (on_a && on_b && abs(a) < abs(b)) { slope = a; }\n"
             "if (on_a && on_b && abs(b) < abs(a)) { slope = b; }\n"
@@ -7359,7 +7374,7 @@ static const char *const ms_sss__transmission_body[] = {
 #define MS_SSS__FEATURE_LIST(X)                                                                                        \
     X(PREPARE) X(SECOND) X(RAW) X(TAPS) X(STRIDE) X(PROFILES) X(CORNERS) X(HALF_KERNEL) X(WITH_STRENGTH) X(WITH_NORMAL)  \
     X(DEPTH) X(DEPTH_TEXTURE) X(DEPTH_ALPHA) X(PROFILE) X(PROFILE_TEXTURE) X(PROFILE_ALONE) X(READS_PROFILE) \
-    X(BOTH) X(BOTH_ALPHA) X(PERSPECTIVE) X(FOLLOW) X(EXACT) X(TURNED) X(SHAPE) X(COMPUTE) X(TILED) X(LATER) X(GROUP_X)   \
+    X(BOTH) X(BOTH_ALPHA) X(PERSPECTIVE) X(FOLLOW) X(EXACT) X(SPATIAL) X(FALLOFF) X(TURNED) X(SHAPE) X(COMPUTE) X(TILED) X(LATER) X(GROUP_X)   \
     X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y) X(PASS) X(HALVED) X(NEARNESS) X(DOWN) X(NORMAL) X(SMALLER) X(UP) X(TERMS) \
     X(TOWER) X(BASE) X(SHRINK) X(GATHER) X(RESOLVE) X(GATHERS) X(TILTED) X(SLOPES) X(SIZES) X(LAST_SIZE)
 
@@ -7695,7 +7710,9 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     f[MS_SSS__HAS_BOTH_ALPHA] = both_alpha;
     f[MS_SSS__HAS_PERSPECTIVE] = o->fov_degrees > 0;
     f[MS_SSS__HAS_FOLLOW] = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
-    f[MS_SSS__HAS_EXACT] = o->exact;
+    f[MS_SSS__HAS_EXACT] = o->exact && o->depth_mode != MS_SSS_DEPTH_FOLLOW;
+    f[MS_SSS__HAS_SPATIAL] = shape && !o->exact;
+    f[MS_SSS__HAS_FALLOFF] = !f[MS_SSS__HAS_FOLLOW] && !o->exact && !shape;
     f[MS_SSS__HAS_TURNED] = turned;
     f[MS_SSS__HAS_SHAPE] = tower ? s->depth != MS_SSS_NONE && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass;
     f[MS_SSS__HAS_TOWER] = tower;
@@ -7894,7 +7911,7 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         picture.focal[1] = (float)(pixels * mm * (options->pixels_per_mm[0] > 0 ? (double)job.pass.aspect[1] : 1));
         profile.radius_mm = k->radius_mm;
         profile.depth_scale = job.depth_scale;
-        profile.cut = job.pass.cut;
+        profile.cut = job.pass.apart * job.pass.apart;
         profile.reach = job.pass.reach;
         memcpy(profile.curve, job.pass.curve, sizeof profile.curve);
         memcpy(profile.root, job.pass.root, sizeof profile.root);
