@@ -618,7 +618,7 @@ typedef struct ms_sss_filter_options {
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
 /* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation or jitter: 31),
-   12 more with kernels of several terms; with pyramids at least 52. Depends on width, height, kernels and options only;
+   12 more with kernels of several terms; with pyramids at least 43. Depends on width, height, kernels and options only;
    SIZE_MAX: more than this machine can address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                           const ms_sss_filter_options *options);
@@ -680,7 +680,7 @@ typedef struct ms_sss_pyramid {
    MS_INVALID_ARGUMENT: a NULL, a profile without light. *pyramid is untouched then. */
 MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error);
 
-/* Bytes that ms_sss_pyramid_filter needs: about 52 a pixel. SIZE_MAX: sides out of range. */
+/* Bytes that ms_sss_pyramid_filter needs: about 43 a pixel of a large picture. SIZE_MAX: sides out of range. */
 MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
 /* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE light counts by its
@@ -3735,11 +3735,6 @@ typedef struct ms_sss__line {
     ptrdiff_t ahead_step[4];
 } ms_sss__line;
 
-/* A row of a pyramid level, even and odd columns apart: colour, d, share, changes of d. */
-typedef struct ms_sss__split {
-    const float *plane[2][7];
-} ms_sss__split;
-
 /* What a pixel keeps of its own light, and which pixels are its neighbours, where a kernel works at half resolution. */
 typedef struct ms_sss__halving {
     const ms_sss_kernel *kernel;
@@ -3755,6 +3750,12 @@ typedef struct ms_sss__halving {
    2.2 of what six pixels hold, wide 2.75 and 3.5 of eight. */
 #define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
 
+/* A pixel that a pixel of the finer level gathers from: among the rows at hand, columns from its own, place, its square. */
+typedef struct ms_sss__tap {
+    int row, column;
+    float x, y, square;
+} ms_sss__tap;
+
 /* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective, else
    depth; 0 where nothing takes part. Rows of a level: colour, d, share (surface there, in pixels of the level), the change
    of d a pixel along x and y. */
@@ -3768,6 +3769,9 @@ typedef struct ms_sss__growth {
     float reach, join;    /* distance from a tangent plane at which nothing is left, in radii: of sums on the way up, of pixels that become one */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
     float quarter[3], most[3]; /* K / 4; 1 / reflectance */
+    const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four hold the pixel */
+    int taps, core, sums; /* core: that reach pixels that face the camera; sums: whether the coarser level has any */
+    ptrdiff_t plane;      /* of the coarser level */
     float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
     float blur;           /* variance of a place in a pixel of the next level */
     float grain; /* twice the relative error of d */
@@ -3794,13 +3798,11 @@ typedef struct ms_sss__kernels {
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
     void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first, int count, float *const out[3]);
-    void (*shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int first, int count, float *const out[7]);
-    int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *const *const coarse[8], int first, int count, int y,
-                  float *const out[6]);
-    int (*settle)(const ms_sss__growth *s, const ms_sss__split row[3], const float *const slope[3], const float *const sum[6], int first, int count,
+    void (*shrink)(const ms_sss__growth *s, const float *const row[4][7], int first, int count, float *const out[7]);
+    int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *const coarse[8], int first, int count, int y, float *const out[6]);
+    int (*settle)(const ms_sss__growth *s, const float *const row[3][4], const float *const slope[3], const float *const sum[6], int first, int count,
                   float *const out[3]);
     void (*invert)(const ms_sss__growth *s, const float *depth, int count, float *d);
-    void (*split)(const float *from, int count, float *even, float *odd);
     int (*halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit, int count, float *const out[4]);
     void (*soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3], const float *depth, int count, float *const out[4]);
     void (*refine)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4], int odd, int stream, int count,
@@ -5746,23 +5748,25 @@ typedef struct ms_sss__tower {
     ms_sss__level level[MS_SSS_PYRAMID_LEVELS];
     int levels, at; /* at: of the run at hand */
     ms_sss__growth growth;
-    float *rows;    /* row buffers of the tasks, half a row each */
-    ptrdiff_t half; /* floats of one */
+    ms_sss__tap tap[2][2][64];
+    float *rows;      /* row buffers of the tasks */
+    ptrdiff_t stride; /* floats of one */
 } ms_sss__tower;
 
-/* Row buffers of a task: four rows split, 7 planes each, and three whole rows; or seven whole rows and more. */
-enum { MS_SSS__TOWER_LIE = 56, MS_SSS__TOWER_ROWS = 62, MS_SSS__TOWER_ALONE = 3 /* levels from here on are too small to share */ };
+/* Row buffers of a task: shares and changes of d of four rows of the picture; or the sums of a row, its shares and changes. TILE: columns that
+   are gathered together, so that what they gather from stays in the nearest cache. */
+enum { MS_SSS__TOWER_ROWS = 12, MS_SSS__TOWER_ALONE = 3 /* levels from here on are too small to share */, MS_SSS__TILE = 256 };
 
 /* An odd number of cache lines, so that many rows side by side do not fall on the same few sets of the cache. */
-static ptrdiff_t ms_sss__tower_half(int width)
+static ptrdiff_t ms_sss__tower_stride(int width)
 {
-    const int floats = ms_sss__round_up(2 * MS_SSS__LEFT + MS_SSS__RIGHT + ms_sss__round_up(width, 32) / 2, 16);
+    const int floats = ms_sss__round_up(2 * MS_SSS__LEFT + MS_SSS__RIGHT + ms_sss__round_up(width, 32), 16);
     return floats / 16 % 2 ? floats : floats + 16;
 }
 
 static float *ms_sss__tower_row(const ms_sss__tower *tower, int task, int row)
 {
-    return tower->rows + ((ptrdiff_t)task * MS_SSS__TOWER_ROWS + row) * tower->half + MS_SSS__LEFT;
+    return tower->rows + ((ptrdiff_t)task * MS_SSS__TOWER_ROWS + row) * tower->stride + MS_SSS__LEFT;
 }
 
 /* Bytes of the levels; base NULL: count only. */
@@ -5815,37 +5819,11 @@ static void ms_sss__tower_lie(const ms_sss__tower *tower, int task, int y, int f
     job->simd->lie(&tower->growth, d, given ? normal : NULL, y, first, last, out);
 }
 
-/* Row y of level at, split into even and odd columns, in the slot-th set of buffers. */
-static void ms_sss__tower_split(const ms_sss__tower *tower, int task, int y, int slot, ms_sss__split *row)
-{
-    const ms_sss__level *v = &tower->level[tower->at];
-    const int half = ms_sss__round_up((v->width + 1) / 2, 16);
-    float *lie[3];
-    int i, side;
-    memset(row, 0, sizeof *row);
-    if (y < 0 || y >= v->height || v->first[y] >= v->last[y]) return;
-    for (i = 0; i < 3; ++i) lie[i] = ms_sss__tower_row(tower, task, MS_SSS__TOWER_LIE + 2 * i);
-    if (tower->at == 0) {
-        for (i = 0; i < 3; ++i) memset(lie[i], 0, (size_t)(2 * half) * sizeof(float));
-        ms_sss__tower_lie(tower, task, y, v->first[y], v->last[y], lie);
-    }
-    for (i = 0; i < 7; ++i) {
-        const int plane = i < 5 ? i : (int)MS_SSS__CHANGES + i - 5;
-        float *out[2];
-        for (side = 0; side < 2; ++side) {
-            row->plane[side][i] = out[side] = ms_sss__tower_row(tower, task, slot * 14 + 2 * i + side);
-            memset(out[side] - MS_SSS__LEFT, 0, MS_SSS__LEFT * sizeof(float));
-            memset(out[side] + half, 0, 16 * sizeof(float));
-        }
-        tower->job.simd->split(tower->at == 0 && i > 3 ? lie[i - 4] : v->plane[plane] + y * v->stride, half, out[0], out[1]);
-    }
-}
-
 /* Rows [begin, end) of level at + 1 from those of level at. */
 static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin, int end)
 {
     const ms_sss__level *fine = &tower->level[tower->at], *v = fine + 1;
-    ms_sss__split row[4];
+    const int tilted = tower->growth.upright > 0;
     ms_sss__growth growth = tower->growth;
     int y, i, c;
     growth.step *= (float)(1 << tower->at);
@@ -5853,6 +5831,8 @@ static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin
     growth.size_max /= (float)(1 << tower->at);
     for (y = begin; y < end; ++y) {
         int first = v->width, last = 0;
+        const float *row[4][7];
+        float *out[7];
         for (i = 2 * y; i < 2 * y + 2 && i < fine->height; ++i) {
             if (fine->first[i] >= fine->last[i]) continue;
             if (fine->first[i] / 2 < first) first = fine->first[i] / 2;
@@ -5863,31 +5843,35 @@ static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin
         v->first[y] = first;
         v->last[y] = last;
         for (i = 0; i < 4; ++i) {
-            const int at = 2 * y - 1 + i;
-            if (y > begin && i < 2) row[i] = row[i + 2];
-            else ms_sss__tower_split(tower, task, at, at & 3, &row[i]);
+            const int at = ms_sss__clamp(2 * y - 1 + i, -1, fine->height);
+            for (c = 0; c < 7; ++c) row[i][c] = tower->at > 0 || c < 4 ? fine->plane[c < 5 ? c : (int)MS_SSS__CHANGES + c - 5] + at * fine->stride : NULL;
+            if (tower->at == 0 && tilted) { /* in a ring */
+                float *lie[3];
+                for (c = 0; c < 3; ++c) row[i][4 + c] = lie[c] = ms_sss__tower_row(tower, task, 3 * (at & 3) + c);
+                if (y > begin && i < 2) continue;
+                for (c = 0; c < 3; ++c) memset(lie[c] - MS_SSS__LEFT, 0, (size_t)(tower->stride) * sizeof(float));
+                if (at >= 0 && at < fine->height && fine->first[at] < fine->last[at]) ms_sss__tower_lie(tower, task, at, fine->first[at], fine->last[at], lie);
+            }
         }
         for (c = 0; c < (int)MS_SSS__TOWER_PLANES; ++c) {
             float *p = v->plane[c] + y * v->stride;
             memset(p - MS_SSS__LEFT, 0, (size_t)(MS_SSS__LEFT + first) * sizeof(float));
             memset(p + last, 0, (size_t)((int)v->stride - MS_SSS__LEFT - last) * sizeof(float));
         }
-        if (first < last) {
-            float *out[7];
-            for (i = 0; i < 7; ++i) out[i] = v->plane[i < 5 ? i : (int)MS_SSS__CHANGES + i - 5] + y * v->stride;
-            tower->job.simd->shrink(&growth, row, first, last, out);
-            for (i = 0; i < 7; ++i)
-                for (c = v->width; c < last; ++c) out[i][c] = 0;
-        }
+        if (first >= last) continue;
+        for (i = 0; i < 7; ++i) out[i] = v->plane[i < 5 ? i : (int)MS_SSS__CHANGES + i - 5] + y * v->stride;
+        tower->job.simd->shrink(&growth, row, first, last, out);
+        for (i = 0; i < 7; ++i)
+            for (c = v->width; c < last; ++c) out[i][c] = 0;
     }
 }
 
 /* The rows of level 1 that a band of the picture makes without its neighbours. */
 static void ms_sss__tower_inside(const ms_sss__tower *tower, int begin, int end, int *first, int *last)
 {
-    *first = begin > 0 ? (begin + 4) / 2 : 0; /* 4 rows each, and 2 more on either side for their slopes */
-    *last = end < tower->level[0].height ? (end - 3) / 2 : tower->levels > 1 ? tower->level[1].height : 0;
-    if (*last < *first) *last = *first;
+    const int height = tower->levels > 1 ? tower->level[1].height : 0;
+    *first = begin > 0 ? ms_sss__clamp((begin + 4) / 2, 0, height) : 0; /* 4 rows each, and 2 more on either side for their slopes */
+    *last = end < tower->level[0].height ? ms_sss__clamp((end - 3) / 2, *first, height) : height;
 }
 
 /* The picture, and of level 1 what needs no other band. */
@@ -5933,60 +5917,80 @@ static void ms_sss__tower_down(void *context, int task)
     ms_sss__tower_shrink(tower, task, begin, end < tower->job.end ? end : tower->job.end);
 }
 
-/* The sums of level at from those of level at + 1; of the finest level the picture. */
+/* The sums of columns [from, to) of a band of level at from those of level at + 1; of the finest level the picture. */
+static void ms_sss__tower_tile(const ms_sss__tower *tower, int task, int begin, int end, int from, int to)
+{
+    const ms_sss__job *job = &tower->job;
+    const ms_sss__level *v = &tower->level[tower->at], *coarse = v + 1;
+    const int tilted = tower->growth.upright > 0;
+    int y, i, c;
+    for (y = begin; y < end; ++y) {
+        const int low = v->first[y] > from ? v->first[y] : from, high = v->last[y] < to ? v->last[y] : to;
+        const int first = low / 32 * 32, last = ms_sss__round_up(high, 32); /* the gather works on 2 vectors at a time */
+        const float *own[3], *near_by[8];
+        float *sum[6], *lie[3], *blur[3];
+        if (low >= high) continue;
+        for (i = 0; i < 6; ++i)
+            sum[i] = tower->at > 0 ? v->plane[MS_SSS__SUMS + i] + y * v->stride : ms_sss__tower_row(tower, task, i);
+        own[0] = v->plane[MS_SSS__D] + y * v->stride;
+        for (i = 0; i < 3; ++i) lie[i] = ms_sss__tower_row(tower, task, 6 + i);
+        for (i = 1; i < 3; ++i) own[i] = tower->at > 0 ? v->plane[MS_SSS__CHANGES + i - 1] + y * v->stride : lie[i];
+        if (tower->at == 0 && tilted) {
+            ms_sss__tower_lie(tower, task, y, low, high, lie);
+            for (i = 0; i < 3; ++i) {
+                for (c = first; c < low; ++c) lie[i][c] = 0;
+                for (c = high; c < last; ++c) lie[i][c] = 0;
+            }
+        }
+        if (tower->at + 1 == tower->levels) {
+            for (i = 0; i < 6; ++i) memset(sum[i] + first, 0, (size_t)(last - first) * sizeof(float));
+        } else {
+            for (i = 0; i < 8; ++i) near_by[i] = coarse->plane[0] + ms_sss__clamp(y / 2 - 4 + y % 2 + i, -1, coarse->height) * coarse->stride;
+            job->simd->gather(&tower->growth, own, near_by, first / 2, last / 2, y, sum);
+        }
+        if (tower->at == 0) {
+            const float *row[3][4];
+            int tiny;
+            for (i = 0; i < 3; ++i)
+                for (c = 0; c < 4; ++c) row[i][c] = v->plane[c] + (y + i - 1) * v->stride;
+            for (c = 0; c < 3; ++c) blur[c] = ms_sss__buffer(job, task, c);
+            tiny = job->simd->settle(&tower->growth, row, (const float *const *)lie, (const float *const *)sum, low, high, blur);
+            for (c = 0; c < 3; ++c) blur[c] += low;
+            ms_sss__finish(job, task, y, low, high - low, blur, job->depth + y * job->stride + low, tiny);
+        }
+    }
+}
+
 static void ms_sss__tower_grow(void *context, int task)
 {
     const ms_sss__tower *tower = (const ms_sss__tower *)context;
-    const ms_sss__job *job = &tower->job;
-    const ms_sss__level *v = &tower->level[tower->at], *coarse = v + 1;
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y, i, c;
-    for (y = begin; y < end; ++y) {
-        const int first = v->first[y] / 32 * 32, last = ms_sss__round_up(v->last[y], 32);
-        const float *from[8][11], *own[3];
-        const float *const *near_by[8];
-        float *sum[6], *lie[3], *blur[3];
-        if (v->first[y] >= v->last[y]) continue;
-        for (i = 0; i < 6; ++i)
-            sum[i] = tower->at > 0 ? v->plane[MS_SSS__SUMS + i] + y * v->stride : ms_sss__tower_row(tower, task, 2 * i);
-        if (tower->at + 1 == tower->levels) {
-            for (i = 0; i < 6; ++i) memset(sum[i], 0, (size_t)last * sizeof(float));
-        } else {
-            for (i = 0; i < 8; ++i) {
-                const int j = y / 2 - 4 + y % 2 + i;
-                near_by[i] = NULL;
-                if (j < 0 || j >= coarse->height || coarse->first[j] >= coarse->last[j]) continue;
-                for (c = 0; c < 11; ++c) from[i][c] = coarse->plane[c] + j * coarse->stride;
-                near_by[i] = from[i];
+    const int begin = tower->job.begin + task * tower->job.band, width = tower->level[tower->at].width;
+    const int end = begin + tower->job.band < tower->job.end ? begin + tower->job.band : tower->job.end;
+    int x;
+    for (x = 0; x < width; x += MS_SSS__TILE) ms_sss__tower_tile(tower, task, begin, end, x, x + MS_SSS__TILE);
+}
+
+/* The taps of all four kinds of pixels, the nearest first. */
+static void ms_sss__tower_order(ms_sss__growth *growth, ms_sss__tap tap[2][2][64])
+{
+    int y, x, i, j, n = 0;
+    for (y = 0; y < 2; ++y) {
+        for (x = 0; x < 2; ++x) {
+            for (n = 0, i = 0; i < 64; ++i) {
+                ms_sss__tap t;
+                t.row = i / 8;
+                t.column = i % 8 - 4 + x;
+                t.x = (x ? -3.25f : -3.75f) + (float)(i % 8);
+                t.y = (y ? -3.25f : -3.75f) + (float)(i / 8);
+                t.square = t.x * t.x + t.y * t.y;
+                if (!growth->wide && (t.x < -3 || t.x > 3 || t.y < -3 || t.y > 3)) continue;
+                for (j = n++; j > 0 && tap[y][x][j - 1].square > t.square; --j) tap[y][x][j] = tap[y][x][j - 1];
+                tap[y][x][j] = t;
             }
-            own[0] = v->plane[MS_SSS__D] + y * v->stride;
-            for (i = 1; i < 3; ++i) own[i] = tower->at > 0 ? v->plane[MS_SSS__CHANGES + i - 1] + y * v->stride : NULL;
-        }
-        for (i = 0; i < 3; ++i) lie[i] = ms_sss__tower_row(tower, task, 12 + 2 * i);
-        if (tower->at == 0) {
-            ms_sss__tower_lie(tower, task, y, v->first[y], v->last[y], lie);
-            for (i = 0; i < 3; ++i) { /* the gather works on 2 vectors at a time */
-                for (c = first; c < v->first[y]; ++c) lie[i][c] = 0;
-                for (c = v->last[y]; c < last; ++c) lie[i][c] = 0;
-            }
-            own[1] = lie[1];
-            own[2] = lie[2];
-        }
-        if (tower->at + 1 < tower->levels) job->simd->gather(&tower->growth, own, near_by, first / 2, last / 2, y, sum);
-        if (tower->at == 0) {
-            ms_sss__split row[3];
-            int tiny;
-            memset(row, 0, sizeof row);
-            for (i = 0; i < 3; ++i)
-                for (c = 0; c < 4; ++c) row[i].plane[0][c] = v->plane[c] + (y + i - 1) * v->stride;
-            for (c = 0; c < 3; ++c) blur[c] = ms_sss__buffer(job, task, c);
-            tiny = job->simd->settle(&tower->growth, row, (const float *const *)lie, (const float *const *)sum, v->first[y], v->last[y], blur);
-            for (c = 0; c < 3; ++c) blur[c] += v->first[y];
-            ms_sss__finish(job, task, y, v->first[y], v->last[y] - v->first[y], blur,
-                            job->depth + y * job->stride + v->first[y], tiny);
         }
     }
+    growth->tap = (const ms_sss__tap (*)[2][64])tap;
+    growth->taps = n;
 }
 
 /* What the gather's taps add up to, and the means of powers of the distance between light that enters and leaves, of
@@ -5996,9 +6000,11 @@ static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
     const double coarse = 0.5 * (1 - pow(4, -level - 1)), fine = 0.125 * (1 - pow(4, -level));
     double n = 0, r1 = 0, r2 = 0, r4 = 0;
     int i;
+    growth->core = 0;
     for (i = 0; i < 64; ++i) {
         const double x = i % 8 - 3.75, y = i / 8 - 3.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(growth->wide, level), w = t > 0 ? t * t * (growth->wide ? t : 1) : 0;
         const double r = x * x + y * y + coarse - fine;
+        growth->core += t > 0;
         n += w;
         r1 += w * sqrt(x * x + y * y + coarse);
         r2 += w * r;
@@ -6022,8 +6028,7 @@ static size_t ms_sss__tower_plan(int width, int height, size_t *before)
     memset(&options, 0, sizeof options);
     options.flat = 1;
     *before = ms_sss__plan(width, height, NULL, 0, &options, 0).total;
-    floats = ms__size_mul((size_t)ms_sss__tower_half(width),
-                          (size_t)MS_SSS__TASKS * (size_t)MS_SSS__TOWER_ROWS);
+    floats = ms__size_mul((size_t)ms_sss__tower_stride(width), (size_t)MS_SSS__TASKS * (size_t)MS_SSS__TOWER_ROWS);
     floats = ms__size_add(floats, ms_sss__tower_levels(NULL, width, height, NULL));
     return ms__size_add(ms__size_add(*before, ms__size_mul(floats, sizeof(float))), sizeof(ms_sss__tower) + 128);
 }
@@ -6103,7 +6108,7 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
     tower->level[0].last = job->last;
     for (c = 0; c < 3; ++c) tower->level[0].plane[c] = job->middle[c];
     tower->rows = at;
-    tower->half = ms_sss__tower_half(frame->width);
+    tower->stride = ms_sss__tower_stride(frame->width);
 
     tower->at = 0;
     job->whole_first = 1; /* colours are 0 where nothing takes part */
@@ -6111,6 +6116,7 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
     ms_sss__set_term(job, 0);
     if (!(job->gain > 0)) job->idle = 1;
     ms_sss__tower_start(growth, job, pyramid, frame->depth.channel[0] != NULL, options->flat); /* the job's own is 1 */
+    ms_sss__tower_order(growth, tower->tap);
     ms_sss__run(job, 0, frame->height, ms_sss__tower_load);
     if (job->idle) return MS_OK;
     if (tower->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__tower_join);
@@ -6127,6 +6133,8 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
     for (l = tower->levels - 1; l >= 0; --l) {
         tower->at = l;
         ms_sss__tower_taps(growth, l);
+        growth->sums = l + 2 < tower->levels;
+        if (l + 1 < tower->levels) growth->plane = tower->level[l + 1].plane[1] - tower->level[l + 1].plane[0];
         if (l < MS_SSS__TOWER_ALONE) {
             ms_sss__run(job, 0, tower->level[l].height, ms_sss__tower_grow);
         } else {
@@ -8061,8 +8069,9 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__ZIP_LOW(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
 #define MS_SSS__ZIP_HIGH(a, b) \
     _mm512_permutex2var_ps(a, _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31), b)
-#define MS_SSS__EVEN(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30), b)
-#define MS_SSS__ODD(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31), b)
+#define MS_SSS__EVENS(a, b) _mm512_shuffle_ps(a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
+#define MS_SSS__ODDS(a, b) _mm512_shuffle_ps(a, b, 0xdd)
+#define MS_SSS__ORDER(a) _mm512_castpd_ps(_mm512_permutexvar_pd(_mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(a)))
 #elif MS_SSS__LANES == 8
 #define MS_SSS__V __m256
 #define MS_SSS__MASK __m256
@@ -8091,8 +8100,9 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__BITS(m) ((unsigned)_mm256_movemask_ps(m))
 #define MS_SSS__ZIP_LOW(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x20)
 #define MS_SSS__ZIP_HIGH(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x31)
-#define MS_SSS__EVEN(a, b) _mm256_shuffle_ps(_mm256_permute2f128_ps(a, b, 0x20), _mm256_permute2f128_ps(a, b, 0x31), 0x88)
-#define MS_SSS__ODD(a, b) _mm256_shuffle_ps(_mm256_permute2f128_ps(a, b, 0x20), _mm256_permute2f128_ps(a, b, 0x31), 0xdd)
+#define MS_SSS__EVENS(a, b) _mm256_shuffle_ps(a, b, 0x88)
+#define MS_SSS__ODDS(a, b) _mm256_shuffle_ps(a, b, 0xdd)
+#define MS_SSS__ORDER(a) _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(a), 0xd8))
 #elif MS_SSS__LANES == 4 && defined(MS__X64)
 #define MS_SSS__V __m128
 #define MS_SSS__MASK __m128
@@ -8120,8 +8130,9 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__BITS(m) ((unsigned)_mm_movemask_ps(m))
 #define MS_SSS__ZIP_LOW(a, b) _mm_unpacklo_ps(a, b)
 #define MS_SSS__ZIP_HIGH(a, b) _mm_unpackhi_ps(a, b)
-#define MS_SSS__EVEN(a, b) _mm_shuffle_ps(a, b, 0x88)
-#define MS_SSS__ODD(a, b) _mm_shuffle_ps(a, b, 0xdd)
+#define MS_SSS__EVENS(a, b) _mm_shuffle_ps(a, b, 0x88)
+#define MS_SSS__ODDS(a, b) _mm_shuffle_ps(a, b, 0xdd)
+#define MS_SSS__ORDER(a) (a)
 #elif MS_SSS__LANES == 4
 #define MS_SSS__V float32x4_t
 #define MS_SSS__MASK uint32x4_t
@@ -8150,8 +8161,9 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__BITS(m) ms_sss__bits_neon(m)
 #define MS_SSS__ZIP_LOW(a, b) vzip1q_f32(a, b)
 #define MS_SSS__ZIP_HIGH(a, b) vzip2q_f32(a, b)
-#define MS_SSS__EVEN(a, b) vuzp1q_f32(a, b)
-#define MS_SSS__ODD(a, b) vuzp2q_f32(a, b)
+#define MS_SSS__EVENS(a, b) vuzp1q_f32(a, b)
+#define MS_SSS__ODDS(a, b) vuzp2q_f32(a, b)
+#define MS_SSS__ORDER(a) (a)
 #else
 #define MS_SSS__V float
 #define MS_SSS__MASK int
@@ -8179,9 +8191,12 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__BITS(m) ((unsigned)(m))
 #define MS_SSS__ZIP_LOW(a, b) (a)
 #define MS_SSS__ZIP_HIGH(a, b) (b)
-#define MS_SSS__EVEN(a, b) (a)
-#define MS_SSS__ODD(a, b) (b)
+#define MS_SSS__EVENS(a, b) (a)
+#define MS_SSS__ODDS(a, b) (b)
+#define MS_SSS__ORDER(a) (a)
 #endif
+#define MS_SSS__EVEN(a, b) MS_SSS__ORDER(MS_SSS__EVENS(a, b))
+#define MS_SSS__ODD(a, b) MS_SSS__ORDER(MS_SSS__ODDS(a, b))
 
 /* 2^-q for 0 <= q < 126; relative error 2.5e-7. The polynomial is the minimax one of 2^-d on [0, 1] with 2^0 = 1. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(exp2_minus)(MS_SSS__V q)
@@ -9152,77 +9167,123 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(beside)(MS_SSS__V off)
     return MS_SSS__MUL(f, f);
 }
 
-/* One row of a level from rows 2j - 1 to 2j + 2 of the finer one (NULL: outside), split into even and odd columns: pixel i
-   is the mean of columns 2i - 1 to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of what lies near the tangent plane of the nearest
-   of the middle four that has a quarter of the largest share. */
-static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const ms_sss__split row[4], int first, int count, float *const out[7])
+/* One row of a level from rows 2j - 1 to 2j + 2 of the finer one, each colour, d, share, changes of d: pixel i is the mean of columns 2i - 1
+   to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of what lies near the tangent plane of the nearest of the middle four that has a quarter of the
+   largest share. tilted 0: no changes, and on the picture (share NULL) shares of 1. */
+static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, const int tilted, const int shares, const float *const row[4][7],
+                                                    int first, int count, float *const out[7])
 {
     static const float side[4] = {0.125f, 0.375f, 0.375f, 0.125f};
-    const MS_SSS__V zero = MS_SSS__SET(0.0f);
-    int i, y, x;
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
+    int i, y, x, c;
     for (i = first; i < count; i += MS_SSS__LANES) {
-        MS_SSS__V most = zero, d = zero, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least = zero, greatest = zero;
-        MS_SSS__V r = zero, g = zero, b = zero, dd = zero, gx = zero, gy = zero, seen = zero;
-        MS_SSS__MASK taken;
-        for (y = 1; y < 3; ++y)
-            for (x = 0; x < 2 && row[y].plane[0][0]; ++x) most = MS_SSS__MAX(most, MS_SSS__LOAD(row[y].plane[x][4] + i));
-        taken = MS_SSS__LESS(zero, zero);
-        for (y = 1; y < 3; ++y) {
-            for (x = 0; x < 2 && row[y].plane[0][0]; ++x) {
-                const MS_SSS__V z = MS_SSS__LOAD(row[y].plane[x][3] + i), w = MS_SSS__LOAD(row[y].plane[x][4] + i);
-                const MS_SSS__V before = MS_SSS__SELECT(taken, d, MS_SSS__SET(INFINITY));
-                const MS_SSS__MASK better = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__MUL(most, MS_SSS__SET(0.25f)), w), MS_SSS__LESS(z, before));
-                d = MS_SSS__SELECT(better, z, d);
-                dx = MS_SSS__SELECT(better, MS_SSS__LOAD(row[y].plane[x][5] + i), dx);
-                dy = MS_SSS__SELECT(better, MS_SSS__LOAD(row[y].plane[x][6] + i), dy);
-                bx = MS_SSS__SELECT(better, MS_SSS__SET((float)x - 0.5f), bx);
-                by = MS_SSS__SELECT(better, MS_SSS__SET((float)y - 1.5f), by);
-                taken = MS_SSS__LESS(MS_SSS__SELECT(better, zero, MS_SSS__SELECT(taken, zero, MS_SSS__SET(1.0f))), MS_SSS__SET(0.5f));
-            }
+        MS_SSS__V most = zero, d = infinity, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least, greatest, nearest, scale, narrow;
+        MS_SSS__V sum[3], dd = zero, gx = zero, gy = zero, seen = zero, middle[2][2], share[2][2];
+        MS_SSS__MASK some;
+        MS_SSS__UNROLL
+        for (y = 0; y < 2; ++y) {
+            const float *z = row[y + 1][3] + 2 * i, *w = shares ? row[y + 1][4] + 2 * i : z;
+            const MS_SSS__V z0 = MS_SSS__LOAD(z), z1 = MS_SSS__LOAD(z + MS_SSS__LANES);
+            middle[y][0] = MS_SSS__EVENS(z0, z1);
+            middle[y][1] = MS_SSS__ODDS(z0, z1);
+            share[y][0] = MS_SSS__ABS(MS_SSS__EVENS(MS_SSS__LOAD(w), MS_SSS__LOAD(w + MS_SSS__LANES)));
+            share[y][1] = MS_SSS__ABS(MS_SSS__ODDS(MS_SSS__LOAD(w), MS_SSS__LOAD(w + MS_SSS__LANES)));
+            most = MS_SSS__MAX(most, MS_SSS__MAX(share[y][0], share[y][1]));
         }
-        if (MS_SSS__BITS(MS_SSS__LESS(zero, most))) {
-            const MS_SSS__V safe = MS_SSS__SELECT(MS_SSS__LESS(zero, most), d, MS_SSS__SET(-1.0f));
-            const MS_SSS__V scale = MS_SSS__DIV(MS_SSS__NAME(deep)(s, safe), MS_SSS__NAME(radius)(s, safe));
-            const MS_SSS__V narrow = MS_SSS__MUL(scale, MS_SSS__SET(1 / s->join)), nearest = d;
-            least = greatest = d;
-            d = MS_SSS__SUB(d, MS_SSS__MADD(bx, dx, MS_SSS__MUL(by, dy))); /* at the middle */
-            for (y = 0; y < 4; ++y) {
-                if (!row[y].plane[0][0]) continue;
-                MS_SSS__UNROLL
-                for (x = 0; x < 4; ++x) {
-                    const float *const *p = row[y].plane[x % 2 == 0];
-                    const int at = i + (x + 1) / 2 - 1;
-                    const MS_SSS__V rise = MS_SSS__MADD(MS_SSS__SET((float)x - 1.5f), dx, MS_SSS__MUL(MS_SSS__SET((float)y - 1.5f), dy));
-                    MS_SSS__V level = MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), rise);
-                    MS_SSS__V f = MS_SSS__NAME(beside)(MS_SSS__MUL(MS_SSS__SUB(level, d), narrow));
-                    f = MS_SSS__MUL(MS_SSS__MUL(f, MS_SSS__SET(side[x] * side[y])), MS_SSS__LOAD(p[4] + at));
-                    f = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), nearest), scale)), MS_SSS__SET(1.0f)), f, zero);
-                    level = MS_SSS__SELECT(MS_SSS__LESS(zero, f), MS_SSS__LOAD(p[3] + at), nearest); /* planes continue, but not beyond what is there */
-                    least = MS_SSS__MIN(least, level);
-                    greatest = MS_SSS__MAX(greatest, level);
-                    dd = MS_SSS__MADD(f, MS_SSS__SUB(level, rise), dd);
-                    r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
-                    g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
-                    b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
-                    n = MS_SSS__ADD(n, f);
-                    f = MS_SSS__DIV(f, MS_SSS__MAX(MS_SSS__LOAD(p[4] + at), MS_SSS__SET(1.0f))); /* normals add up by area, slopes by what is seen of it */
-                    gx = MS_SSS__MADD(f, MS_SSS__LOAD(p[5] + at), gx);
-                    gy = MS_SSS__MADD(f, MS_SSS__LOAD(p[6] + at), gy);
-                    seen = MS_SSS__ADD(seen, f);
+        some = MS_SSS__LESS(zero, most);
+        if (!MS_SSS__BITS(some)) {
+            for (c = 0; c < (tilted ? 7 : 5); ++c) MS_SSS__STORE(out[c] + i, zero);
+            continue;
+        }
+        if (shares) most = MS_SSS__MUL(most, MS_SSS__SET(0.25f));
+        else most = zero;
+        for (y = 0; y < 2; ++y) {
+            for (x = 0; x < 2; ++x) {
+                const MS_SSS__MASK better = MS_SSS__BOTH(MS_SSS__LESS(most, share[y][x]), MS_SSS__LESS(middle[y][x], d));
+                d = MS_SSS__SELECT(better, middle[y][x], d);
+                if (!tilted) continue;
+                for (c = 5; c < 7; ++c) {
+                    const MS_SSS__V a = MS_SSS__LOAD(row[y + 1][c] + 2 * i), b = MS_SSS__LOAD(row[y + 1][c] + 2 * i + MS_SSS__LANES), there = x ? MS_SSS__ODDS(a, b) : MS_SSS__EVENS(a, b);
+                    if (c == 5) dx = MS_SSS__SELECT(better, there, dx);
+                    else dy = MS_SSS__SELECT(better, there, dy);
                 }
+                bx = MS_SSS__SELECT(better, MS_SSS__SET((float)x - 0.5f), bx);
+                by = MS_SSS__SELECT(better, MS_SSS__SET((float)y - 0.5f), by);
             }
         }
-        {
-            const MS_SSS__MASK some = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(1e-20f), n), MS_SSS__LESS(zero, most));
-            MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(some, MS_SSS__DIV(r, n), zero));
-            MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(some, MS_SSS__DIV(g, n), zero));
-            MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(some, MS_SSS__DIV(b, n), zero));
-            MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(some, MS_SSS__MIN(MS_SSS__MAX(MS_SSS__DIV(dd, n), least), greatest), zero));
-            MS_SSS__STORE(out[4] + i, MS_SSS__SELECT(some, n, zero));
-            MS_SSS__STORE(out[5] + i, MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gx, gx), seen), zero));
-            MS_SSS__STORE(out[6] + i, MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gy, gy), seen), zero));
+        d = MS_SSS__SELECT(some, d, MS_SSS__SET(-1.0f));
+        scale = MS_SSS__DIV(MS_SSS__NAME(deep)(s, d), MS_SSS__NAME(radius)(s, d));
+        narrow = MS_SSS__MUL(scale, MS_SSS__SET(1 / s->join));
+        nearest = least = greatest = d;
+        if (tilted) d = MS_SSS__SUB(d, MS_SSS__MADD(bx, dx, MS_SSS__MUL(by, dy))); /* at the middle */
+        sum[0] = sum[1] = sum[2] = zero;
+        for (y = 0; y < 4; ++y) {
+            int half;
+            for (half = 0; half < 2; ++half) { /* two columns at a time */
+                const ptrdiff_t at = 2 * i - 1 + 2 * half;
+                MS_SSS__V f[2], g[2], a = MS_SSS__LOAD(row[y][3] + at), b = MS_SSS__LOAD(row[y][3] + at + MS_SSS__LANES);
+                MS_SSS__UNROLL
+                for (x = 0; x < 2; ++x) {
+                    const float along = (float)(2 * half + x) - 1.5f;
+                    const MS_SSS__V there = x ? MS_SSS__ODDS(a, b) : MS_SSS__EVENS(a, b), away = MS_SSS__SUB(there, nearest);
+                    MS_SSS__V level = there, off = away, w;
+                    if (tilted) {
+                        level = MS_SSS__SUB(there, MS_SSS__MADD(MS_SSS__SET(along), dx, MS_SSS__MUL(MS_SSS__SET((float)y - 1.5f), dy)));
+                        off = MS_SSS__SUB(level, d);
+                    }
+                    f[x] = MS_SSS__MUL(MS_SSS__NAME(beside)(MS_SSS__MUL(off, narrow)), MS_SSS__SET(side[2 * half + x] * side[y]));
+                    if (shares) {
+                        const MS_SSS__V w0 = MS_SSS__LOAD(row[y][4] + at), w1 = MS_SSS__LOAD(row[y][4] + at + MS_SSS__LANES);
+                        w = x ? MS_SSS__ODDS(w0, w1) : MS_SSS__EVENS(w0, w1);
+                        f[x] = MS_SSS__MUL(f[x], w);
+                    } else {
+                        w = one;
+                        f[x] = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f[x], zero);
+                    }
+                    f[x] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(away, scale)), one), f[x], zero);
+                    n = MS_SSS__ADD(n, f[x]);
+                    dd = MS_SSS__MADD(f[x], level, dd);
+                    if (tilted) { /* planes continue, but not beyond what is there; normals add up by area, slopes by what is seen of it */
+                        const MS_SSS__MASK counts = MS_SSS__LESS(zero, f[x]);
+                        least = MS_SSS__MIN(least, MS_SSS__SELECT(counts, there, nearest));
+                        greatest = MS_SSS__MAX(greatest, MS_SSS__SELECT(counts, there, nearest));
+                        g[x] = MS_SSS__DIV(f[x], MS_SSS__MAX(w, one));
+                        seen = MS_SSS__ADD(seen, g[x]);
+                    }
+                }
+                MS_SSS__UNROLL
+                for (c = 0; c < 3; ++c) {
+                    a = MS_SSS__LOAD(row[y][c] + at);
+                    b = MS_SSS__LOAD(row[y][c] + at + MS_SSS__LANES);
+                    sum[c] = MS_SSS__MADD(f[0], MS_SSS__EVENS(a, b), sum[c]);
+                    sum[c] = MS_SSS__MADD(f[1], MS_SSS__ODDS(a, b), sum[c]);
+                }
+                if (!tilted) continue;
+                a = MS_SSS__LOAD(row[y][5] + at);
+                b = MS_SSS__LOAD(row[y][5] + at + MS_SSS__LANES);
+                gx = MS_SSS__MADD(g[1], MS_SSS__ODDS(a, b), MS_SSS__MADD(g[0], MS_SSS__EVENS(a, b), gx));
+                a = MS_SSS__LOAD(row[y][6] + at);
+                b = MS_SSS__LOAD(row[y][6] + at + MS_SSS__LANES);
+                gy = MS_SSS__MADD(g[1], MS_SSS__ODDS(a, b), MS_SSS__MADD(g[0], MS_SSS__EVENS(a, b), gy));
+            }
         }
+        some = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(1e-20f), n), some);
+        for (c = 0; c < 3; ++c) MS_SSS__STORE(out[c] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, MS_SSS__DIV(sum[c], n), zero)));
+        dd = MS_SSS__DIV(dd, n);
+        if (tilted) dd = MS_SSS__MIN(MS_SSS__MAX(dd, least), greatest);
+        MS_SSS__STORE(out[3] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, dd, zero)));
+        MS_SSS__STORE(out[4] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, n, zero)));
+        if (!tilted) continue;
+        MS_SSS__STORE(out[5] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gx, gx), seen), zero)));
+        MS_SSS__STORE(out[6] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gy, gy), seen), zero)));
     }
+}
+
+static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const float *const row[4][7], int first, int count, float *const out[7])
+{
+    if (s->upright > 0) MS_SSS__NAME(shrink_row)(s, 1, 1, row, first, count, out);
+    else if (row[1][4]) MS_SSS__NAME(shrink_row)(s, 0, 1, row, first, count, out);
+    else MS_SSS__NAME(shrink_row)(s, 0, 0, row, first, count, out);
 }
 
 /* Weights of a level for kernels of these radii in pixels, linear between the table's sizes. part: lanes that count. */
@@ -9237,7 +9298,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int leve
     from = MS_SSS__SET(ms_sss__index_size((int)(w - s->table)));
     to = MS_SSS__SET(ms_sss__index_size((int)(w - s->table) + 1));
     if (!(MS_SSS__BITS(MS_SSS__LESS(size, from)) & part) && !(MS_SSS__BITS(MS_SSS__LESS(to, size)) & part)) {
-        const MS_SSS__V t = MS_SSS__DIV(MS_SSS__SUB(size, from), MS_SSS__SUB(to, from));
+        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SUB(size, from), MS_SSS__SET(1 / (ms_sss__index_size((int)(w - s->table) + 1) - ms_sss__index_size((int)(w - s->table)))));
         for (c = 0; c < 3; ++c) {
             const float w0 = w[0][level][blurred][c], w1 = w[1][level][blurred][c];
             out[c] = MS_SSS__MADD(t, MS_SSS__SET(w1 - w0), MS_SSS__SET(w0));
@@ -9278,156 +9339,141 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(bounded)(MS_SSS__V n, MS_SSS__V lif
     return MS_SSS__SELECT(MS_SSS__LESS(limit, lifted), MS_SSS__DIV(limit, MS_SSS__MAX(lifted, MS_SSS__SET(1e-30f))), MS_SSS__SET(1.0f));
 }
 
-/* gather for the even (odd 0) or odd columns of columns 2 i on. */
-static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const MS_SSS__V own[3], const float *const *const coarse[8],
-                                                    const int odd, int i, int y, MS_SSS__V ry, MS_SSS__V result[6])
+/* gather for the even or the odd columns of LANES pairs: at, their d and changes of d. */
+static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const int tilted, MS_SSS__V d, MS_SSS__V dx, MS_SSS__V dy,
+                                                    const float *const row[8], ptrdiff_t i, const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry, MS_SSS__V result[6])
 {
+    static const float nearness[4] = {0.5625f, 0.1875f, 0.1875f, 0.0625f};
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
-    const float cells = (float)(1 << (s->level + 1)); /* pixels of the picture in one of the coarse level */
-    int j, k, c, tiny;
-    const MS_SSS__V d = own[0];
+    const ptrdiff_t plane = s->plane;
+    const float cells = (float)(1 << (s->level + 1)), square = MS_SSS__GATHER(wide, s->level); /* pixels of the picture in one of the coarse level */
     const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
-    const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f));
-    MS_SSS__V radius, deep, sx, sy, rx, area, cap, inverse, fall, limit, near_plane, rough = zero, weight[3], n = zero, v = zero, norm;
-    MS_SSS__V r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero, s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
-    MS_SSS__V rise = zero, fr = zero, fg = zero, fb = zero; /* wide: facing, 0 where there is no tangent plane; sums of factors */
-    const float square = MS_SSS__GATHER(wide, s->level);
-    float widest, caps[MS_SSS__LANES];
-    if (!MS_SSS__BITS(part)) {
-        for (c = 0; c < 6; ++c) result[c] = zero;
+    const unsigned parts = MS_SSS__BITS(part);
+    const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), radius = MS_SSS__NAME(radius)(s, safe);
+    const MS_SSS__V deep = MS_SSS__MUL(MS_SSS__NAME(deep)(s, safe), MS_SSS__SET(1 / cells)), limit = MS_SSS__MUL(radius, MS_SSS__SET(1 / cells)), limit2 = MS_SSS__MUL(limit, limit);
+    MS_SSS__V size = radius, sx = zero, sy = zero, area = one, inverse = one, fall = MS_SSS__SET(-1 / square), norm = MS_SSS__SET(s->norm), rough = zero, rise = one;
+    MS_SSS__V n = zero, v = zero, r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero, weight[3]; /* wide: m the sums of factors */
+    MS_SSS__V s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
+    int k, count = tilted ? 4 : s->core;
+    if (!parts) {
+        for (k = 0; k < 6; ++k) result[k] = zero;
         return 0;
     }
-    radius = MS_SSS__NAME(radius)(s, safe);
-    deep = MS_SSS__MUL(MS_SSS__NAME(deep)(s, safe), MS_SSS__SET(1 / cells));
-    sx = MS_SSS__MUL(MS_SSS__MUL(own[1], deep), MS_SSS__SET(2.0f));
-    sy = MS_SSS__MUL(MS_SSS__MUL(own[2], deep), MS_SSS__SET(2.0f));
-    rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__ramp), MS_SSS__SET(cells * s->tangent), MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
-    area = MS_SSS__NAME(area)(sx, sy, rx, ry);
-    cap = MS_SSS__MIN(MS_SSS__SELECT(part, area, one), MS_SSS__SET(1.5f));
-    MS_SSS__STORE(caps, cap);
-    widest = caps[0];
-    for (k = 1; k < MS_SSS__LANES; ++k) widest = caps[k] > widest ? caps[k] : widest;
-    widest *= widest * square; /* square of the distance of taps within reach of some lane */
-    tiny = (MS_SSS__BITS(MS_SSS__LESS(radius, MS_SSS__SET(0.5f))) & MS_SSS__BITS(part)) != 0;
-    MS_SSS__NAME(weigh)(s, s->level + 1, 1, MS_SSS__DIV(radius, cap), MS_SSS__BITS(part), weight);
-    inverse = MS_SSS__DIV(one, cap);
-    fall = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), MS_SSS__SET(-1 / square)); /* r^2 */
-    limit = MS_SSS__MUL(radius, MS_SSS__SET(1 / cells));
-    near_plane = MS_SSS__DIV(one, MS_SSS__MUL(limit, MS_SSS__SET(s->reach)));
-    limit = MS_SSS__MUL(limit, limit);
-    if (wide) {
-        const MS_SSS__MASK sound = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ADD(MS_SSS__ABS(sx), MS_SSS__ABS(sy)), MS_SSS__SET(0.5f * cells)), radius);
-        rise = MS_SSS__SELECT(sound, MS_SSS__DIV(one, area), zero);
+    if (tilted) {
+        MS_SSS__V cap, reach;
+        MS_SSS__MASK sound; /* planes so steep that four pixels are a radius deep have no tangent plane on this level: see shrink */
+        sx = MS_SSS__MUL(MS_SSS__MUL(dx, deep), MS_SSS__SET(2.0f));
+        sy = MS_SSS__MUL(MS_SSS__MUL(dy, deep), MS_SSS__SET(2.0f));
+        sound = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ADD(MS_SSS__ABS(sx), MS_SSS__ABS(sy)), MS_SSS__SET(0.5f * cells)), radius);
+        area = MS_SSS__SELECT(part, MS_SSS__NAME(area)(sx, sy, rx, ry), one);
+        cap = MS_SSS__MIN(area, MS_SSS__SET(1.5f));
+        inverse = MS_SSS__DIV(one, cap);
+        size = MS_SSS__MUL(radius, inverse);
+        reach = MS_SSS__MUL(MS_SSS__MUL(cap, cap), MS_SSS__SET(square));
+        while (count < s->taps && MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(tap[count].square), reach))) ++count;
+        fall = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), fall);
+        norm = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), norm);
+        rise = MS_SSS__SELECT(sound, MS_SSS__DIV(one, area), zero); /* cosine of the normal to the ray */
         rough = s->perspective ? MS_SSS__SET(s->rough) : MS_SSS__MUL(d, MS_SSS__SET(s->rough));
     }
-    for (j = wide ? 0 : 1; j < (wide ? 8 : 7); ++j) {
-        const float *const *p = coarse[j];
-        const float oy = (y & 1 ? -3.25f : -3.75f) + (float)j;
-        const MS_SSS__V by = MS_SSS__MUL(sy, MS_SSS__SET(oy));
-        if (!p || oy * oy > widest) continue;
-        for (k = wide ? 0 : 1; k < (wide ? 8 : 7); ++k) {
-            const float ox = (odd ? -3.25f : -3.75f) + (float)k;
-            const ptrdiff_t at = i + k - 4 + odd;
-            MS_SSS__V dz, off, q, t, w;
-            if (ox * ox + oy * oy > widest) continue;
-            dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p[3] + at), d), deep);
-            off = MS_SSS__SUB(dz, MS_SSS__MADD(MS_SSS__SET(ox), sx, by));
-            q = MS_SSS__MUL(dz, dz);
-            t = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__ADD(q, MS_SSS__SET(ox * ox + oy * oy)), fall, one), zero);
-            if (wide) w = MS_SSS__MUL(MS_SSS__MUL(t, t), t);
-            else w = MS_SSS__MUL(t, t);
-            w = MS_SSS__SELECT(MS_SSS__LESS(q, limit), MS_SSS__MUL(w, MS_SSS__LOAD(p[4] + at)), zero);
-            n = MS_SSS__ADD(n, w);
-            if (wide) {
-                const MS_SSS__V square_away = MS_SSS__ADD(q, MS_SSS__SET(ox * ox + oy * oy + s->blur));
-                const MS_SSS__V sine = MS_SSS__DIV(MS_SSS__MUL(MS_SSS__NAME(beyond)(off, rough), rise), MS_SSS__SQRT(square_away));
-                MS_SSS__V f = MS_SSS__NAME(lifted)(s, 0, sine, w);
-                fr = MS_SSS__ADD(fr, f);
-                r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + at), r);
-                f = MS_SSS__NAME(lifted)(s, 1, sine, w);
-                fg = MS_SSS__ADD(fg, f);
-                g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + at), g);
-                f = MS_SSS__NAME(lifted)(s, 2, sine, w);
-                fb = MS_SSS__ADD(fb, f);
-                b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + at), b);
-            } else {
-                const MS_SSS__V e0 = MS_SSS__LOAD(p[0] + at), e1 = MS_SSS__LOAD(p[1] + at), e2 = MS_SSS__LOAD(p[2] + at);
-                r = MS_SSS__MADD(w, e0, r);
-                g = MS_SSS__MADD(w, e1, g);
-                b = MS_SSS__MADD(w, e2, b);
-                w = MS_SSS__MUL(w, off);
-                mr = MS_SSS__MADD(w, e0, mr);
-                mg = MS_SSS__MADD(w, e1, mg);
-                mb = MS_SSS__MADD(w, e2, mb);
-                v = MS_SSS__MADD(w, off, v);
-            }
-            if (ox * ox < 1 && oy * oy < 1) {
-                t = MS_SSS__SELECT(MS_SSS__LESS(q, limit), MS_SSS__NAME(beside)(MS_SSS__MUL(off, near_plane)), zero);
-                t = MS_SSS__MUL(t,
-                                MS_SSS__SET((ox * ox < 0.25f ? 0.75f : 0.25f) * (oy * oy < 0.25f ? 0.75f : 0.25f)));
-                s0 = MS_SSS__MADD(t, MS_SSS__LOAD(p[5] + at), s0);
-                s1 = MS_SSS__MADD(t, MS_SSS__LOAD(p[6] + at), s1);
-                s2 = MS_SSS__MADD(t, MS_SSS__LOAD(p[7] + at), s2);
-                s3 = MS_SSS__MADD(t, MS_SSS__LOAD(p[8] + at), s3);
-                s4 = MS_SSS__MADD(t, MS_SSS__LOAD(p[9] + at), s4);
-                s5 = MS_SSS__MADD(t, MS_SSS__LOAD(p[10] + at), s5);
-            }
+    if (s->sums) {
+        const MS_SSS__V near_plane = MS_SSS__DIV(MS_SSS__SET(1 / s->reach), limit);
+        for (k = 0; k < 4; ++k) {
+            const float *p = row[tap[k].row] + i + tap[k].column;
+            const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), deep);
+            const MS_SSS__V off = tilted ? MS_SSS__SUB(dz, MS_SSS__MADD(MS_SSS__SET(tap[k].x), sx, MS_SSS__MUL(MS_SSS__SET(tap[k].y), sy))) : dz;
+            MS_SSS__V t = MS_SSS__MUL(MS_SSS__NAME(beside)(MS_SSS__MUL(off, near_plane)), MS_SSS__SET(nearness[k]));
+            t = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__MUL(dz, dz), limit2), t, zero);
+            s0 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 5 * plane), s0);
+            s1 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 6 * plane), s1);
+            s2 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 7 * plane), s2);
+            s3 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 8 * plane), s3);
+            s4 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 9 * plane), s4);
+            s5 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 10 * plane), s5);
         }
     }
-    norm = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), MS_SSS__SET(s->norm));
-    if (wide) { /* an even light never comes out stronger than it went in */
-        r = MS_SSS__MUL(r, MS_SSS__NAME(bounded)(n, fr, s->most[0]));
-        g = MS_SSS__MUL(g, MS_SSS__NAME(bounded)(n, fg, s->most[1]));
-        b = MS_SSS__MUL(b, MS_SSS__NAME(bounded)(n, fb, s->most[2]));
-    } else if (s->upright > 0) {
-        const MS_SSS__V facing = MS_SSS__DIV(inverse, area), turn = MS_SSS__MUL(facing, MS_SSS__SET(s->mean)), grain = MS_SSS__MUL(turn, s->perspective ? MS_SSS__SET(s->rough) : MS_SSS__MUL(d, MS_SSS__SET(s->rough)));
-        const MS_SSS__V spread = MS_SSS__MUL(MS_SSS__MUL(facing, facing), MS_SSS__SET(s->spread));
-        /* planes so steep that four pixels are a radius deep have no tangent plane on this level: see shrink */
-        const MS_SSS__MASK sound = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ADD(MS_SSS__ABS(sx), MS_SSS__ABS(sy)), MS_SSS__SET(0.5f * cells)), radius);
-        v = MS_SSS__SELECT(sound, v, zero);
-        mr = MS_SSS__SELECT(sound, mr, zero);
-        mg = MS_SSS__SELECT(sound, mg, zero);
-        mb = MS_SSS__SELECT(sound, mb, zero);
-        v = MS_SSS__MUL(MS_SSS__DIV(v, MS_SSS__SELECT(MS_SSS__LESS(zero, n), n, one)), spread);
+    for (k = 0; k < count; ++k) {
+        const float *p = row[tap[k].row] + i + tap[k].column;
+        const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), deep), q = MS_SSS__MUL(dz, dz), away = MS_SSS__ADD(q, MS_SSS__SET(tap[k].square));
+        const MS_SSS__V off = tilted ? MS_SSS__SUB(dz, MS_SSS__MADD(MS_SSS__SET(tap[k].x), sx, MS_SSS__MUL(MS_SSS__SET(tap[k].y), sy))) : zero;
+        const MS_SSS__V t = MS_SSS__MAX(MS_SSS__MADD(away, fall, one), zero);
+        MS_SSS__V w = MS_SSS__MUL(t, t);
+        if (wide) w = MS_SSS__MUL(w, t);
+        w = MS_SSS__SELECT(MS_SSS__LESS(q, limit2), MS_SSS__MUL(w, MS_SSS__LOAD(p + 4 * plane)), zero);
+        n = MS_SSS__ADD(n, w);
+        if (wide && tilted) {
+            const MS_SSS__V sine = MS_SSS__DIV(MS_SSS__MUL(MS_SSS__NAME(beyond)(off, rough), rise), MS_SSS__SQRT(MS_SSS__ADD(away, MS_SSS__SET(s->blur))));
+            MS_SSS__V f = MS_SSS__NAME(lifted)(s, 0, sine, w);
+            mr = MS_SSS__ADD(mr, f);
+            r = MS_SSS__MADD(f, MS_SSS__LOAD(p), r);
+            f = MS_SSS__NAME(lifted)(s, 1, sine, w);
+            mg = MS_SSS__ADD(mg, f);
+            g = MS_SSS__MADD(f, MS_SSS__LOAD(p + plane), g);
+            f = MS_SSS__NAME(lifted)(s, 2, sine, w);
+            mb = MS_SSS__ADD(mb, f);
+            b = MS_SSS__MADD(f, MS_SSS__LOAD(p + 2 * plane), b);
+        } else {
+            const MS_SSS__V e0 = MS_SSS__LOAD(p), e1 = MS_SSS__LOAD(p + plane), e2 = MS_SSS__LOAD(p + 2 * plane);
+            r = MS_SSS__MADD(w, e0, r);
+            g = MS_SSS__MADD(w, e1, g);
+            b = MS_SSS__MADD(w, e2, b);
+            if (!tilted) continue;
+            w = MS_SSS__MUL(w, off);
+            mr = MS_SSS__MADD(w, e0, mr);
+            mg = MS_SSS__MADD(w, e1, mg);
+            mb = MS_SSS__MADD(w, e2, mb);
+            v = MS_SSS__MADD(w, off, v);
+        }
+    }
+    if (wide && tilted) { /* an even light never comes out stronger than it went in */
+        r = MS_SSS__MUL(r, MS_SSS__NAME(bounded)(n, mr, s->most[0]));
+        g = MS_SSS__MUL(g, MS_SSS__NAME(bounded)(n, mg, s->most[1]));
+        b = MS_SSS__MUL(b, MS_SSS__NAME(bounded)(n, mb, s->most[2]));
+    } else if (tilted) {
+        const MS_SSS__V facing = MS_SSS__MUL(inverse, rise), turn = MS_SSS__MUL(facing, MS_SSS__SET(s->mean)), grain = MS_SSS__MUL(turn, rough);
+        v = MS_SSS__DIV(v, MS_SSS__SELECT(MS_SSS__LESS(zero, n), n, one));
+        v = MS_SSS__MUL(v, MS_SSS__MUL(MS_SSS__MUL(facing, facing), MS_SSS__SET(s->spread)));
         r = MS_SSS__NAME(raise)(s, 0, r, MS_SSS__MUL(mr, turn), v, grain);
         g = MS_SSS__NAME(raise)(s, 1, g, MS_SSS__MUL(mg, turn), v, grain);
         b = MS_SSS__NAME(raise)(s, 2, b, MS_SSS__MUL(mb, turn), v, grain);
     }
+    MS_SSS__NAME(weigh)(s, s->level + 1, 1, size, parts, weight);
     n = MS_SSS__MUL(n, norm);
-    norm = MS_SSS__SELECT(part, norm, zero);
     result[0] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[0], norm), r, s0), zero);
     result[1] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[1], norm), g, s1), zero);
     result[2] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[2], norm), b, s2), zero);
     result[3] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[0], n, s3), zero);
     result[4] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[1], n, s4), zero);
     result[5] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[2], n, s5), zero);
-    return tiny;
+    return (MS_SSS__BITS(MS_SSS__LESS(radius, MS_SSS__SET(0.5f))) & parts) != 0;
 }
 
-/* Weighted sums of row y of a level: the light of the next coarser level from up to 6 x 6 pixels around, counted by its
-   distance in space and lifted by how far it lies below the tangent plane, and the sums of that level, bilinear.
-   row: d and its changes; coarse: rows y/2 - 4 to y/2 + 3 (y odd: - 3 to + 4; NULL: outside), each colour, d, share, three
-   sums of light, three of weights; first, count: columns / 2; out: the two times three sums. Returns whether any kernel is under
-   half a pixel. */
-static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, const int wide, const float *const row[3],
-                                                   const float *const *const coarse[8], int first, int count, int y, float *const out[6])
+/* Weighted sums of row y of a level: the light of the next coarser level, counted by its distance in space and lifted by how far
+   it lies below the tangent plane, and the sums of that level, bilinear. own: d and its changes; coarse: rows y/2 - 4 to y/2 + 3 (y odd: - 3
+   to + 4), each followed by planes of green, blue, d, share, three sums of light, three of weights; first, count: columns / 2; out: the two times
+   three sums. Returns whether any kernel is under half a pixel. */
+static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, const int wide, const int tilted, const float *const own[3], const float *const coarse[8],
+                                                   int first, int count, int y, float *const out[6])
 {
-    const float cells = (float)(1 << (s->level + 1)); /* pixels of the picture in one of the coarse level */
+    const float cells = (float)(1 << (s->level + 1));
     const MS_SSS__V ry = MS_SSS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
-    int i, c, tiny = 0;
+    int i, c, odd, tiny = 0;
     for (i = first; i < count; i += MS_SSS__LANES) {
-        MS_SSS__V own[3], result[2][6];
-        const MS_SSS__V d0 = MS_SSS__LOAD(row[0] + 2 * i), d1 = MS_SSS__LOAD(row[0] + 2 * i + MS_SSS__LANES);
-        const MS_SSS__V x0 = MS_SSS__LOAD(row[1] + 2 * i), x1 = MS_SSS__LOAD(row[1] + 2 * i + MS_SSS__LANES);
-        const MS_SSS__V y0 = MS_SSS__LOAD(row[2] + 2 * i), y1 = MS_SSS__LOAD(row[2] + 2 * i + MS_SSS__LANES);
-        own[0] = MS_SSS__EVEN(d0, d1);
-        own[1] = MS_SSS__EVEN(x0, x1);
-        own[2] = MS_SSS__EVEN(y0, y1);
-        tiny |= MS_SSS__NAME(gather_side)(s, wide, own, coarse, 0, i, y, ry, result[0]);
-        own[0] = MS_SSS__ODD(d0, d1);
-        own[1] = MS_SSS__ODD(x0, x1);
-        own[2] = MS_SSS__ODD(y0, y1);
-        tiny |= MS_SSS__NAME(gather_side)(s, wide, own, coarse, 1, i, y, ry, result[1]);
+        MS_SSS__V result[2][6];
+        const MS_SSS__V d0 = MS_SSS__LOAD(own[0] + 2 * i), d1 = MS_SSS__LOAD(own[0] + 2 * i + MS_SSS__LANES);
+        MS_SSS__V x0 = d0, x1 = d0, y0 = d0, y1 = d0;
+        if (tilted) {
+            x0 = MS_SSS__LOAD(own[1] + 2 * i);
+            x1 = MS_SSS__LOAD(own[1] + 2 * i + MS_SSS__LANES);
+            y0 = MS_SSS__LOAD(own[2] + 2 * i);
+            y1 = MS_SSS__LOAD(own[2] + 2 * i + MS_SSS__LANES);
+        }
+        for (odd = 0; odd < 2; ++odd) {
+            const MS_SSS__V rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__ramp), MS_SSS__SET(cells * s->tangent),
+                                              MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
+            tiny |= MS_SSS__NAME(gather_side)(s, wide, tilted, odd ? MS_SSS__ODD(d0, d1) : MS_SSS__EVEN(d0, d1), odd ? MS_SSS__ODD(x0, x1) : MS_SSS__EVEN(x0, x1),
+                                              odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1), coarse, i, s->tap[y & 1][odd], rx, ry, result[odd]);
+        }
         for (c = 0; c < 6; ++c) {
             MS_SSS__STORE(out[c] + 2 * i, MS_SSS__ZIP_LOW(result[0][c], result[1][c]));
             MS_SSS__STORE(out[c] + 2 * i + MS_SSS__LANES, MS_SSS__ZIP_HIGH(result[0][c], result[1][c]));
@@ -9436,57 +9482,60 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, cons
     return tiny;
 }
 
-static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const row[3], const float *const *const coarse[8],
-                                int first, int count, int y, float *const out[6])
+static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[3], const float *const coarse[8], int first, int count, int y,
+                                float *const out[6])
 {
-    return s->wide ? MS_SSS__NAME(gather_row)(s, 1, row, coarse, first, count, y, out) : MS_SSS__NAME(gather_row)(s, 0, row, coarse, first, count, y, out);
+    if (s->upright > 0)
+        return s->wide ? MS_SSS__NAME(gather_row)(s, 1, 1, own, coarse, first, count, y, out) : MS_SSS__NAME(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
+    return s->wide ? MS_SSS__NAME(gather_row)(s, 1, 0, own, coarse, first, count, y, out) : MS_SSS__NAME(gather_row)(s, 0, 0, own, coarse, first, count, y, out);
 }
 
 /* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
    tangent plane, and the sums. row: colour and d of the rows above, at and below; slope: share, then the changes of d. */
-static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const ms_sss__split row[3], const float *const slope[3],
-                                const float *const sum[6], int first, int count, float *const out[3])
+static MS_SSS__INLINE int MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *const row[3][4], const float *const slope[3],
+                                                   const float *const sum[6], int first, int count, float *const out[3])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f);
     int i, j, k, c, tiny = 0;
     for (i = first; i < count; i += MS_SSS__LANES) {
-        const MS_SSS__V d = MS_SSS__LOAD(row[1].plane[0][3] + i);
+        const MS_SSS__V d = MS_SSS__LOAD(row[1][3] + i);
         const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
-        const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe);
-        const MS_SSS__V radius = MS_SSS__NAME(radius)(s, safe), dx = MS_SSS__LOAD(slope[1] + i), dy = MS_SSS__LOAD(slope[2] + i);
-        MS_SSS__V soft[3], n = zero, own[3], blurred[3], r = zero, g = zero, b = zero;
-        if (!MS_SSS__BITS(part)) {
+        const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe), radius = MS_SSS__NAME(radius)(s, safe);
+        MS_SSS__V soft[3], n = zero, own[3], blurred[3], size = radius, dx = zero, dy = zero;
+        const unsigned parts = MS_SSS__BITS(part);
+        if (!parts) {
             for (c = 0; c < 3; ++c) MS_SSS__STORE(out[c] + i, zero);
             continue;
         }
-        tiny |= (MS_SSS__BITS(MS_SSS__LESS(radius, half)) & MS_SSS__BITS(part)) != 0;
-        {
-            const MS_SSS__V area = MS_SSS__MIN(MS_SSS__MAX(MS_SSS__LOAD(slope[0] + i), one), MS_SSS__SET(1.5f));
-            const MS_SSS__V size = MS_SSS__DIV(radius, area);
-            MS_SSS__NAME(weigh)(s, 0, 0, size, MS_SSS__BITS(part), own);
-            MS_SSS__NAME(weigh)(s, 0, 1, size, MS_SSS__BITS(part), blurred);
+        tiny |= (MS_SSS__BITS(MS_SSS__LESS(radius, half)) & parts) != 0;
+        if (tilted) {
+            size = MS_SSS__DIV(radius, MS_SSS__MIN(MS_SSS__MAX(MS_SSS__LOAD(slope[0] + i), one), MS_SSS__SET(1.5f)));
+            dx = MS_SSS__LOAD(slope[1] + i);
+            dy = MS_SSS__LOAD(slope[2] + i);
         }
-        for (j = 0; j < 3; ++j) {
-            const float *const *p = row[j].plane[0];
-            MS_SSS__UNROLL
-            for (k = 0; k < 3; ++k) {
-                const MS_SSS__V there = MS_SSS__LOAD(p[3] + i + k - 1);
-                const MS_SSS__V rise = MS_SSS__MADD(MS_SSS__SET((float)(k - 1)), dx, MS_SSS__MUL(MS_SSS__SET((float)(j - 1)), dy));
-                const MS_SSS__V off = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__SUB(there, d), rise), deep);
-                MS_SSS__V f = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__MUL(off, off), MS_SSS__SET(-0.25f), one), zero); /* none 2 pixels away */
-                f = MS_SSS__MUL(MS_SSS__MUL(f, f), MS_SSS__SET((j == 1 ? 0.5f : 0.25f) * (k == 1 ? 0.5f : 0.25f)));
-                f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f, zero);
-                r = MS_SSS__MADD(f, MS_SSS__LOAD(p[0] + i + k - 1), r);
-                g = MS_SSS__MADD(f, MS_SSS__LOAD(p[1] + i + k - 1), g);
-                b = MS_SSS__MADD(f, MS_SSS__LOAD(p[2] + i + k - 1), b);
-                n = MS_SSS__ADD(n, f);
+        MS_SSS__NAME(weigh)(s, 0, 0, size, parts, own);
+        MS_SSS__NAME(weigh)(s, 0, 1, size, parts, blurred);
+        soft[0] = soft[1] = soft[2] = zero;
+        if (MS_SSS__BITS(MS_SSS__LESS(zero, MS_SSS__MAX(blurred[0], MS_SSS__MAX(blurred[1], blurred[2])))) & parts) {
+            for (j = 0; j < 3; ++j) {
+                MS_SSS__UNROLL
+                for (k = 0; k < 3; ++k) {
+                    const MS_SSS__V there = MS_SSS__LOAD(row[j][3] + i + k - 1);
+                    MS_SSS__V f = MS_SSS__SUB(there, d);
+                    if (tilted) f = MS_SSS__SUB(f, MS_SSS__MADD(MS_SSS__SET((float)(k - 1)), dx, MS_SSS__MUL(MS_SSS__SET((float)(j - 1)), dy)));
+                    f = MS_SSS__MUL(f, deep);
+                    f = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__MUL(f, f), MS_SSS__SET(-0.25f), one), zero); /* none 2 pixels away */
+                    f = MS_SSS__MUL(MS_SSS__MUL(f, f), MS_SSS__SET((j == 1 ? 0.5f : 0.25f) * (k == 1 ? 0.5f : 0.25f)));
+                    f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f, zero);
+                    n = MS_SSS__ADD(n, f);
+                    soft[0] = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][0] + i + k - 1), soft[0]);
+                    soft[1] = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][1] + i + k - 1), soft[1]);
+                    soft[2] = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][2] + i + k - 1), soft[2]);
+                }
             }
         }
-        soft[0] = r;
-        soft[1] = g;
-        soft[2] = b;
         for (c = 0; c < 3; ++c) {
-            const MS_SSS__V e = MS_SSS__LOAD(row[1].plane[0][c] + i);
+            const MS_SSS__V e = MS_SSS__LOAD(row[1][c] + i);
             const MS_SSS__V light = MS_SSS__ADD(MS_SSS__MADD(own[c], e, MS_SSS__MUL(blurred[c], soft[c])), MS_SSS__LOAD(sum[c] + i));
             const MS_SSS__V all = MS_SSS__ADD(MS_SSS__MADD(blurred[c], n, own[c]), MS_SSS__LOAD(sum[c + 3] + i));
             MS_SSS__STORE(out[c] + i, MS_SSS__SELECT(part, MS_SSS__NAME(restore)(light, all, e, 1.0f, 0), zero));
@@ -9495,15 +9544,11 @@ static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const ms_sss__split row
     return tiny;
 }
 
-/* Columns 2 i to even[i], 2 i + 1 to odd[i]. */
-static void MS_SSS__NAME(split)(const float *from, int count, float *even, float *odd)
+static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *const row[3][4], const float *const slope[3], const float *const sum[6],
+                                int first, int count, float *const out[3])
 {
-    int i;
-    for (i = 0; i < count; i += MS_SSS__LANES) {
-        MS_SSS__V a = MS_SSS__LOAD(from + 2 * i), b = MS_SSS__LOAD(from + 2 * i + MS_SSS__LANES);
-        MS_SSS__STORE(even + i, MS_SSS__EVEN(a, b));
-        MS_SSS__STORE(odd + i, MS_SSS__ODD(a, b));
-    }
+    return s->upright > 0 ? MS_SSS__NAME(settle_row)(s, 1, row, slope, sum, first, count, out)
+                          : MS_SSS__NAME(settle_row)(s, 0, row, slope, sum, first, count, out);
 }
 
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
@@ -9511,7 +9556,7 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
     MS_SSS__NAME(shape),   MS_SSS__NAME(tangents), MS_SSS__NAME(limit),   MS_SSS__NAME(plan),
     {MS_SSS__NAME(sweep_flat), MS_SSS__NAME(sweep_shaped)}, MS_SSS__NAME(least), MS_SSS__LANES, MS_SSS__NAME(combine),
     MS_SSS__NAME(fade),    MS_SSS__NAME(lie),    MS_SSS__NAME(shrink),
-    MS_SSS__NAME(gather),  MS_SSS__NAME(settle), MS_SSS__NAME(invert), MS_SSS__NAME(split),
+    MS_SSS__NAME(gather),  MS_SSS__NAME(settle), MS_SSS__NAME(invert),
     MS_SSS__NAME(halve),   MS_SSS__NAME(soften), MS_SSS__NAME(refine)};
 
 #undef MS_SSS__JOIN_
@@ -9547,6 +9592,9 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__ZIP_HIGH
 #undef MS_SSS__EVEN
 #undef MS_SSS__ODD
+#undef MS_SSS__EVENS
+#undef MS_SSS__ODDS
+#undef MS_SSS__ORDER
 #undef MS_SSS__LEVEL
 #undef MS_SSS__LANES
 

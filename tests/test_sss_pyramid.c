@@ -630,6 +630,30 @@ static void case_sizes(void)
     CHECK_INT(wrong, 0);
 }
 
+/* What lies beyond a kernel's reach counts for nothing, nor does where the picture ends, whichever way its rows are shared out. */
+static void case_heights(void)
+{
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    static float first[3][N];
+    int height, tilted, c, i;
+    for (tilted = 0; tilted < 2; ++tilted) {
+        double worst = 0;
+        make_scene();
+        for (height = 120; height <= 160; ++height) {
+            ms_sss_filter_options o = ms_sss_filter_defaults();
+            ms_sss_frame f = scene_frame(height == 120 ? first : again, 1, 0);
+            f.height = height;
+            o.pixels_per_mm[0] = 1; /* radius 6 pixels: 5 levels of at most 16 pixels and their neighbours */
+            o.flat = tilted ? 0.0f : 1.0f;
+            run(&f, &pyramid, &o);
+            for (c = 0; c < 3 && height > 120; ++c)
+                for (i = 0; i < 24 * W; ++i) worst = fmax(worst, fabs((double)again[c][i] - (double)first[c][i]));
+        }
+        CHECK_LE(worst, 1e-6); /* the same sums of values up to 3; weights of coarser levels are 0 or 1e-7 */
+        TEST_NOTE("%.1e", worst);
+    }
+}
+
 static void case_refused(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
@@ -677,6 +701,7 @@ BOTH(case_thin)
 BOTH(case_promises)
 BOTH(case_levels)
 BOTH(case_sizes)
+BOTH(case_heights)
 
 static const test_case cases[] = {
     {"pyramid weights", case_weights},
@@ -689,6 +714,7 @@ static const test_case cases[] = {
     {"promises", case_promises_both},
     {"levels", case_levels_both},
     {"sizes", case_sizes_both},
+    {"heights", case_heights_both},
     {"refused", case_refused},
 };
 TEST_MAIN(cases)
