@@ -3196,7 +3196,7 @@ typedef struct ms_nn__kernels {
 
 /* Does a matrix come from memory rather than from a cache? There I8 is summed in integers, faster than it is widened to floats; the
    rule knows nothing of the batch, so that its bits do not depend on it. */
-static int ms_nn__large(const ms_nn__dense *job) { return job->m->rows * job->m->cols > 2000000; }
+static int ms_nn__large(const ms_nn__matrix *m) { return m->rows * m->cols > 2000000; }
 
 #define MS_NN__WIDE 64
 #define MS_NN__COLS 512
@@ -3300,7 +3300,7 @@ static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, co
     job.activation = op->activation;
     job.alpha = op->alpha;
     job.kernels = nn->kernels;
-    job.singly = ms_nn__large(&job) && !(nn->row_tiles && m->dtype == MS_NN_F32);
+    job.singly = ms_nn__large(m) && !(nn->row_tiles && m->dtype == MS_NN_F32);
     if (m->dtype == MS_NN_I8 && job.singly) {
         size_t n = (size_t)batch, wide = ms_nn__digit_cols(m->cols), runs = ms_nn__digit_runs(m->cols), b;
         signed char *d = (signed char *)scratch; /* 64-byte aligned, as each digit's row is */
@@ -3782,7 +3782,7 @@ static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn, size_t count, int
     for (k = 0; k < nn->ops; ++k) {
         const ms_nn__op *op = &nn->op[k];
         if (op->step == MS_NN__DO_DENSE) {
-            if (op->matrix.dtype == MS_NN_I8) {
+            if (op->matrix.dtype == MS_NN_I8 && ms_nn__large(&op->matrix)) {
                 need = ms_nn__digits_size(op->matrix.cols, count);
                 if (need > most) most = need;
             }
@@ -5682,8 +5682,6 @@ static int ms_nn__row_tiles(void)
 #define MS_NN__V_MAX(a, b) ((a) > (b) ? (a) : (b))
 #define MS_NN__V_MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MS_NN__V_IF_GREATER(a, b, x, y) ((a) > (b) ? (x) : (y))
-#define MS_NN__V_MAX_NAN(a, b) ms_nn__max_nan(a, b)
-#define MS_NN__V_PAIR_MAX(a, b) ms_nn__max_nan(a, b)
 #define MS_NN__V_INT int32_t
 #define MS_NN__V_ROUND(a) ((a) < 0 ? (int32_t)((a) - 0.5f) : (a) >= 0 ? (int32_t)((a) + 0.5f) : 0)
 #define MS_NN__V_FROM_INT(i) ((float)(i))
@@ -6675,13 +6673,15 @@ MS_NN__KERNEL void MS_NN__FN(derive)(const float *x, float *g, size_t n, ms_nn__
 MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 {
     size_t j = 0;
-    for (; j + MS_NN__V_LANES <= n; j += MS_NN__V_LANES, x += 2 * MS_NN__V_LANES) {
-        MS_NN__V_FLOATS a = MS_NN__V_LOAD(x), b = MS_NN__V_LOAD(x + MS_NN__V_LANES), c = MS_NN__V_LOAD(x + row), d = MS_NN__V_LOAD(x + row + MS_NN__V_LANES);
-        a = MS_NN__V_MAX_NAN(a, c);
-        b = MS_NN__V_MAX_NAN(b, d);
+#if MS_NN__V_LANES > 1
+    for (; j + MS_NN__V_LANES <= n; j += MS_NN__V_LANES) {
+        const float *p = x + 2 * j, *q = p + row;
+        MS_NN__V_FLOATS a = MS_NN__V_MAX_NAN(MS_NN__V_LOAD(p), MS_NN__V_LOAD(q));
+        MS_NN__V_FLOATS b = MS_NN__V_MAX_NAN(MS_NN__V_LOAD(p + MS_NN__V_LANES), MS_NN__V_LOAD(q + MS_NN__V_LANES));
         MS_NN__V_STORE(y + j, MS_NN__V_PAIR_MAX(a, b));
     }
-    for (; j < n; ++j, x += 2) y[j] = ms_nn__max_nan(ms_nn__max_nan(x[0], x[row]), ms_nn__max_nan(x[1], x[row + 1]));
+#endif
+    for (; j < n; ++j) y[j] = ms_nn__max_nan(ms_nn__max_nan(x[2 * j], x[2 * j + row]), ms_nn__max_nan(x[2 * j + 1], x[2 * j + row + 1]));
 }
 
 #ifndef MS_NN_NO_COLLAPSE
