@@ -1492,8 +1492,18 @@ static void ms_mcml__rare(ms_mcml__tracer *t, int i, unsigned crossing, unsigned
     }
 }
 
-typedef void (*ms_mcml__trace_function)(ms_mcml__tracer *t);
-static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level); /* behind the kernels */
+/* What is compiled for each level. */
+struct ms_mcml__flights;
+typedef struct ms_mcml__kernels {
+    void (*trace)(ms_mcml__tracer *t);
+    /* One flight of everything that scatters: out = where light of the moments d (NULL: none) and, if beam, of the beam's first
+       scattering arrives; leave: what leaves at the top and at the bottom on that flight. */
+    void (*fly)(const struct ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2]);
+    void (*weigh)(double mu_t, const double *h, const double *wave, const double *polynomial, const double *series, double *out);
+    double (*inner)(const double *a, const double *b, size_t n); /* n: a multiple of 8 */
+    void (*add)(double *to, double x, const double *a, size_t n);
+} ms_mcml__kernels;
+static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level); /* behind the kernels */
 
 /* The photons first to end - 1 into sum. */
 static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint64_t end)
@@ -1527,7 +1537,7 @@ static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint6
     t.volume_phi = m->options.fluence != 0;
     t.next = first;
     t.end = end;
-    ms_mcml__trace_kernel(m->simd)(&t);
+    ms_mcml__kernels_of(m->simd)->trace(&t);
 }
 
 /* Reflectance at normal incidence of the boundaries from above the tissue to the first layer that is not clear, light that
@@ -3398,12 +3408,11 @@ typedef struct ms_mcml__stratum {
     double mu_s_full, g, sigma[MS_MCML__ORDER_MAX + 1];
     const double *moment;                 /* NULL: Henyey-Greenstein */
     double down, up;                      /* the beam at the top going down, at the bottom going up */
-    int clear, semi, node, panel, panels, used; /* used: panels within reach at this frequency */
+    int clear, semi, panel, panels, used; /* used: panels within reach at this frequency */
+    int deep, node, end;                  /* first node of all; first and last of those within reach, each layer's a multiple of 8 */
     double shape[MS_MCML__SHAPES];
     int shapes, table;                    /* table: of its first shape */
 } ms_mcml__stratum;
-
-typedef double ms_mcml__pair[2][MS_MCML__RAYS]; /* complex, of the rays side by side */
 
 /* Low-order preconditioner: u even, v odd moments. */
 typedef struct ms_mcml__smoother {
@@ -3416,14 +3425,8 @@ typedef struct ms_mcml__smoother {
     double *right;                 /* [nodes][even] */
 } ms_mcml__smoother;
 
-struct ms_mcml__flights;
-typedef void (*ms_mcml__fly_function)(const struct ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2]);
-typedef void (*ms_mcml__weigh_function)(double mu_t, const double *h, const double *wave, const double *polynomial, const double *series, double *out);
-static ms_mcml__fly_function ms_mcml__fly_kernel(ms_simd level, ms_mcml__weigh_function *weigh);
-
 typedef struct ms_mcml__flights {
-    ms_mcml__fly_function fly;
-    ms_mcml__weigh_function weigh;
+    const ms_mcml__kernels *kernels;
     int layers, order, nodes, panels, shapes, parts;
     double n_above, n_below, specular, unscattered; /* reflected and transmitted without scattering */
     ms_mcml__stratum layer[MS_MCML__STRATA];
@@ -3434,15 +3437,21 @@ typedef struct ms_mcml__flights {
     int panel_shape[MS_MCML__STRATA * MS_MCML__PANELS_MAX];
     /* at one frequency */
     double k, mu_least;
-    int most, blocks, azimuths, terms; /* m up to most; terms: of l and m */
+    int most, blocks, azimuths, terms, reach; /* m up to most; terms: of l and m; reach: nodes within reach */
     double *nu, *nu_weight; /* [blocks][RAYS] */
     double *cosine, *turn;  /* [blocks][azimuths][RAYS] cos(phi), weight */
     double *around;         /* [blocks][azimuths][most + 1][RAYS] (-1)^(m/2) cos(m phi) / norm */
     double *mu;             /* [blocks][layers][RAYS], or 0 */
     double *theta;          /* [blocks][layers][terms][RAYS] */
     double *table;          /* [blocks][azimuths][shapes][4][6][2][RAYS] */
-    double *work, *moments, *vectors; /* moments: [terms][nodes] three times */
-    double *chain;                    /* [7][STRATA] pairs */
+    double *chain;          /* [blocks][azimuths][layers][5][2][RAYS] of each ray through a layer: what passes; back over down at its
+                               bottom and at its top; what v of the next layer counts here; 1 / (1 - r times back at its top) */
+    double *edge;           /* [blocks][layers][5][RAYS] at its top: reflectance, what comes in from above; at its bottom: reflectance;
+                               what leaves upwards and downwards */
+    double *depth, *beam;   /* [reach], [2][reach]: down and up */
+    double *q, *source;     /* of a flight: [terms][reach] source moments, [2][m][reach][RAYS] of the rays down and up */
+    double *line, *down, *up, *both; /* [reach][4][RAYS], [reach][2][RAYS] twice, [azimuths][reach][4][RAYS] */
+    double *moments, *x, *vectors;   /* moments: [terms][nodes] three times; x: [terms][reach] */
     double *memory;
     size_t size;
     ms_mcml__smoother smoother;
@@ -3538,14 +3547,14 @@ static void ms_mcml__beams(ms_mcml__flights *s)
 }
 
 /* Panels of a layer of optical thickness tau below a depth of others, in mean free paths; their number. Fine at both ends,
-   where the source bends, a mean free path long where the beam scatters first, longer below, up to `longest`. */
-static int ms_mcml__mesh(double tau, int semi, double depth, double longest, double *h)
+   where the source bends, a unit of mean free paths long where the beam scatters first, longer below, up to `longest`. */
+static int ms_mcml__mesh(double tau, int semi, double depth, double longest, double unit, double *h)
 {
     enum { MOST = MS_MCML__PANELS_MAX / 2 - 4 };
-    double back[MOST], done = 0, size = 0.04, step, left;
+    double back[MOST], done = 0, size = unit > 1 ? 0.1 : 0.04, step, left;
     int n = 0, i, pieces;
-    for (;; size *= 2.5) {
-        const double most = depth + done < 12 ? 1 : 1 + 0.4 * (depth + done - 12);
+    for (;; size *= unit > 1 ? 4 : 2.5) {
+        const double most = unit + fmax(0, 0.4 * (depth + done - 12));
         step = size < most ? size : most;
         if (step > longest) step = longest;
         left = tau - (semi ? 1 : 2) * done;
@@ -3620,7 +3629,7 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
     }
     { /* azimuth */
         const double ratio = k / mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
-        int count = t > 1e-9 ? (int)ceil(log(t < 0.25 ? 1e-10 : 1e-7) / (4 * log(t))) : 1, even;
+        int count = t > 1e-9 ? (int)ceil(log((t < 0.25 ? 1e-7 : 1e-5) * (s->order > 3 ? 1 : 1e-3)) / (4 * log(t))) : 1, even;
         if (count * 4 < 2 * most + 2) count = (2 * most + 5) / 4;
         even = count <= MS_MCML__AZIMUTHS;
         if (!even) count = MS_MCML__AZIMUTHS;
@@ -3666,16 +3675,70 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
                         h[j] = mu > 0 ? l->shape[i] / mu : 0;
                         wave[j] = k * s->nu[b * R + j] / l->n * s->cosine[(b * s->azimuths + a) * R + j];
                     }
-                    s->weigh(l->mu_t, h, wave, &polynomial[0][0][0], &series[0][0], t);
+                    s->kernels->weigh(l->mu_t, h, wave, &polynomial[0][0][0], &series[0][0], t);
                 }
         }
 }
 
-/* One flight of everything that scatters: out = where light of the moments d (NULL: none) and, if beam, of the beam's first
-   scattering arrives; leave: what leaves at the top and at the bottom on that flight. */
-static void ms_mcml__fly(const ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2])
+/* How each ray goes through the layers, which all flights at a frequency share; layers join from below. */
+static void ms_mcml__join(ms_mcml__flights *s)
 {
-    s->fly(s, d, beam, out, leave);
+    enum { R = MS_MCML__RAYS };
+    int b, a, j, layer;
+    for (b = 0; b < s->blocks; ++b) {
+        const double *nu = s->nu + b * R;
+        double *edges = s->edge + (size_t)(b * s->layers) * 5 * R;
+        for (layer = 0; layer < s->layers; ++layer) {
+            const ms_mcml__stratum *y = &s->layer[layer];
+            const int last = layer + 1 == s->layers, open = !y->semi && (y->clear || y->used == y->panels);
+            const double above = layer ? y[-1].n : s->n_above, below = last ? s->n_below : y[1].n;
+            double *edge = edges + layer * 5 * R;
+            for (j = 0; j < R; ++j) {
+                const double out = 4 * s->nu_weight[b * R + j] * nu[j] / (y->n * y->n);
+                edge[j] = ms_mcml__fresnel_nu(y->n, above, nu[j]);
+                edge[R + j] = layer && nu[0] < above ? (1 - edge[j]) * (y->n / above) * (y->n / above) : 0;
+                edge[2 * R + j] = open ? ms_mcml__fresnel_nu(y->n, below, nu[j]) : 0;
+                edge[3 * R + j] = layer ? 0 : out * (1 - edge[j]);
+                edge[4 * R + j] = last && open ? out * (1 - edge[2 * R + j]) : 0;
+            }
+        }
+        for (a = 0; a < s->azimuths; ++a)
+            for (layer = s->layers - 1; layer >= 0; --layer) {
+                const ms_mcml__stratum *y = &s->layer[layer];
+                const double *cosine = s->cosine + (b * s->azimuths + a) * R, *mu = s->mu + (b * s->layers + layer) * R, *edge = edges + layer * 5 * R;
+                double *c = s->chain + (size_t)((b * s->azimuths + a) * s->layers + layer) * 10 * R;
+                const double *next = c + 10 * R;
+                const int open = layer + 1 < s->layers && nu[0] < y[1].n && (y[1].clear || y[1].used) && (y->clear || y->used == y->panels);
+                memset(c, 0, 10 * R * sizeof(double));
+                if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
+                for (j = 0; j < R; ++j) {
+                    const double x = y->mu_t * y->d / mu[j], angle = s->k * nu[j] / y->n * cosine[j] * y->d / mu[j], r = edge[2 * R + j];
+                    const double e = x < 700 && !y->semi ? exp(-x) : 0, er = e * cos(e > 0 ? angle : 0), ei = -e * sin(e > 0 ? angle : 0);
+                    double br = r, bi = 0, tr, ti, nr, ni, size;
+                    if (open) { /* r + (1 - r)^2 rho / (1 - rho r), rho at the top of the next layer */
+                        const double across = (1 - r) * (1 - r), factor = (1 - r) * (y->n / y[1].n) * (y->n / y[1].n);
+                        const double pr = next[4 * R + j], pi = next[5 * R + j], qr = next[8 * R + j], qi = next[9 * R + j];
+                        br += across * (pr * qr - pi * qi);
+                        bi += across * (pr * qi + pi * qr);
+                        c[6 * R + j] = factor * qr;
+                        c[7 * R + j] = factor * qi;
+                    }
+                    tr = br * er - bi * ei;
+                    ti = br * ei + bi * er;
+                    c[j] = er;
+                    c[R + j] = ei;
+                    c[2 * R + j] = br;
+                    c[3 * R + j] = bi;
+                    c[4 * R + j] = tr * er - ti * ei;
+                    c[5 * R + j] = tr * ei + ti * er;
+                    nr = 1 - edge[j] * c[4 * R + j];
+                    ni = -edge[j] * c[5 * R + j];
+                    size = nr * nr + ni * ni;
+                    c[8 * R + j] = size > 0 ? nr / size : 0;
+                    c[9 * R + j] = size > 0 ? -ni / size : 0;
+                }
+            }
+    }
 }
 
 /* Inverse of a symmetric positive matrix in place, by Gauss-Jordan. */
@@ -3748,8 +3811,8 @@ static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
         const double n4 = y->n * y->n * y->n * y->n;
         int at;
         if (y->clear || !y->used) continue;
-        for (at = y->node; at < y->node + 4 * y->used; ++at, ++node) {
-            const double h = s->z[at + 1] - s->z[at];
+        for (at = y->node; at < y->end; ++at, ++node) {
+            const double h = s->depth[at + 1] - s->depth[at];
             double *p0 = f->block + (size_t)node * 2 * (size_t)(ne * ne), *c0 = p0 + ne * ne, *p1 = c0 + ne * ne;
             for (i = 0; i < ne; ++i)
                 for (j = 0; j < ne; ++j) {
@@ -3811,7 +3874,7 @@ static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
 static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
 {
     const ms_mcml__smoother *f = &s->smoother;
-    const size_t nz = (size_t)s->nodes;
+    const size_t nz = (size_t)s->reach;
     const double k = s->k;
     const int ne = f->even;
     int layer, node = 0, at, i, j, o;
@@ -3821,8 +3884,8 @@ static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
         const ms_mcml__stratum *y = &s->layer[layer];
         const double n2 = y->n * y->n;
         if (y->clear || !y->used) continue;
-        for (at = y->node; at < y->node + 4 * y->used; ++at, ++node) {
-            const double h = s->z[at + 1] - s->z[at];
+        for (at = y->node; at < y->end; ++at, ++node) {
+            const double h = s->depth[at + 1] - s->depth[at];
             double *b0 = f->right + node * ne, *b1 = b0 + ne, v0[MS_MCML__ODD_MAX], v1[MS_MCML__ODD_MAX];
             for (o = 0; o < f->odd; ++o) {
                 const double q = y->sigma[f->odd_l[o]] / (y->mu_t - y->sigma[f->odd_l[o]]), *x = r + (size_t)f->odd_term[o] * nz + at;
@@ -3870,10 +3933,10 @@ static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
         const ms_mcml__stratum *y = &s->layer[layer];
         const double n2 = y->n * y->n;
         if (y->clear || !y->used) continue;
-        for (at = y->node; at <= y->node + 4 * y->used; ++at, ++node) {
+        for (at = y->node; at <= y->end; ++at, ++node) {
             const double *u = f->right + node * ne;
-            const int low = at > y->node ? 1 : 0, high = at < y->node + 4 * y->used ? 1 : 0;
-            const double scale = n2 / (s->z[at + high] - s->z[at - low]);
+            const int low = at > y->node ? 1 : 0, high = at < y->end ? 1 : 0;
+            const double scale = n2 / (s->depth[at + high] - s->depth[at - low]);
             double v[MS_MCML__ODD_MAX];
             for (o = 0; o < f->odd; ++o) v[o] = 0;
             for (j = 0; j < f->pairs; ++j) {
@@ -3890,50 +3953,37 @@ static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
     }
 }
 
-static double ms_mcml__inner(const double *a, const double *b, size_t n)
-{
-    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
-    size_t i;
-    for (i = 0; i + 4 <= n; i += 4) {
-        s0 += a[i] * b[i];
-        s1 += a[i + 1] * b[i + 1];
-        s2 += a[i + 2] * b[i + 2];
-        s3 += a[i + 3] * b[i + 3];
-    }
-    for (; i < n; ++i) s0 += a[i] * b[i];
-    return (s0 + s1) + (s2 + s3);
-}
-
 /* d - K d = b by GMRES, preconditioned from the left, from d on. leave: what leaves the top and the bottom. The residual,
    relative to b. */
 static double ms_mcml__settle(ms_mcml__flights *s, double *d, double tolerance, double leave[2])
 {
     enum { SPAN = MS_MCML__SPAN };
-    const size_t n = (size_t)s->terms * (size_t)s->nodes;
+    const size_t n = (size_t)s->terms * (size_t)s->reach;
+    const ms_mcml__kernels *f = s->kernels;
     double *basis = s->vectors, *h = basis + (SPAN + 1) * n, *out = h + (SPAN + 1) * SPAN; /* h[j][i] */
     double cs[SPAN], sn[SPAN], g[SPAN + 1], size, x, residual = 0;
     int turn, step, i, j;
     size_t e;
     for (turn = 0; turn < 4; ++turn) {
-        ms_mcml__fly(s, d, 1, basis, leave);
-        size = sqrt(ms_mcml__inner(basis, basis, n));
+        f->fly(s, d, 1, basis, leave);
+        size = sqrt(f->inner(basis, basis, n));
         for (e = 0; e < n; ++e) basis[e] -= d[e];
         ms_mcml__smooth(s, basis);
-        g[0] = sqrt(ms_mcml__inner(basis, basis, n));
+        g[0] = sqrt(f->inner(basis, basis, n));
         residual = size > 0 ? g[0] / size : 0;
         if (!(residual > tolerance)) return residual;
         for (e = 0; e < n; ++e) basis[e] /= g[0];
         for (step = 0; step < SPAN && residual > tolerance; ++step) {
             double *v = basis + (size_t)step * n, *w = v + n, *column = h + step * (SPAN + 1);
-            ms_mcml__fly(s, v, 0, w, out + 2 * step);
+            f->fly(s, v, 0, w, out + 2 * step);
             for (e = 0; e < n; ++e) w[e] = v[e] - w[e];
             ms_mcml__smooth(s, w);
             for (i = 0; i <= step; ++i) {
                 const double *b = basis + (size_t)i * n;
-                column[i] = x = ms_mcml__inner(w, b, n);
-                for (e = 0; e < n; ++e) w[e] -= x * b[e];
+                column[i] = x = f->inner(w, b, n);
+                f->add(w, -x, b, n);
             }
-            column[step + 1] = x = sqrt(ms_mcml__inner(w, w, n));
+            column[step + 1] = x = sqrt(f->inner(w, w, n));
             if (x > 0)
                 for (e = 0; e < n; ++e) w[e] /= x;
             for (i = 0; i < step; ++i) {
@@ -3955,8 +4005,7 @@ static double ms_mcml__settle(ms_mcml__flights *s, double *d, double tolerance, 
             g[i] /= h[i * (SPAN + 1) + i];
         }
         for (i = 0; i < step; ++i) {
-            const double *b = basis + (size_t)i * n;
-            for (e = 0; e < n; ++e) d[e] += g[i] * b[e];
+            f->add(d, g[i], basis + (size_t)i * n, n);
             leave[0] += g[i] * out[2 * i];
             leave[1] += g[i] * out[2 * i + 1];
         }
@@ -3993,13 +4042,13 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
 {
     enum { R = MS_MCML__RAYS, LM = MS_MCML__ORDER_MAX };
     const size_t az = most > 0 ? MS_MCML__AZIMUTHS : 1, sheets = (size_t)most + 1;
-    size_t blocks, terms, nz, at[14], count = 0; /* doubles of each array */
+    size_t blocks, terms, nz, at[21], count = 0; /* doubles of each array */
     ms_mcml__flights *s = (ms_mcml__flights *)ms__alloc(&o->allocator, sizeof *s);
     double h[MS_MCML__PANELS_MAX + 8], all[MS_MCML__STRATA + 2], depth = 0, thickest = 0;
     int i, j, p, n = 0;
     if (s == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the layers", sizeof *s);
     memset(s, 0, sizeof *s);
-    s->fly = ms_mcml__fly_kernel(ms__simd_pick(o->simd), &s->weigh);
+    s->kernels = ms_mcml__kernels_of(ms__simd_pick(o->simd));
     s->order = order;
     s->parts = parts;
     s->n_above = tissue->n_above;
@@ -4035,10 +4084,10 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
         }
         scale = y->mu_t * y->d > 1 ? y->mu_t : 1 / y->d;
         if (scale < s->mu_least) s->mu_least = scale;
-        panels = ms_mcml__mesh(y->mu_t * y->d, y->semi, depth, y->kappa < 0.7 * y->mu_t ? 0.7 * y->mu_t / y->kappa : 1, h);
+        panels = ms_mcml__mesh(y->mu_t * y->d, y->semi, depth, y->kappa < 0.7 * y->mu_t ? 0.7 * y->mu_t / y->kappa : 1, most > 0 && order > 3 ? 2 : 1, h);
         y->panel = s->panels;
         y->panels = y->used = panels;
-        y->node = s->nodes;
+        y->deep = s->nodes;
         y->table = s->shapes;
         for (p = 0; p < panels; ++p) {
             const double length = h[p] / y->mu_t;
@@ -4076,21 +4125,26 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
     }
     blocks = (size_t)((s->break_count + 1) * parts);
     terms = (size_t)ms_mcml__first_term(order, most + 1);
-    nz = (size_t)s->nodes;
-    at[0] = blocks * R;
-    at[1] = blocks * R;
+    nz = (size_t)(s->nodes + 7 * s->layers);
+    at[0] = at[1] = blocks * R;
     at[2] = at[3] = blocks * az * R;
     at[4] = blocks * az * sheets * R;
     at[5] = blocks * (size_t)s->layers * R;
     at[6] = at[5] * terms;
     at[7] = blocks * az * (size_t)s->shapes * 48 * R;
-    at[8] = nz * R * (4 * sheets + 8);
-    at[9] = 3 * terms * nz;
-    at[10] = (MS_MCML__SPAN + 1) * (terms * nz + MS_MCML__SPAN) + 2 * MS_MCML__SPAN;
-    at[11] = nz * 2 * MS_MCML__EVEN_MAX * MS_MCML__EVEN_MAX;
-    at[12] = nz * MS_MCML__EVEN_MAX + MS_MCML__EVEN_MAX;
-    at[13] = 7 * MS_MCML__STRATA * 2 * R;
-    for (i = 0; i < 14; ++i) count += at[i];
+    at[8] = at[5] * az * 10;
+    at[9] = at[5] * 5;
+    at[10] = nz;
+    at[11] = 2 * nz;
+    at[12] = at[18] = terms * nz;
+    at[13] = 2 * sheets * nz * R;
+    at[14] = 4 * nz * R;
+    at[15] = 4 * nz * R;
+    at[16] = az * 4 * nz * R;
+    at[17] = 3 * terms * (size_t)s->nodes;
+    at[19] = nz * 2 * MS_MCML__EVEN_MAX * MS_MCML__EVEN_MAX + nz * MS_MCML__EVEN_MAX + MS_MCML__EVEN_MAX;
+    at[20] = (MS_MCML__SPAN + 1) * (terms * nz + MS_MCML__SPAN) + 2 * MS_MCML__SPAN;
+    for (i = 0; i < 21; ++i) count += at[i];
     s->size = ms__size_mul(count, sizeof(double));
     s->memory = (double *)ms__alloc(&o->allocator, s->size);
     if (s->memory == NULL) {
@@ -4098,21 +4152,15 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
         ms__release(&o->allocator, s, sizeof *s);
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the layered solver", size);
     }
-    memset(s->memory, 0, s->size);
-    s->nu = s->memory;
-    s->nu_weight = s->nu + at[0];
-    s->cosine = s->nu_weight + at[1];
-    s->turn = s->cosine + at[2];
-    s->around = s->turn + at[3];
-    s->mu = s->around + at[4];
-    s->theta = s->mu + at[5];
-    s->table = s->theta + at[6];
-    s->work = s->table + at[7];
-    s->moments = s->work + at[8];
-    s->vectors = s->moments + at[9];
-    s->smoother.block = s->vectors + at[10];
-    s->smoother.right = s->smoother.block + at[11];
-    s->chain = s->smoother.right + at[12];
+    {
+        double **const part[21] = {&s->nu, &s->nu_weight, &s->cosine, &s->turn, &s->around, &s->mu, &s->theta, &s->table, &s->chain, &s->edge, &s->depth,
+                                   &s->beam, &s->q, &s->source, &s->line, &s->down, &s->both, &s->moments, &s->x, &s->smoother.block, &s->vectors};
+        double *at_last = s->memory;
+        for (i = 0; i < 21; ++i) *part[i] = at_last, at_last += at[i];
+        s->up = s->down + 2 * nz * R;
+        s->smoother.right = s->smoother.block + nz * 2 * MS_MCML__EVEN_MAX * MS_MCML__EVEN_MAX;
+    }
+    memset(s->moments, 0, (at[17] + at[18]) * sizeof(double));
     ms_mcml__beams(s);
     *out = s;
     return MS_OK;
@@ -4129,9 +4177,8 @@ static void ms_mcml__flights_destroy(ms_mcml__flights *s, const ms_allocator *al
 static void ms_mcml__tune(ms_mcml__flights *s, double k)
 {
     const double ratio = k / s->mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
-    int most = t > 0 ? (int)ceil(log(1e-7) / log(t)) : 0, layer, p, node;
+    int most = t > 0 ? (int)ceil(log(1e-5) / log(t)) : 0, layer, p, node; /* what m > 0 gives back to m = 0 falls twice as fast */
     double reach = 0;
-    size_t term;
     if (most > s->order) most = s->order;
     for (layer = 0; layer < s->layers; ++layer) {
         ms_mcml__stratum *y = &s->layer[layer];
@@ -4139,15 +4186,24 @@ static void ms_mcml__tune(ms_mcml__flights *s, double k)
         for (p = 0; p < y->panels && reach < 20; ++p) reach += kappa * y->shape[s->panel_shape[y->panel + p]];
         y->used = y->clear ? 0 : p;
     }
-    ms_mcml__rays(s, k, most);
-    ms_mcml__smoother_make(s, s->order < 3 ? s->order : s->order > 15 ? 5 : 3);
-    for (layer = 0; layer < s->layers; ++layer) { /* deeper moments of another frequency */
-        const ms_mcml__stratum *y = &s->layer[layer];
-        if (y->clear || y->used == y->panels) continue;
-        for (term = 0; term < (size_t)s->terms; ++term)
-            for (node = y->node + (y->used ? 4 * y->used + 1 : 0); node <= y->node + 4 * y->panels; ++node)
-                s->moments[term * (size_t)s->nodes + (size_t)node] = 0;
+    s->reach = 0;
+    for (layer = 0; layer < s->layers; ++layer) {
+        ms_mcml__stratum *y = &s->layer[layer];
+        if (y->used == 0) continue;
+        y->node = s->reach;
+        y->end = y->node + 4 * y->used;
+        s->reach = (y->end + 8) / 8 * 8;
+        for (node = y->node; node < s->reach; ++node) {
+            const double z = node <= y->end ? s->z[y->deep + node - y->node] : 0, down = y->mu_t * z, up = y->mu_t * (y->d - z);
+            s->depth[node] = z;
+            s->beam[node] = node <= y->end && down < 700 ? y->down * exp(-down) : 0;
+            s->beam[s->nodes + 7 * s->layers + node] = node <= y->end && up < 700 && !y->semi ? y->up * exp(-up) : 0;
+        }
     }
+    ms_mcml__rays(s, k, most);
+    ms_mcml__join(s);
+    memset(s->both, 0, (size_t)s->azimuths * (size_t)s->reach * 4 * MS_MCML__RAYS * sizeof(double));
+    ms_mcml__smoother_make(s, s->order < 3 ? s->order : s->order > 15 ? 5 : 3);
 }
 
 /* What the beam scatters once in the top layer and what then leaves at once, at the frequency at hand, in the moments' phase
@@ -4262,11 +4318,13 @@ static void ms_mcml__hankel(const double *value, int side, int count, double low
     static const double weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
     const double last = low * sinh(step * (count - 1) + 2.5);
     const int logarithms = side && count > 0 && value[count - 1] > 1e-3 * value[0];
-    double y[MS_MCML_LAYERED_RATES];
+    double y[MS_MCML_LAYERED_RATES], f[8 * (MS_MCML_LAYERED_RATES + 25) + 3]; /* f: eight times as fine, from -1 on */
+    const int most = (int)((count - 1 + 2.5 / step) * 8) + 3;
     int i, q;
     memset(beyond, 0, MS_MCML_LAYERED_RADII * sizeof *beyond);
     if (count < 4) return;
     for (i = 0; i < count; ++i) y[i] = logarithms ? log(value[i]) : value[i];
+    for (i = 0; i < most; ++i) f[i] = ms_mcml__between_samples(y, logarithms, count, step, fabs(0.125 * step * (i - 1)));
     for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) {
         const double r = r_first * exp(0.1 * i), end = last * r < 400 ? last : 400 / r;
         double sum = 0, at = 0;
@@ -4274,9 +4332,10 @@ static void ms_mcml__hankel(const double *value, int side, int count, double low
         while (at < end) { /* Gauss on steps that follow both the spectrum and the wave */
             const double size = 0.25 * (at + low) < 1.2 / r ? 0.25 * (at + low) : 1.2 / r;
             for (q = 0; q < 4; ++q) {
-                const double k = at + size * gauss[q], x = k / low, w = k * r / 160;
-                const double f = ms_mcml__between_samples(y, logarithms, count, step, log(x + sqrt(1 + x * x)));
-                sum += size * weight[q] * f * ms_mcml__bessel_j1(k * r) * (last * r < 400 ? 1 : exp(-w * w * w * w));
+                const double k = at + size * gauss[q], x = k / low, w = k * r / 160, u = 8 / step * log(x + sqrt(1 + x * x));
+                const double *at_u = f + ((int)u < most - 4 ? (int)u : most - 4), t = u - (double)(at_u - f), cubic =
+                    t * (t - 1) / 6 * ((t + 1) * at_u[3] - (t - 2) * at_u[0]) + (t + 1) * (t - 2) / 2 * ((t - 1) * at_u[1] - t * at_u[2]);
+                sum += size * weight[q] * cubic * ms_mcml__bessel_j1(k * r) * (last * r < 400 ? 1 : exp(-w * w * w * w));
             }
             at += size;
         }
@@ -4321,17 +4380,17 @@ static double ms_mcml__positive_fit(const double *k, const double *value, const 
     return misfit;
 }
 
-/* Spectra at all frequencies of the multiple scattering that leaves the top and of all that leaves the bottom, fitted. */
+/* Spectra at all frequencies of the multiple scattering that leaves the top and of all that leaves the bottom, fitted. coarse, a lower
+   order for the errors: every third frequency, the others by the ratio to fine, which the first call leaves. */
 static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_options *o, ms_mcml_layered *out, int coarse, int isotropic,
-                                  ms_error *error)
+                                  double fine[2][MS_MCML_LAYERED_RATES], ms_error *error)
 {
     enum { MOST = MS_MCML_LAYERED_RATES };
     double k[MOST], value[2][MOST], scale[2][MOST], noise[MOST], step = o->frequency_step, mu_t = 0, low = 1e300, finest = 0, deepest = 0, most;
     const size_t size = (size_t)(2 * MOST * (MOST + 4)) * sizeof(double), n3 = (size_t)s->nodes;
     double *a = (double *)ms__alloc(&o->allocator, size), *d = s->moments, *before = d + (size_t)ms_mcml__first_term(s->order, s->order + 1) * n3;
     double *earlier = before + (before - d);
-    size_t e;
-    int i, j, side, count = 0, layer, terms = 0, fits = 0;
+    int i, j, side, count = 0, layer, fits = 0;
     if (a == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the fit of the spectrum", size);
     for (layer = 0; layer < s->layers; ++layer) {
         const ms_mcml__stratum *y = &s->layer[layer];
@@ -4346,6 +4405,7 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
     }
     if (low < 1 / (deepest + 4 / finest) && !s->layer[s->layers - 1].semi) low = 1 / (deepest + 4 / finest);
     if (low < 1e-4 * finest) low = 1e-4 * finest;
+    if (coarse) low = out->rate_per_cm[0];
     most = fmax(40 / deepest, 20 * mu_t); /* beyond, rays are too few for what leaves at the bottom */
     if (!(step > 0)) step = s->layer[s->layers - 1].semi ? 0.25 : 0.2;
     if (step * (MOST - 6) < log(150 * mu_t / low)) step = log(150 * mu_t / low) / (MOST - 6);
@@ -4355,41 +4415,62 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
         out->rate_per_cm[i] = low * sqrt(1 + more * more);
     }
     out->rates = i;
-    memset(d, 0, 3 * (size_t)s->terms * n3 * sizeof(double));
     for (i = 0; i < MOST; ++i) {
         double leave[2], residual, care;
         k[i] = low * sinh(step * i);
         if (k[i] > 40 * mu_t) break;
-        if (o->progress.report && o->progress.report(o->progress.user, (coarse ? 0.1 : 0.3) + (coarse ? 0.2 : 0.7) * i / out->rates)) {
+        count = i + 1;
+        if (o->progress.report && o->progress.report(o->progress.user, (coarse ? 0.85 : 0.1) + (coarse ? 0.15 : 0.75) * i / out->rates)) {
             ms__release(&o->allocator, a, size);
             return ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
         }
-        s->through = !s->layer[s->layers - 1].semi && k[i] < most && (i < 3 || value[1][i - 1] > 1e-7 * value[1][0]);
-        ms_mcml__tune(s, k[i]);
-        if (s->terms > terms) memset(d + (size_t)terms * n3, 0, (size_t)(s->terms - terms) * n3 * sizeof(double));
-        terms = s->terms;
         /* low frequencies make the far tail and cost little: up to 1000 times the accuracy */
         care = k[i] < 0.3 * mu_t ? k[i] / (0.3 * mu_t) : 1;
         care = k[i] > 3 * mu_t ? fmin(k[i] / (3 * mu_t), 10) : care > 0.03 ? care * care : 1e-3;
-        for (e = 0; e < (size_t)s->terms * n3; ++e) { /* from the last three frequencies on */
-            const double here = d[e], last = before[e];
-            if (i > 3) d[e] += 2 * (here - last) - (last - earlier[e]);
-            before[e] = here;
-            earlier[e] = last;
+        noise[i] = o->tolerance * (0.1 * fmax(care, 0.03) + k[i] / mu_t * (0.5 + k[i] / mu_t));
+        if (coarse && i % 3) continue;
+        s->through = !s->layer[s->layers - 1].semi && k[i] < most && (i < 3 || fine[1][i - 1] > 1e-7 * fine[1][0]);
+        ms_mcml__tune(s, k[i]);
+        memset(s->x, 0, (size_t)s->terms * (size_t)s->reach * sizeof(double));
+        for (layer = 0; layer < s->layers; ++layer) { /* from the last three frequencies on */
+            const ms_mcml__stratum *y = &s->layer[layer];
+            for (j = 0; j < s->terms && y->used; ++j)
+                for (side = y->node; side <= y->end; ++side) {
+                    const size_t full = (size_t)j * n3 + (size_t)(y->deep + side - y->node);
+                    const double here = d[full], last = before[full];
+                    s->x[(size_t)j * (size_t)s->reach + (size_t)side] =
+                        i > 2 ? 3 * (here - last) + earlier[full] : i < 2 ? here : j <= s->order ? 4 * here - 3 * last : here;
+                    before[full] = here;
+                    earlier[full] = last;
+                }
         }
-        residual = ms_mcml__settle(s, d, care * o->tolerance, leave);
+        residual = ms_mcml__settle(s, s->x, care * o->tolerance, leave);
+        for (layer = 0; layer < s->layers; ++layer) {
+            const ms_mcml__stratum *y = &s->layer[layer];
+            for (j = 0; j < s->terms && y->used; ++j)
+                memcpy(d + (size_t)j * n3 + y->deep, s->x + (size_t)j * (size_t)s->reach + y->node, (size_t)(4 * y->used + 1) * sizeof(double));
+        }
         if (residual / care > out->residual) out->residual = residual / care;
         value[0][i] = leave[0] - ms_mcml__single_spectrum(s);
         value[1][i] = leave[1];
         scale[0][i] = leave[0];
         scale[1][i] = fabs(leave[1]) + 1e-6 * fabs(value[1][0]);
-        noise[i] = o->tolerance * (0.1 * fmax(care, 0.03) + k[i] / mu_t * (0.5 + k[i] / mu_t));
-        count = i + 1;
         if (!coarse) {
             out->frequency_per_cm[i] = k[i];
             out->rd_spectrum[i] = leave[0];
             out->tt_spectrum[i] = leave[1] + s->unscattered;
+            fine[0][i] = value[0][i];
+            fine[1][i] = value[1][i];
         }
+    }
+    for (side = 0; side < 2 && coarse; ++side) {
+        double ratio[MOST / 3 + 1] = {1};
+        for (i = 0; i < count; i += 3) ratio[i / 3] = fabs(fine[side][i]) > 1e-6 * fabs(fine[side][0]) ? value[side][i] / fine[side][i] : ratio[i > 0 ? i / 3 - 1 : 0];
+        for (i = 0; i < count; ++i)
+            if (i % 3) {
+                value[side][i] = fine[side][i] * ms_mcml__between_samples(ratio, 0, (count + 2) / 3, 3 * step, step * fmin(i, (count - 1) / 3 * 3));
+                scale[side][i] = scale[side][i - 1];
+            }
     }
     if (!coarse) out->frequencies = count;
     out->radius_cm = 0.02 / mu_t;
@@ -4415,11 +4496,11 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
 static double ms_mcml__absorbed(const ms_mcml__flights *s, const ms_mcml__stratum *y, double z)
 {
     static const double gauss[3] = {0.11270166537925831, 0.5, 0.88729833462074169}, weight[3] = {5 / 18.0, 8 / 18.0, 5 / 18.0};
-    const double *d = s->moments, *t = ms_mcml__lobatto;
+    const double *d = s->x, *t = ms_mcml__lobatto;
     double sum = 0, start = 0;
     int p, q, i, j;
     if (y->clear) return 0;
-    for (p = 0; p < y->panels && start < z; ++p) {
+    for (p = 0; p < y->used && start < z; ++p) {
         const double h = y->shape[s->panel_shape[y->panel + p]], part = z < start + h ? (z - start) / h : 1;
         for (q = 0; q < 3; ++q) {
             const double u = part * gauss[q];
@@ -4439,33 +4520,41 @@ static double ms_mcml__absorbed(const ms_mcml__flights *s, const ms_mcml__stratu
     return sum;
 }
 
-/* Totals by a high order, one frequency. */
+/* Limit of three totals of growing order, which close in from both sides in turn, and how well it is known: Shanks. */
+static double ms_mcml__limit(const double v[3], double *known)
+{
+    const double d = v[1] - v[0], e = v[2] - v[1], rest = e * d < 0 && fabs(e) < 1.2 * fabs(d) ? e * e / (e - d) : 0;
+    if (!(fabs(e) > 1e-9)) return v[2];
+    *known = fmax(*known, 1e-7 + (fabs(rest) > 0 ? (fabs(e) < 0.8 * fabs(d) ? 0.05 : 0.2) * fabs(rest) : fabs(e)));
+    return v[2] - rest;
+}
+
+/* Totals by one order, one frequency. */
 static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o, int order, int last, ms_mcml_layered *out,
                                  ms_error *error)
 {
     ms_mcml__flights *s;
-    double leave[2], residual, full_r, full_t;
+    double leave[2], residual;
     int i, layer, first;
     ms_status status = ms_mcml__flights_make(&s, tissue, o, order, order > 15 ? 3 : 2, 0, error);
     if (status) return status;
     for (first = 0; first < tissue->layer_count && s->layer[first < s->layers ? first : s->layers - 1].clear; ++first) {}
     out->specular = ms_mcml__specular(tissue, first);
     ms_mcml__tune(s, 0);
-    residual = ms_mcml__settle(s, s->moments, 1e-8, leave);
+    residual = ms_mcml__settle(s, s->x, 1e-8, leave);
     if (residual > out->residual && residual > 1e-6) out->residual = residual;
     out->rd = leave[0] + s->specular - out->specular;
     out->tt = leave[1] + s->unscattered;
+    for (out->a = 0, layer = 0; layer < s->layers; ++layer) out->a += ms_mcml__absorbed(s, &s->layer[layer], s->layer[layer].d);
     if (last) {
         double top = 0;
-        out->a = 0;
         for (i = 0; o->a_z && i < o->nz; ++i) o->a_z[i] = 0;
-        for (layer = 0; layer < s->layers; ++layer) {
+        for (layer = 0; layer < tissue->layer_count; ++layer) {
             const ms_mcml__stratum *y = &s->layer[layer];
-            const double all = ms_mcml__absorbed(s, y, y->d), end = tissue->layers[layer].thickness_cm;
+            const double all = layer < s->layers ? ms_mcml__absorbed(s, y, y->d) : 0, end = tissue->layers[layer].thickness_cm;
             double before = 0;
-            out->a += all;
             if (o->a_l) o->a_l[layer] = all;
-            for (i = 0; o->a_z && i < o->nz && !y->clear; ++i) {
+            for (i = 0; o->a_z && i < o->nz && all > 0; ++i) {
                 const double from = i * o->dz_cm, to = from + o->dz_cm;
                 double here;
                 if (to <= top || from >= top + end) continue;
@@ -4475,14 +4564,11 @@ static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_lay
             }
             top += end;
         }
-        for (; o->a_l && layer < tissue->layer_count; ++layer) o->a_l[layer] = 0;
         for (i = 0; i < s->layers; ++i) /* unscattered as MCML means it: the forward peak counts as scattered */
             s->layer[i].mu_t = s->layer[i].mu_a + s->layer[i].mu_s_full;
         ms_mcml__beams(s);
-        full_r = s->specular;
-        full_t = s->unscattered;
-        out->rd_unscattered = full_r - out->specular;
-        out->tt_unscattered = full_t;
+        out->rd_unscattered = s->specular - out->specular;
+        out->tt_unscattered = s->unscattered;
     }
     ms_mcml__flights_destroy(s, &o->allocator);
     return MS_OK;
@@ -4522,7 +4608,7 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     ms_mcml_layered r;
     ms_mcml__flights *s;
     ms_status status;
-    double sharpest = 0, transport = 0, before[3];
+    double sharpest = 0, sharp = 0, transport = 0, before[2] = {0, 0}, total[3][3];
     int i, l, order, high, isotropic = 1;
     memset(&o, 0, sizeof o);
     memset(&r, 0, sizeof r);
@@ -4550,6 +4636,8 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
                                 l, moment[l]);
         if (moment ? fabs(moment[1]) + fabs(moment[2]) > 0 : layer->g < 1 && fabs(layer->g) > 0) isotropic = 0;
         if (!moment && layer->g < 1 && fabs(layer->g) > sharpest) sharpest = fabs(layer->g);
+        if (!moment && layer->g < 1) sharp = fmax(sharp, layer->g < 0 ? 0.15 - layer->g : layer->g);
+        for (l = 12; moment && l < MS_MCML__ORDER_MAX + 3; ++l) sharp = fmax(sharp, pow(fabs(moment[l]), 1.0 / l) + (moment[1] < 0 ? 0.15 : 0));
     }
     order = o.order;
     if (order == 0 && o.moment && !isotropic) order = 15;
@@ -4557,31 +4645,37 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
         if (isotropic || (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.015 : 0.13)) || l == MS_MCML__ORDER_MAX) order = l;
     r.order = order;
     if (!(o.tolerance > 0)) o.tolerance = order < 4 || transport < 2.5 ? 1e-6 : 1e-4; /* few moments or nodes: cheap */
-    high = isotropic ? order : MS_MCML__ORDER_MAX;
-    before[0] = before[1] = before[2] = 0;
-    if (high > 23) {
-        status = ms_mcml__totals(tissue, &o, 23, 0, &r, error);
+    high = sharp > 0.81 ? MS_MCML__ORDER_MAX : sharp > 0.6 ? 23 : 15;
+    for (l = isotropic ? 2 : 0; l < 3; ++l) {
+        status = ms_mcml__totals(tissue, &o, isotropic ? order : high - 8 + 4 * l, l == 2, &r, error);
         if (status) return status;
-        before[0] = r.rd;
-        before[1] = r.tt;
+        total[0][l] = r.rd;
+        total[1][l] = r.tt;
+        total[2][l] = r.a;
     }
-    status = ms_mcml__totals(tissue, &o, high, 1, &r, error);
-    if (status) return status;
+    r.rd_error = r.tt_error = 1e-7;
+    if (!isotropic) {
+        double known = 0, scale;
+        r.rd = ms_mcml__limit(total[0], &r.rd_error);
+        r.tt = ms_mcml__limit(total[1], &r.tt_error);
+        r.a = ms_mcml__limit(total[2], &known);
+        scale = total[2][2] > 0 ? r.a / total[2][2] : 1;
+        for (i = 0; o.a_z && i < o.nz; ++i) o.a_z[i] *= scale;
+        for (i = 0; o.a_l && i < tissue->layer_count; ++i) o.a_l[i] *= scale;
+    }
     for (i = 0; i < tissue->layer_count; ++i) {
         const ms_mcml_layer *layer = &tissue->layers[i];
         const double *moment = o.moment ? o.moment + (size_t)i * (MS_MCML__ORDER_MAX + 3) : NULL;
         if (!(layer->mu_s_per_cm > 0) || isotropic || (!moment && !(layer->g < 1))) continue;
         r.peak = fmax(r.peak, moment ? fabs(moment[order + 1]) : pow(fabs(layer->g), order + 1));
-        before[2] = fmax(before[2], moment ? fabs(moment[high + 1]) : pow(fabs(layer->g), high + 1));
     }
-    r.rd_error = 1e-7 + (high > 23 ? fabs(r.rd - before[0]) + 2e-4 * before[2] : 0);
-    r.tt_error = 1e-7 + (high > 23 ? fabs(r.tt - before[1]) + 2e-4 * before[2] : 0);
     if (!o.totals_only) {
-        for (l = isotropic ? 0 : 1; l >= 0; --l) { /* half the order first, for the errors of rings */
+        double fine[2][MS_MCML_LAYERED_RATES];
+        for (l = 0; l < (isotropic ? 1 : 2); ++l) { /* half the order as well, for the errors of rings */
             const int here = l ? (order - 1) / 2 > 1 ? (order - 1) / 2 : 1 : order;
             status = ms_mcml__flights_make(&s, tissue, &o, here, here > 15 || transport < 2.5 ? 2 : 1, here, error);
             if (status) return status;
-            status = ms_mcml__spectra(s, &o, &r, l, isotropic && tissue->layer_count == 1 && s->layer[0].semi, error);
+            status = ms_mcml__spectra(s, &o, &r, l, isotropic && tissue->layer_count == 1 && s->layer[0].semi, fine, error);
             if (status == MS_OK && l == 0) {
                 ms_mcml__singles(s, &r);
                 before[0] = s->specular - r.specular; /* not scattered but by the forward peak */
@@ -5630,34 +5724,17 @@ static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
 #endif /* MS__X64 */
 #undef MS_MCML__PASS
 
-static ms_mcml__fly_function ms_mcml__fly_kernel(ms_simd level, ms_mcml__weigh_function *weigh)
+static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 {
 #if defined(MS__X64)
-    *weigh = ms_mcml__weigh_avx512;
-    if (level == MS_SIMD_AVX512) return ms_mcml__fly_avx512;
-    *weigh = ms_mcml__weigh_avx2;
-    if (level == MS_SIMD_AVX2) return ms_mcml__fly_avx2;
+    if (level == MS_SIMD_AVX512) return &ms_mcml__kernels_avx512;
+    if (level == MS_SIMD_AVX2) return &ms_mcml__kernels_avx2;
 #endif
 #if defined(MS__X64) || defined(MS__NEON)
-    *weigh = ms_mcml__weigh_base;
-    if (level == MS_SIMD_BASE) return ms_mcml__fly_base;
+    if (level == MS_SIMD_BASE) return &ms_mcml__kernels_base;
 #endif
     (void)level;
-    *weigh = ms_mcml__weigh_scalar;
-    return ms_mcml__fly_scalar;
-}
-
-static ms_mcml__trace_function ms_mcml__trace_kernel(ms_simd level)
-{
-#if defined(MS__X64)
-    if (level == MS_SIMD_AVX512) return ms_mcml__trace_avx512;
-    if (level == MS_SIMD_AVX2) return ms_mcml__trace_avx2;
-#endif
-#if defined(MS__X64) || defined(MS__NEON)
-    if (level == MS_SIMD_BASE) return ms_mcml__trace_base;
-#endif
-    (void)level;
-    return ms_mcml__trace_scalar;
+    return &ms_mcml__kernels_scalar;
 }
 
 #undef MS_MCML__AZIMUTHS
@@ -6187,32 +6264,62 @@ static inline double MS_MCML__FN(d_sum)(MS_MCML__D a)
     return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
 }
 
-/* to = t[0] from + the sum of t[1 .. 5] times five points of q, complex */
-static inline void MS_MCML__FN(step)(const double *t, const double *from, const double *q, int stride, double *to)
+static inline void MS_MCML__FN(d_turn)(const double from[8][8], double to[8][8]) /* rows to columns */
 {
-    enum { R = MS_MCML__RAYS };
-    const MS_MCML__D xr = MS_MCML__FN(d_load)(from), xi = MS_MCML__FN(d_load)(from + R), tr = MS_MCML__FN(d_load)(t), ti = MS_MCML__FN(d_load)(t + R);
-    MS_MCML__D re = MS_MCML__FN(d_nmadd)(ti, xi, MS_MCML__FN(d_mul)(tr, xr)), im = MS_MCML__FN(d_madd)(ti, xr, MS_MCML__FN(d_mul)(tr, xi));
-    int point;
-    for (point = 0; point < 5; ++point, q += stride) {
-        const MS_MCML__D wr = MS_MCML__FN(d_load)(t + (2 + 2 * point) * R), wi = MS_MCML__FN(d_load)(t + (3 + 2 * point) * R);
-        const MS_MCML__D qr = MS_MCML__FN(d_load)(q), qi = MS_MCML__FN(d_load)(q + R);
-        re = MS_MCML__FN(d_nmadd)(wi, qi, MS_MCML__FN(d_madd)(wr, qr, re));
-        im = MS_MCML__FN(d_madd)(wi, qr, MS_MCML__FN(d_madd)(wr, qi, im));
-    }
-    MS_MCML__FN(d_store)(to, re);
-    MS_MCML__FN(d_store)(to + R, im);
+    int i, j;
+#if MS_MCML__ISA >= 3
+    for (i = 0; i < 8; i += 4)
+        for (j = 0; j < 8; j += 4) {
+            const __m256d a = _mm256_loadu_pd(&from[i][j]), b = _mm256_loadu_pd(&from[i + 1][j]);
+            const __m256d c = _mm256_loadu_pd(&from[i + 2][j]), d = _mm256_loadu_pd(&from[i + 3][j]);
+            const __m256d e = _mm256_unpacklo_pd(a, b), f = _mm256_unpackhi_pd(a, b), g = _mm256_unpacklo_pd(c, d), h = _mm256_unpackhi_pd(c, d);
+            _mm256_storeu_pd(&to[j][i], _mm256_permute2f128_pd(e, g, 0x20));
+            _mm256_storeu_pd(&to[j + 1][i], _mm256_permute2f128_pd(f, h, 0x20));
+            _mm256_storeu_pd(&to[j + 2][i], _mm256_permute2f128_pd(e, g, 0x31));
+            _mm256_storeu_pd(&to[j + 3][i], _mm256_permute2f128_pd(f, h, 0x31));
+        }
+#else
+    for (i = 0; i < 8; ++i)
+        for (j = 0; j < 8; ++j) to[j][i] = from[i][j];
+#endif
 }
 
-/* x += in, in *= t[0], complex */
-static inline void MS_MCML__FN(pass)(const double *t, double *x, double *in)
+/* (*re, *im) += (tr, ti) (qr, qi) */
+static inline void MS_MCML__FN(mul_add)(MS_MCML__D tr, MS_MCML__D ti, MS_MCML__D qr, MS_MCML__D qi, MS_MCML__D *re, MS_MCML__D *im)
+{
+    *re = MS_MCML__FN(d_nmadd)(ti, qi, MS_MCML__FN(d_madd)(tr, qr, *re));
+    *im = MS_MCML__FN(d_madd)(ti, qr, MS_MCML__FN(d_madd)(tr, qi, *im));
+}
+
+/* The same of memory: (*re, *im) += t q */
+static inline void MS_MCML__FN(mul_load)(const double *t, MS_MCML__D qr, MS_MCML__D qi, MS_MCML__D *re, MS_MCML__D *im)
+{
+    MS_MCML__FN(mul_add)(MS_MCML__FN(d_load)(t), MS_MCML__FN(d_load)(t + MS_MCML__RAYS), qr, qi, re, im);
+}
+
+/* Four steps of a panel from x on: x[step] = t[0] x[step - 1] + the sum of t[1 .. 5] times the five points of q, complex. */
+static inline void MS_MCML__FN(steps)(const double *t, const double *q, int q_stride, double *x, int x_stride)
 {
     enum { R = MS_MCML__RAYS };
-    const MS_MCML__D re = MS_MCML__FN(d_load)(in), im = MS_MCML__FN(d_load)(in + R), tr = MS_MCML__FN(d_load)(t), ti = MS_MCML__FN(d_load)(t + R);
-    MS_MCML__FN(d_store)(x, MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(x), re));
-    MS_MCML__FN(d_store)(x + R, MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(x + R), im));
-    MS_MCML__FN(d_store)(in, MS_MCML__FN(d_nmadd)(ti, im, MS_MCML__FN(d_mul)(tr, re)));
-    MS_MCML__FN(d_store)(in + R, MS_MCML__FN(d_madd)(ti, re, MS_MCML__FN(d_mul)(tr, im)));
+    const MS_MCML__D r0 = MS_MCML__FN(d_load)(q), i0 = MS_MCML__FN(d_load)(q + R);
+    const MS_MCML__D r1 = MS_MCML__FN(d_load)(q + q_stride), i1 = MS_MCML__FN(d_load)(q + q_stride + R);
+    const MS_MCML__D r2 = MS_MCML__FN(d_load)(q + 2 * q_stride), i2 = MS_MCML__FN(d_load)(q + 2 * q_stride + R);
+    const MS_MCML__D r3 = MS_MCML__FN(d_load)(q + 3 * q_stride), i3 = MS_MCML__FN(d_load)(q + 3 * q_stride + R);
+    const MS_MCML__D r4 = MS_MCML__FN(d_load)(q + 4 * q_stride), i4 = MS_MCML__FN(d_load)(q + 4 * q_stride + R);
+    MS_MCML__D xr = MS_MCML__FN(d_load)(x), xi = MS_MCML__FN(d_load)(x + R);
+    int step;
+    for (step = 0; step < 4; ++step, t += 12 * R) {
+        MS_MCML__D re = MS_MCML__FN(d_set)(0), im = re;
+        MS_MCML__FN(mul_load)(t + 2 * R, r0, i0, &re, &im);
+        MS_MCML__FN(mul_load)(t + 4 * R, r1, i1, &re, &im);
+        MS_MCML__FN(mul_load)(t + 6 * R, r2, i2, &re, &im);
+        MS_MCML__FN(mul_load)(t + 8 * R, r3, i3, &re, &im);
+        MS_MCML__FN(mul_load)(t + 10 * R, r4, i4, &re, &im);
+        MS_MCML__FN(mul_load)(t, xr, xi, &re, &im);
+        x += x_stride;
+        MS_MCML__FN(d_store)(x, xr = re);
+        MS_MCML__FN(d_store)(x + R, xi = im);
+    }
 }
 
 /* Integrals of u^n exp(-y u), u from 0 to 1, n = 0 .. 4, and exp(-y): q[6][2]. y = yr + i yi, yr >= 0, is halved until it is below 1,
@@ -6295,251 +6402,311 @@ static void MS_MCML__FN(weigh)(double mu_t, const double *h, const double *wave,
     }
 }
 
-/* ms_mcml__fly: eight rays side by side. */
-static void MS_MCML__FN(fly)(const ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2])
+static double MS_MCML__FN(inner)(const double *a, const double *b, size_t n)
+{
+    MS_MCML__D sum = MS_MCML__FN(d_set)(0), other = sum;
+    size_t i;
+    for (i = 0; i + 16 <= n; i += 16) {
+        sum = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(a + i), MS_MCML__FN(d_load)(b + i), sum);
+        other = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(a + i + 8), MS_MCML__FN(d_load)(b + i + 8), other);
+    }
+    if (i < n) sum = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(a + i), MS_MCML__FN(d_load)(b + i), sum);
+    return MS_MCML__FN(d_sum)(MS_MCML__FN(d_add)(sum, other));
+}
+
+static void MS_MCML__FN(add)(double *to, double x, const double *a, size_t n)
+{
+    const MS_MCML__D factor = MS_MCML__FN(d_set)(x);
+    size_t i;
+    for (i = 0; i < n; i += 8) MS_MCML__FN(d_store)(to + i, MS_MCML__FN(d_madd)(factor, MS_MCML__FN(d_load)(a + i), MS_MCML__FN(d_load)(to + i)));
+}
+
+/* Of a block of rays in one layer: what scatters into them at each node, [m][node] down and up; moments of l - m even are the same for
+   both directions, odd ones opposite. */
+static void MS_MCML__FN(scatter)(const ms_mcml__flights *s, int b, int layer)
 {
     enum { R = MS_MCML__RAYS };
-    const size_t nz = (size_t)s->nodes, plane = nz * R, sheets = (size_t)s->most + 1;
-    double *source_down = s->work, *source_up = source_down + sheets * plane; /* [m][node][R] */
-    double *sum_even = source_up + sheets * plane, *sum_odd = sum_even + sheets * plane;
-    double *down = sum_odd + sheets * plane, *up = down + 2 * plane, *line = up + 2 * plane; /* [node][2][R] */
-    const double k = s->k;
-    int b, a, j, layer, m, l, i, node, p;
-    memset(out, 0, (size_t)s->terms * nz * sizeof(double));
-    leave[0] = leave[1] = 0;
-    for (b = 0; b < s->blocks; ++b) {
-        const double *nu = s->nu + b * R;
-        for (layer = 0; layer < s->layers; ++layer) {
-            const ms_mcml__stratum *y = &s->layer[layer];
-            const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
-            const size_t from = (size_t)y->node, until = from + (size_t)(y->used ? 4 * y->used + 1 : 0);
-            size_t z;
-            if (y->clear || !(nu[0] < y->n)) continue;
-            for (m = 0; m <= s->most; ++m) {
-                double *sd = source_down + (size_t)m * plane, *su = source_up + (size_t)m * plane;
-                memset(sum_even + (size_t)m * plane + from * R, 0, (until - from) * R * sizeof(double));
-                memset(sum_odd + (size_t)m * plane + from * R, 0, (until - from) * R * sizeof(double));
-                for (z = from; z < until; ++z) {
-                    MS_MCML__D even = MS_MCML__FN(d_set)(0), odd = even;
-                    for (l = m; l <= s->order; ++l) {
-                        const size_t term = (size_t)(ms_mcml__first_term(s->order, m) + l - m);
-                        const double *t = theta + term * R;
-                        double q = d ? d[term * nz + z] * y->sigma[l] : 0;
-                        if (beam && m == 0) {
-                            const double pole = sqrt((2 * l + 1) * 0.5) * 0.3989422804014327 * y->sigma[l];
-                            const double there = y->mu_t * s->z[z], back = y->mu_t * (y->d - s->z[z]);
-                            q += pole * y->down * (there < 700 ? exp(-there) : 0);
-                            if (!y->semi) q += pole * y->up * (back < 700 ? exp(-back) : 0) * (l & 1 ? -1 : 1);
-                        }
-                        if ((l - m) & 1) odd = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q), MS_MCML__FN(d_load)(t), odd);
-                        else even = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q), MS_MCML__FN(d_load)(t), even);
-                    }
-                    MS_MCML__FN(d_store)(sd + z * R, MS_MCML__FN(d_add)(even, odd));
-                    MS_MCML__FN(d_store)(su + z * R, MS_MCML__FN(d_sub)(even, odd));
-                }
+    const ms_mcml__stratum *y = &s->layer[layer];
+    const size_t nz = (size_t)s->reach, sheets = (size_t)s->most + 1;
+    const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
+    int m, l, node;
+    for (m = 0; m <= s->most; ++m)
+        for (node = y->node; node <= y->end; node += 4) {
+            const size_t first = (size_t)ms_mcml__first_term(s->order, m), at = (size_t)m * nz + (size_t)node;
+            const double *q = s->q + first * nz + node, *t = theta + first * R;
+            double *down = s->source + at * R, *up = down + sheets * nz * R;
+            MS_MCML__D e0 = MS_MCML__FN(d_set)(0), e1 = e0, e2 = e0, e3 = e0, o0 = e0, o1 = e0, o2 = e0, o3 = e0, x;
+            for (l = m; l <= s->order; l += 2, q += nz, t += R) {
+                x = MS_MCML__FN(d_load)(t);
+                e0 = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q[0]), x, e0);
+                e1 = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q[1]), x, e1);
+                e2 = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q[2]), x, e2);
+                e3 = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q[3]), x, e3);
+                if (l == s->order) break;
+                q += nz;
+                t += R;
+                x = MS_MCML__FN(d_load)(t);
+                o0 = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q[0]), x, o0);
+                o1 = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q[1]), x, o1);
+                o2 = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q[2]), x, o2);
+                o3 = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(q[3]), x, o3);
             }
+            MS_MCML__FN(d_store)(down, MS_MCML__FN(d_add)(e0, o0));
+            MS_MCML__FN(d_store)(down + R, MS_MCML__FN(d_add)(e1, o1));
+            MS_MCML__FN(d_store)(down + 2 * R, MS_MCML__FN(d_add)(e2, o2));
+            MS_MCML__FN(d_store)(down + 3 * R, MS_MCML__FN(d_add)(e3, o3));
+            MS_MCML__FN(d_store)(up, MS_MCML__FN(d_sub)(e0, o0));
+            MS_MCML__FN(d_store)(up + R, MS_MCML__FN(d_sub)(e1, o1));
+            MS_MCML__FN(d_store)(up + 2 * R, MS_MCML__FN(d_sub)(e2, o2));
+            MS_MCML__FN(d_store)(up + 3 * R, MS_MCML__FN(d_sub)(e3, o3));
         }
-        for (a = 0; a < s->azimuths; ++a) {
-            const double *around = s->around + (size_t)(b * s->azimuths + a) * sheets * R;
-            const double *turn = s->turn + (b * s->azimuths + a) * R, *cosine = s->cosine + (b * s->azimuths + a) * R;
-            ms_mcml__pair *carry = (ms_mcml__pair *)(void *)s->chain, *d_out = carry + MS_MCML__STRATA, *u_out = d_out + MS_MCML__STRATA;
-            ms_mcml__pair *rho = u_out + MS_MCML__STRATA, *v = rho + MS_MCML__STRATA, *rb = v + MS_MCML__STRATA, *vb = rb + MS_MCML__STRATA;
-            double in[2][R];
-            for (layer = 0; layer < s->layers; ++layer) { /* flights within each layer */
-                const ms_mcml__stratum *y = &s->layer[layer];
-                const double *mu = s->mu + (b * s->layers + layer) * R;
-                double (*state)[R] = d_out[layer];
-                if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
-                for (j = 0; j < R; ++j) {
-                    const double x = y->mu_t * y->d / mu[j], angle = k * nu[j] / y->n * cosine[j] * y->d / mu[j];
-                    const double e = x < 700 && !y->semi ? exp(-x) : 0;
-                    carry[layer][0][j] = e * cos(e > 0 ? angle : 0);
-                    carry[layer][1][j] = -e * sin(e > 0 ? angle : 0);
-                    state[0][j] = state[1][j] = 0;
-                    u_out[layer][0][j] = u_out[layer][1][j] = 0;
-                }
-                if (y->clear) continue;
-                for (node = y->node; node <= y->node + 4 * y->used; ++node) { /* the sources at this azimuth: into line */
-                    double *q = line + (size_t)node * 4 * R;
-                    int part;
-                    for (part = 0; part < 2; ++part) { /* real, imaginary */
-                        MS_MCML__D x = MS_MCML__FN(d_set)(0), u = x;
-                        for (m = part; m <= s->most; m += 2) {
-                            const MS_MCML__D c = MS_MCML__FN(d_load)(around + m * R);
-                            x = MS_MCML__FN(d_madd)(c, MS_MCML__FN(d_load)(source_down + (size_t)m * plane + (size_t)node * R), x);
-                            u = MS_MCML__FN(d_madd)(c, MS_MCML__FN(d_load)(source_up + (size_t)m * plane + (size_t)node * R), u);
-                        }
-                        MS_MCML__FN(d_store)(q + part * R, x);
-                        MS_MCML__FN(d_store)(q + (2 + part) * R, u);
-                    }
-                }
-                for (j = 0; j < 2 * R; ++j) down[(size_t)y->node * 2 * R + (size_t)j] = 0;
-                for (p = 0; p < y->used; ++p) {
-                    const double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
-                                                  (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
-                    const double *q = line + (size_t)(y->node + 4 * p) * 4 * R;
-                    for (i = 0; i < 4; ++i, t += 12 * R) {
-                        double *x = down + (size_t)(y->node + 4 * p + i) * 2 * R;
-                        MS_MCML__FN(step)(t, x, q, 4 * R, x + 2 * R);
-                    }
-                }
-                for (j = 0; j < R; ++j) {
-                    state[0][j] = down[(size_t)(y->node + 4 * y->used) * 2 * R + (size_t)j];
-                    state[1][j] = down[(size_t)(y->node + 4 * y->used) * 2 * R + R + (size_t)j];
-                }
-                for (j = 0; j < 2 * R; ++j) up[(size_t)(y->node + 4 * y->used) * 2 * R + (size_t)j] = 0;
-                for (p = y->used - 1; p >= 0; --p) { /* the same weights, mirrored */
-                    const double *table = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
-                                                      (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
-                    const double *q = line + (size_t)(y->node + 4 * p) * 4 * R + 2 * R;
-                    for (i = 3; i >= 0; --i) {
-                        const double *t = table + (3 - i) * 12 * R;
-                        double *x = up + (size_t)(y->node + 4 * p + i) * 2 * R;
-                        MS_MCML__FN(step)(t, x + 2 * R, q + 16 * R, -4 * R, x);
-                    }
-                }
-                for (j = 0; j < R; ++j) {
-                    u_out[layer][0][j] = up[(size_t)y->node * 2 * R + (size_t)j];
-                    u_out[layer][1][j] = up[(size_t)y->node * 2 * R + R + (size_t)j];
-                }
-            }
-            for (layer = s->layers - 1; layer >= 0; --layer) { /* what comes back from below, boundary by boundary */
-                const ms_mcml__stratum *y = &s->layer[layer];
-                const double below = layer + 1 < s->layers ? s->layer[layer + 1].n : s->n_below;
-                const int open = layer + 1 < s->layers && nu[0] < below && (s->layer[layer + 1].clear || s->layer[layer + 1].used);
-                const int cut = !y->clear && y->used < y->panels;
-                if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
-                for (j = 0; j < R; ++j) {
-                    const double er = carry[layer][0][j], ei = carry[layer][1][j];
-                    double r = cut || y->semi ? 0 : ms_mcml__fresnel_nu(y->n, below, nu[j]), br = r, bi = 0, wr = 0, wi = 0, tr, ti;
-                    if (open && !cut) {
-                        const double across = (1 - r) * (1 - r), factor = (1 - r) * (y->n / below) * (y->n / below);
-                        const double *pr = rho[layer + 1][0], *pi = rho[layer + 1][1];
-                        const double nr = 1 - r * pr[j], ni = -r * pi[j], size = nr * nr + ni * ni;
-                        const double qr = nr / size, qi = -ni / size; /* 1 / (1 - rho r) */
-                        br += across * (pr[j] * qr - pi[j] * qi);
-                        bi += across * (pr[j] * qi + pi[j] * qr);
-                        wr = factor * (v[layer + 1][0][j] * qr - v[layer + 1][1][j] * qi);
-                        wi = factor * (v[layer + 1][0][j] * qi + v[layer + 1][1][j] * qr);
-                    }
-                    rb[layer][0][j] = br;
-                    rb[layer][1][j] = bi;
-                    vb[layer][0][j] = wr;
-                    vb[layer][1][j] = wi;
-                    tr = br * er - bi * ei;
-                    ti = br * ei + bi * er;
-                    rho[layer][0][j] = tr * er - ti * ei;
-                    rho[layer][1][j] = tr * ei + ti * er;
-                    tr = br * d_out[layer][0][j] - bi * d_out[layer][1][j] + wr;
-                    ti = br * d_out[layer][1][j] + bi * d_out[layer][0][j] + wi;
-                    v[layer][0][j] = u_out[layer][0][j] + er * tr - ei * ti;
-                    v[layer][1][j] = u_out[layer][1][j] + er * ti + ei * tr;
-                }
-            }
-            for (layer = 0; layer < s->layers; ++layer) { /* and down again */
-                const ms_mcml__stratum *y = &s->layer[layer];
-                const double above = layer ? s->layer[layer - 1].n : s->n_above;
-                const int open = layer > 0 && nu[0] < above;
-                double in_up[2][R];
-                if (!(nu[0] < y->n)) continue;
-                if (!y->clear && y->used == 0) break;
-                for (j = 0; j < R; ++j) {
-                    const double r = ms_mcml__fresnel_nu(y->n, above, nu[j]), er = carry[layer][0][j], ei = carry[layer][1][j];
-                    const double nr = 1 - r * rho[layer][0][j], ni = -r * rho[layer][1][j], size = nr * nr + ni * ni;
-                    double sr = r * v[layer][0][j], si = r * v[layer][1][j], wr, wi, outr, outi;
-                    if (open) { /* in still holds what came out of the layer above */
-                        const double factor = (1 - r) * (y->n / above) * (y->n / above);
-                        sr += factor * in[0][j];
-                        si += factor * in[1][j];
-                    }
-                    wr = size > 0 ? (sr * nr + si * ni) / size : 0;
-                    wi = size > 0 ? (si * nr - sr * ni) / size : 0;
-                    if (layer == 0) {
-                        const double ur = v[0][0][j] + rho[0][0][j] * wr - rho[0][1][j] * wi;
-                        leave[0] += 4 * s->nu_weight[b * R + j] * turn[j] * nu[j] / (y->n * y->n) * (1 - r) * ur;
-                    }
-                    outr = d_out[layer][0][j] + er * wr - ei * wi;
-                    outi = d_out[layer][1][j] + er * wi + ei * wr;
-                    in_up[0][j] = rb[layer][0][j] * outr - rb[layer][1][j] * outi + vb[layer][0][j];
-                    in_up[1][j] = rb[layer][0][j] * outi + rb[layer][1][j] * outr + vb[layer][1][j];
-                    in[0][j] = wr;
-                    in[1][j] = wi;
-                    if (layer == s->layers - 1 && !y->semi && (y->clear || y->used == y->panels))
-                        leave[1] += 4 * s->nu_weight[b * R + j] * turn[j] * nu[j] / (y->n * y->n) *
-                                    (1 - ms_mcml__fresnel_nu(y->n, s->n_below, nu[j])) * outr;
-                    rho[layer][0][j] = outr; /* no longer needed: kept for the next layer */
-                    rho[layer][1][j] = outi;
-                }
-                if (!y->clear) {
-                    for (p = 0; p < y->used; ++p) { /* what came in from outside the layer */
-                        const double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
-                                                      (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
-                        for (i = 0; i < 4; ++i, t += 12 * R) {
-                            MS_MCML__FN(pass)(t, down + (size_t)(y->node + 4 * p + i) * 2 * R, in[0]);
-                        }
-                    }
-                    for (j = 0; j < R; ++j) {
-                        double *x = down + (size_t)(y->node + 4 * y->used) * 2 * R;
-                        x[j] += in[0][j];
-                        x[R + j] += in[1][j];
-                    }
-                    for (p = y->used - 1; p >= 0; --p) {
-                        const double *table = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) +
-                                                          (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * R;
-                        for (i = 3; i >= 0; --i) {
-                            const double *t = table + (3 - i) * 12 * R;
-                            MS_MCML__FN(pass)(t, up + (size_t)(y->node + 4 * p + i + 1) * 2 * R, in_up[0]);
-                        }
-                    }
-                    for (j = 0; j < R; ++j) {
-                        double *x = up + (size_t)y->node * 2 * R;
-                        x[j] += in_up[0][j];
-                        x[R + j] += in_up[1][j];
-                    }
-                    for (node = y->node; node <= y->node + 4 * y->used; ++node) {
-                        const double *x = down + (size_t)node * 2 * R, *u = up + (size_t)node * 2 * R;
-                        const MS_MCML__D weight = MS_MCML__FN(d_load)(turn);
-                        int part;
-                        for (part = 0; part < 2; ++part) {
-                            const MS_MCML__D x1 = MS_MCML__FN(d_load)(x + part * R), x2 = MS_MCML__FN(d_load)(u + part * R);
-                            const MS_MCML__D plus = MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_add)(x1, x2));
-                            const MS_MCML__D minus = MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_sub)(x1, x2));
-                            for (m = part; m <= s->most; m += 2) {
-                                const MS_MCML__D c = MS_MCML__FN(d_load)(around + m * R);
-                                double *e = sum_even + (size_t)m * plane + (size_t)node * R, *o = sum_odd + (size_t)m * plane + (size_t)node * R;
-                                MS_MCML__FN(d_store)(e, MS_MCML__FN(d_madd)(c, plus, MS_MCML__FN(d_load)(e)));
-                                MS_MCML__FN(d_store)(o, MS_MCML__FN(d_madd)(c, minus, MS_MCML__FN(d_load)(o)));
-                            }
-                        }
-                    }
-                }
-                for (j = 0; j < R; ++j) {
-                    in[0][j] = rho[layer][0][j];
-                    in[1][j] = rho[layer][1][j];
-                }
-            }
+}
+
+/* The weights of panel p of a layer, of block and azimuth ba. */
+static inline const double *MS_MCML__FN(panel)(const ms_mcml__flights *s, const ms_mcml__stratum *y, int ba, int p)
+{
+    return s->table + ((size_t)(ba * s->shapes) + (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * MS_MCML__RAYS;
+}
+
+/* Flights within a layer that nothing enters, at one azimuth: down, up. */
+static void MS_MCML__FN(within)(const ms_mcml__flights *s, const ms_mcml__stratum *y, int ba)
+{
+    enum { R = MS_MCML__RAYS };
+    const size_t plane = (size_t)s->reach * R, sheets = (size_t)s->most + 1;
+    const double *around = s->around + (size_t)ba * sheets * R;
+    const MS_MCML__D zero = MS_MCML__FN(d_set)(0);
+    int node, m, p;
+    for (node = y->node; node <= y->end; ++node) { /* the sources at this azimuth: even m real, odd m imaginary */
+        const double *down = s->source + (size_t)node * R, *up = down + sheets * plane, *c = around;
+        double *q = s->line + (size_t)node * 4 * R;
+        MS_MCML__D dr = zero, di = zero, ur = zero, ui = zero, x;
+        for (m = 0; m <= s->most; m += 2, c += R, down += plane, up += plane) {
+            x = MS_MCML__FN(d_load)(c);
+            dr = MS_MCML__FN(d_madd)(x, MS_MCML__FN(d_load)(down), dr);
+            ur = MS_MCML__FN(d_madd)(x, MS_MCML__FN(d_load)(up), ur);
+            if (m == s->most) break;
+            x = MS_MCML__FN(d_load)(c += R);
+            di = MS_MCML__FN(d_madd)(x, MS_MCML__FN(d_load)(down += plane), di);
+            ui = MS_MCML__FN(d_madd)(x, MS_MCML__FN(d_load)(up += plane), ui);
         }
-        for (layer = 0; layer < s->layers; ++layer) { /* from sums over the azimuth to moments */
-            const ms_mcml__stratum *y = &s->layer[layer];
-            const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
-            const double *mu = s->mu + (b * s->layers + layer) * R;
-            double weight[R];
-            if (y->clear || !(nu[0] < y->n) || y->used == 0) continue;
-            for (j = 0; j < R; ++j) weight[j] = 4 * s->nu_weight[b * R + j] * nu[j] / (y->n * y->n * mu[j]);
-            for (m = 0; m <= s->most; ++m)
-                for (node = y->node; node <= y->node + 4 * y->used; ++node) {
-                    const double *e = sum_even + (size_t)m * plane + (size_t)node * R, *o = sum_odd + (size_t)m * plane + (size_t)node * R;
-                    MS_MCML__D x[2];
-                    x[0] = MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(weight), MS_MCML__FN(d_load)(e));
-                    x[1] = MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(weight), MS_MCML__FN(d_load)(o));
-                    for (l = m; l <= s->order; ++l) {
-                        const size_t term = (size_t)(ms_mcml__first_term(s->order, m) + l - m);
-                        out[term * nz + (size_t)node] += MS_MCML__FN(d_sum)(MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(theta + term * R), x[(l - m) & 1]));
-                    }
-                }
+        MS_MCML__FN(d_store)(q, dr);
+        MS_MCML__FN(d_store)(q + R, di);
+        MS_MCML__FN(d_store)(q + 2 * R, ur);
+        MS_MCML__FN(d_store)(q + 3 * R, ui);
+    }
+    MS_MCML__FN(d_store)(s->down + y->node * 2 * R, zero);
+    MS_MCML__FN(d_store)(s->down + y->node * 2 * R + R, zero);
+    MS_MCML__FN(d_store)(s->up + y->end * 2 * R, zero);
+    MS_MCML__FN(d_store)(s->up + y->end * 2 * R + R, zero);
+    for (p = 0; p < y->used; ++p) {
+        const int first = y->node + 4 * p;
+        MS_MCML__FN(steps)(MS_MCML__FN(panel)(s, y, ba, p), s->line + first * 4 * R, 4 * R, s->down + first * 2 * R, 2 * R);
+    }
+    for (p = y->used - 1; p >= 0; --p) { /* the same weights, mirrored */
+        const int first = y->node + 4 * p + 4;
+        MS_MCML__FN(steps)(MS_MCML__FN(panel)(s, y, ba, p), s->line + first * 4 * R + 2 * R, -4 * R, s->up + first * 2 * R, -2 * R);
+    }
+}
+
+/* Adds to both flights within a layer what enters it from above, in, and from below, back; both = their sum and difference, weighed. */
+static void MS_MCML__FN(entering)(const ms_mcml__flights *s, const ms_mcml__stratum *y, int ba, double *both, const MS_MCML__D in[2],
+                                  const MS_MCML__D back[2])
+{
+    enum { R = MS_MCML__RAYS };
+    const MS_MCML__D weight = MS_MCML__FN(d_load)(s->turn + ba * R);
+    MS_MCML__D xr = in[0], xi = in[1];
+    double *x = s->down + y->node * 2 * R;
+    const double *u = s->up + y->end * 2 * R;
+    int p, i;
+    for (p = 0; p < y->used; ++p) {
+        const double *t = MS_MCML__FN(panel)(s, y, ba, p);
+        for (i = 0; i < 4; ++i, t += 12 * R, x += 2 * R) {
+            MS_MCML__D re = MS_MCML__FN(d_set)(0), im = re;
+            MS_MCML__FN(d_store)(x, MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(x), xr));
+            MS_MCML__FN(d_store)(x + R, MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(x + R), xi));
+            MS_MCML__FN(mul_load)(t, xr, xi, &re, &im);
+            xr = re;
+            xi = im;
+        }
+    }
+    MS_MCML__FN(d_store)(x, MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(x), xr));
+    MS_MCML__FN(d_store)(x + R, MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(x + R), xi));
+    xr = back[0];
+    xi = back[1];
+    both += y->end * 4 * R;
+    for (p = 4 * y->used; p >= 0; --p, both -= 4 * R, x -= 2 * R, u -= 2 * R) {
+        const MS_MCML__D ur = MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(u), xr), ui = MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(u + R), xi);
+        const MS_MCML__D dr = MS_MCML__FN(d_load)(x), di = MS_MCML__FN(d_load)(x + R);
+        MS_MCML__FN(d_store)(both, MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_add)(dr, ur)));
+        MS_MCML__FN(d_store)(both + R, MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_add)(di, ui)));
+        MS_MCML__FN(d_store)(both + 2 * R, MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_sub)(dr, ur)));
+        MS_MCML__FN(d_store)(both + 3 * R, MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_sub)(di, ui)));
+        if (p) {
+            MS_MCML__D re = MS_MCML__FN(d_set)(0), im = re;
+            MS_MCML__FN(mul_load)(MS_MCML__FN(panel)(s, y, ba, (p - 1) / 4) + (3 - (p - 1) % 4) * 12 * R, xr, xi, &re, &im);
+            xr = re;
+            xi = im;
         }
     }
 }
+
+/* All flights of a block of rays at one azimuth, through all layers. */
+static void MS_MCML__FN(flights)(const ms_mcml__flights *s, int b, int a, double leave[2])
+{
+    enum { R = MS_MCML__RAYS };
+    const int ba = b * s->azimuths + a;
+    const double *nu = s->nu + b * R, *chain = s->chain + (size_t)(ba * s->layers) * 10 * R, *edge = s->edge + (size_t)(b * s->layers) * 5 * R, *c;
+    const MS_MCML__D zero = MS_MCML__FN(d_set)(0), turn = MS_MCML__FN(d_load)(s->turn + ba * R);
+    MS_MCML__D v[MS_MCML__STRATA][2], from_below[MS_MCML__STRATA][2], d[2], w[2], in[2], back[2], sum[2], x;
+    int layer;
+    in[0] = in[1] = v[0][0] = v[0][1] = sum[0] = sum[1] = zero;
+    for (layer = s->layers - 1; layer >= 0; --layer) { /* what comes back from below, boundary by boundary */
+        const ms_mcml__stratum *y = &s->layer[layer];
+        v[layer][0] = v[layer][1] = from_below[layer][0] = from_below[layer][1] = zero;
+        if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
+        c = chain + layer * 10 * R;
+        d[0] = d[1] = zero;
+        if (!y->clear) {
+            MS_MCML__FN(within)(s, y, ba);
+            d[0] = MS_MCML__FN(d_load)(s->down + y->end * 2 * R);
+            d[1] = MS_MCML__FN(d_load)(s->down + y->end * 2 * R + R);
+            v[layer][0] = MS_MCML__FN(d_load)(s->up + y->node * 2 * R);
+            v[layer][1] = MS_MCML__FN(d_load)(s->up + y->node * 2 * R + R);
+        }
+        if (layer + 1 < s->layers) MS_MCML__FN(mul_load)(c + 6 * R, v[layer + 1][0], v[layer + 1][1], &from_below[layer][0], &from_below[layer][1]);
+        back[0] = from_below[layer][0];
+        back[1] = from_below[layer][1];
+        MS_MCML__FN(mul_load)(c + 2 * R, d[0], d[1], &back[0], &back[1]);
+        MS_MCML__FN(mul_load)(c, back[0], back[1], &v[layer][0], &v[layer][1]);
+    }
+    for (layer = 0; layer < s->layers; ++layer) { /* and down again; in: what came out of the layer above */
+        const ms_mcml__stratum *y = &s->layer[layer];
+        const double *e = edge + layer * 5 * R;
+        if (!(nu[0] < y->n)) continue;
+        if (!y->clear && y->used == 0) break;
+        c = chain + layer * 10 * R;
+        d[0] = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(e), v[layer][0], MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(e + R), in[0]));
+        d[1] = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(e), v[layer][1], MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(e + R), in[1]));
+        w[0] = w[1] = zero;
+        MS_MCML__FN(mul_load)(c + 8 * R, d[0], d[1], &w[0], &w[1]);
+        if (layer == 0) {
+            x = v[0][0];
+            MS_MCML__FN(mul_load)(c + 4 * R, w[0], w[1], &x, &v[0][1]);
+            sum[0] = MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(e + 3 * R), x);
+        }
+        in[0] = in[1] = zero;
+        if (!y->clear) {
+            in[0] = MS_MCML__FN(d_load)(s->down + y->end * 2 * R);
+            in[1] = MS_MCML__FN(d_load)(s->down + y->end * 2 * R + R);
+        }
+        MS_MCML__FN(mul_load)(c, w[0], w[1], &in[0], &in[1]);
+        if (layer + 1 == s->layers) sum[1] = MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(e + 4 * R), in[0]);
+        if (!y->clear) {
+            MS_MCML__FN(mul_load)(c + 2 * R, in[0], in[1], &from_below[layer][0], &from_below[layer][1]);
+            MS_MCML__FN(entering)(s, y, ba, s->both + (size_t)a * (size_t)s->reach * 4 * R, w, from_below[layer]);
+        }
+    }
+    leave[0] += MS_MCML__FN(d_sum)(MS_MCML__FN(d_mul)(turn, sum[0]));
+    leave[1] += MS_MCML__FN(d_sum)(MS_MCML__FN(d_mul)(turn, sum[1]));
+}
+
+/* out += eight nodes' moments of one m: to[8 nodes] += the sum over rays of theta[ray] x[node][ray], each second l from the first. */
+static inline void MS_MCML__FN(project)(const double x[8][8], const double *theta, double *to, size_t stride, int count)
+{
+    enum { R = MS_MCML__RAYS };
+    double turned[8][8];
+    MS_MCML__D t0, t1, t2, t3, t4, t5, t6, t7;
+    MS_MCML__FN(d_turn)(x, turned);
+    t0 = MS_MCML__FN(d_load)(turned[0]);
+    t1 = MS_MCML__FN(d_load)(turned[1]);
+    t2 = MS_MCML__FN(d_load)(turned[2]);
+    t3 = MS_MCML__FN(d_load)(turned[3]);
+    t4 = MS_MCML__FN(d_load)(turned[4]);
+    t5 = MS_MCML__FN(d_load)(turned[5]);
+    t6 = MS_MCML__FN(d_load)(turned[6]);
+    t7 = MS_MCML__FN(d_load)(turned[7]);
+    for (; count > 0; --count, theta += 2 * R, to += 2 * stride) {
+        MS_MCML__D sum = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[0]), t0, MS_MCML__FN(d_load)(to)), other = MS_MCML__FN(d_mul)(MS_MCML__FN(d_set)(theta[1]), t1);
+        sum = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[2]), t2, sum);
+        other = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[3]), t3, other);
+        sum = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[4]), t4, sum);
+        other = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[5]), t5, other);
+        sum = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[6]), t6, sum);
+        other = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[7]), t7, other);
+        MS_MCML__FN(d_store)(to, MS_MCML__FN(d_add)(sum, other));
+    }
+}
+
+/* From both, over all azimuths, to moments: out += those of a block of rays in one layer. */
+static void MS_MCML__FN(gather)(const ms_mcml__flights *s, int b, int layer, double *out)
+{
+    enum { R = MS_MCML__RAYS };
+    const ms_mcml__stratum *y = &s->layer[layer];
+    const size_t nz = (size_t)s->reach, sheets = (size_t)s->most + 1;
+    const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R, *mu = s->mu + (b * s->layers + layer) * R;
+    double weights[R], even[8][8], odd[8][8];
+    MS_MCML__D weight;
+    int m, node, i, j, a;
+    for (j = 0; j < R; ++j) weights[j] = 4 * s->nu_weight[b * R + j] * s->nu[b * R + j] / (y->n * y->n * mu[j]);
+    weight = MS_MCML__FN(d_load)(weights);
+    for (node = y->node; node <= y->end; node += 8)
+        for (m = 0; m <= s->most; ++m) {
+            const size_t term = (size_t)ms_mcml__first_term(s->order, m);
+            for (i = 0; i < 8; i += 4) {
+                const double *x = s->both + (size_t)(node + i) * 4 * R + (m & 1) * R, *c = s->around + ((size_t)(b * s->azimuths) * sheets + (size_t)m) * R;
+                MS_MCML__D e0 = MS_MCML__FN(d_set)(0), e1 = e0, e2 = e0, e3 = e0, o0 = e0, o1 = e0, o2 = e0, o3 = e0;
+                for (a = 0; a < s->azimuths; ++a, x += nz * 4 * R, c += sheets * R) {
+                    const MS_MCML__D t = MS_MCML__FN(d_load)(c);
+                    e0 = MS_MCML__FN(d_madd)(t, MS_MCML__FN(d_load)(x), e0);
+                    o0 = MS_MCML__FN(d_madd)(t, MS_MCML__FN(d_load)(x + 2 * R), o0);
+                    e1 = MS_MCML__FN(d_madd)(t, MS_MCML__FN(d_load)(x + 4 * R), e1);
+                    o1 = MS_MCML__FN(d_madd)(t, MS_MCML__FN(d_load)(x + 6 * R), o1);
+                    e2 = MS_MCML__FN(d_madd)(t, MS_MCML__FN(d_load)(x + 8 * R), e2);
+                    o2 = MS_MCML__FN(d_madd)(t, MS_MCML__FN(d_load)(x + 10 * R), o2);
+                    e3 = MS_MCML__FN(d_madd)(t, MS_MCML__FN(d_load)(x + 12 * R), e3);
+                    o3 = MS_MCML__FN(d_madd)(t, MS_MCML__FN(d_load)(x + 14 * R), o3);
+                }
+                MS_MCML__FN(d_store)(even[i], MS_MCML__FN(d_mul)(weight, e0));
+                MS_MCML__FN(d_store)(odd[i], MS_MCML__FN(d_mul)(weight, o0));
+                MS_MCML__FN(d_store)(even[i + 1], MS_MCML__FN(d_mul)(weight, e1));
+                MS_MCML__FN(d_store)(odd[i + 1], MS_MCML__FN(d_mul)(weight, o1));
+                MS_MCML__FN(d_store)(even[i + 2], MS_MCML__FN(d_mul)(weight, e2));
+                MS_MCML__FN(d_store)(odd[i + 2], MS_MCML__FN(d_mul)(weight, o2));
+                MS_MCML__FN(d_store)(even[i + 3], MS_MCML__FN(d_mul)(weight, e3));
+                MS_MCML__FN(d_store)(odd[i + 3], MS_MCML__FN(d_mul)(weight, o3));
+            }
+            MS_MCML__FN(project)(even, theta + term * R, out + term * nz + node, nz, (s->order - m) / 2 + 1);
+            MS_MCML__FN(project)(odd, theta + (term + 1) * R, out + (term + 1) * nz + node, nz, (s->order - m + 1) / 2);
+        }
+}
+
+static void MS_MCML__FN(fly)(const ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2])
+{
+    const size_t nz = (size_t)s->reach;
+    const double *down = s->beam, *up = down + s->nodes + 7 * s->layers;
+    double *q = s->q;
+    int b, a, layer, m, l, node;
+    leave[0] = leave[1] = 0;
+    memset(out, 0, (size_t)s->terms * nz * sizeof(double));
+    memset(q, 0, (size_t)s->terms * nz * sizeof(double));
+    for (m = 0; m <= s->most; ++m)
+        for (l = m; l <= s->order; ++l, q += nz)
+            for (layer = 0; layer < s->layers; ++layer) {
+                const ms_mcml__stratum *y = &s->layer[layer];
+                const double sigma = y->used ? y->sigma[l] : 0, pole = sqrt((2 * l + 1) * 0.5) * 0.3989422804014327 * sigma, back = l & 1 ? -pole : pole;
+                if (d && y->used) MS_MCML__FN(add)(q + y->node, sigma, d + (q - s->q) + y->node, (size_t)(y->end - y->node + 8) / 8 * 8);
+                for (node = y->node; beam && m == 0 && y->used && node <= y->end; ++node) q[node] += pole * down[node] + back * up[node];
+            }
+    for (b = 0; b < s->blocks; ++b) {
+        for (layer = 0; layer < s->layers; ++layer)
+            if (s->layer[layer].used && s->nu[b * MS_MCML__RAYS] < s->layer[layer].n) MS_MCML__FN(scatter)(s, b, layer);
+        for (a = 0; a < s->azimuths; ++a) MS_MCML__FN(flights)(s, b, a, leave);
+        for (layer = 0; layer < s->layers; ++layer)
+            if (s->layer[layer].used && s->nu[b * MS_MCML__RAYS] < s->layer[layer].n) MS_MCML__FN(gather)(s, b, layer, out);
+    }
+}
+
+static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCML__FN(fly), MS_MCML__FN(weigh), MS_MCML__FN(inner), MS_MCML__FN(add)};
 
 #undef MS_MCML__D
 #undef MS_MCML__DRAW

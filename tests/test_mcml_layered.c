@@ -253,6 +253,9 @@ static const struct {
     {"1e-6 cm on a deep layer", 1, 1, 2, {{1.5, 50, 500, 0.8, 1e-6}, {1.37, 1, 100, 0.8, 1e8}, {0, 0, 0, 0, 0}}},
     {"glass, tissue, glass", 1, 1, 3, {{1.5, 0, 0, 0, 0.1}, {1.37, 1, 100, 0.8, 0.1}, {1.5, 0, 0, 0, 0.1}}},
     {"less dense in between", 1, 1.5, 3, {{1.5, 1, 50, 0.8, 0.05}, {1.33, 0.5, 60, 0.7, 0.05}, {1.6, 0.5, 60, 0.5, 0.1}}},
+    {"g 0.99", 1, 1, 1, {{1.4, 1, 100, 0.99, 1e8}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
+    {"g 0.99, slab", 1, 1.3, 1, {{1.4, 0.1, 500, 0.99, 1}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
+    {"g -0.9", 1, 1, 1, {{1.4, 1, 100, -0.9, 1e8}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
 };
 
 static ms_mcml_tissue tissue_of(unsigned i)
@@ -284,6 +287,12 @@ static void totals(void)
         ms_error error;
         if (ms_mcml_layered_solve(&t, &o, &s, &error)) TEST_FAIL("%s: %s", media[i].name, error.message);
         reference(&t, 24, 47, &rd, &tt);
+        if (fabs(t.layers[0].g) > 0.89) { /* adding-doubling needs a hundred moments, or the limit of three orders: their errors alternate */
+            double x[2] = {0, 0}, y[2] = {0, 0};
+            for (l = 0; l < 2; ++l) reference(&t, 24, 39 + 4 * l, &x[l], &y[l]);
+            if (fabs(rd - x[1]) > 1e-9) rd -= (rd - x[1]) * (rd - x[1]) / (rd - 2 * x[1] + x[0]);
+            if (fabs(tt - y[1]) > 1e-9) tt -= (tt - y[1]) * (tt - y[1]) / (tt - 2 * y[1] + y[0]);
+        }
         CHECK_NEAR(s.rd, rd, 1e-5); /* the promise; adding-doubling itself is good to about 1e-6 */
         CHECK_NEAR(s.tt, tt, 1e-5);
         CHECK(s.rd_error < 5e-5 && s.tt_error < 5e-5 && fabs(s.rd - rd) < s.rd_error + 3e-6 && fabs(s.tt - tt) < s.tt_error + 3e-6);
@@ -455,7 +464,7 @@ static int stop(void *user, double fraction)
 
 static void refusals(void)
 {
-    ms_mcml_layer layer = {1.4, 1, 100, 0.99, 1e8};
+    ms_mcml_layer layer = {1.4, 1, 100, -0.97, 1e8};
     ms_mcml_layer many[17];
     ms_mcml_tissue t;
     ms_mcml_layered s, before;
@@ -610,7 +619,7 @@ static void a_file_without_noise(void)
         ms_mcml_result_destroy(&r);
     }
     { /* what is refused, and what is said of what is not known well */
-        static const ms_mcml_layer sharp = {1.4, 1, 100, 0.99, 1e8};
+        static const ms_mcml_layer sharp = {1.4, 1, 100, -0.97, 1e8};
         const ms_mcml_run_spec *spec = &f.runs[1];
         ms_mcml_tissue t = spec->tissue;
         ms_mcml_grid g = spec->grid;
