@@ -4521,7 +4521,7 @@ static double ms_mcml__absorbed(const ms_mcml__flights *s, const ms_mcml__stratu
 }
 
 /* Limit of three totals of growing order, which close in from both sides in turn, and how well it is known: Shanks. */
-static double ms_mcml__limit(const double v[3], double *known)
+static double ms_mcml__limit(const double *v, double *known)
 {
     const double d = v[1] - v[0], e = v[2] - v[1], rest = e * d < 0 && fabs(e) < 1.2 * fabs(d) ? e * e / (e - d) : 0;
     if (!(fabs(e) > 1e-9)) return v[2];
@@ -6264,7 +6264,7 @@ static inline double MS_MCML__FN(d_sum)(MS_MCML__D a)
     return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
 }
 
-static inline void MS_MCML__FN(d_turn)(const double from[8][8], double to[8][8]) /* rows to columns */
+static inline void MS_MCML__FN(d_turn)(double from[8][8], double to[8][8]) /* rows to columns */
 {
     int i, j;
 #if MS_MCML__ISA >= 3
@@ -6611,7 +6611,7 @@ static void MS_MCML__FN(flights)(const ms_mcml__flights *s, int b, int a, double
 }
 
 /* out += eight nodes' moments of one m: to[8 nodes] += the sum over rays of theta[ray] x[node][ray], each second l from the first. */
-static inline void MS_MCML__FN(project)(const double x[8][8], const double *theta, double *to, size_t stride, int count)
+static inline void MS_MCML__FN(project)(double x[8][8], const double *theta, double *to, size_t stride, int count)
 {
     enum { R = MS_MCML__RAYS };
     double turned[8][8];
