@@ -484,14 +484,15 @@ typedef struct ms_gpr_recommend_report {
    sigma   [count] out, or NULL: their standard deviation
    report  or NULL
    The same seed gives the same sequence: count says how much of it, skip where it begins. Separate modes get the shares that they have of
-   the region: by rejection exactly, by subset simulation without bias but with an error that grows with each level, to a standard deviation
-   of some 0.03 where one in 1e3 of the box is left and 0.1 to 0.15 where one in 1e9 is.
+   the region: by rejection exactly, by subset simulation with a standard deviation of some 0.04, however rare they are; modes that
+   differ in rows of lists or in steps are weighed by the levels alone, whose error grows to 0.2 where one in 1e9 is left.
    MS_NOT_CONVERGED: the model predicts no score above the floor (all scores are equal, or there are none); nothing reaches the
    threshold with that caution; or the search gave up, MS_CANCELLED: the first report->found rows of x are valid then, and mean and
    sigma of them. MS_INVALID_ARGUMENT: an option out of range, a space that contradicts itself, count < 1. MS_OUT_OF_MEMORY.
    Memory and threads are the model's. gp is only read: calls may overlap. Bit-equal for any thread count at one SIMD level.
    Thesis 3.4.1; Au & Beck 2001, "Estimation of small failure probabilities in high dimensions by subset simulation"; its steps:
-   Neal 2003, "Slice sampling", with shrinkage, along the axes and along random directions. */
+   Neal 2003, "Slice sampling", with shrinkage, along axes, along random directions and in hyperrectangles; shares: Meng & Schilling
+   2002, "Warp bridge sampling". */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                       double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
 
@@ -659,7 +660,7 @@ typedef struct ms_gpr_variant {
    best      the score that counts as 1; 0, or the floor or less: the largest on the grid (1 above the floor where none is)
    variant   [count] out
    x         [count][m] out: their materials
-   The grid is searched, then every maximum is refined by a pattern search to 1/64 of a cell; all lambdas share what was
+   The grid is searched, then every maximum and the next best elsewhere are refined by pattern searches to 1/64 of a cell; all lambdas share what was
    looked at, so similarity times confidence never falls and score times confidence never rises as lambda grows. */
 MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
                                      const ms_gpr_grid *grid, const double *lambda, int count, double best, ms_gpr_variant *variant,
@@ -4194,10 +4195,15 @@ static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_
 #define MS_GPR__PILOT 8         /* batches that are looked at first */
 #define MS_GPR__TASKS 16        /* of a level of subset simulation, and of a wave of recommendations */
 #define MS_GPR__WAVE 64         /* recommendations that are looked for together */
-#define MS_GPR__POPULATION 2048 /* places a level: how well the shares of modes are kept */
+#define MS_GPR__POPULATION 1024 /* places a level */
 #define MS_GPR__SURVIVE 4       /* one in so many lies above the next level */
 #define MS_GPR__LEVELS 500
-#define MS_GPR__SUMMITS 16      /* ascents that look for the largest mean */
+#define MS_GPR__SUMMITS 16      /* ascents that look for the largest mean, and modes at most */
+#define MS_GPR__TIGHT 0.3       /* length scales in the box's width from which on the mean depends on a column */
+#define MS_GPR__AXES 64         /* that the shape of a mode is known along, at most */
+#define MS_GPR__LEAST 384       /* places of a mode at least, before its share is measured */
+#define MS_GPR__REFRESH 2       /* steps of every place before that */
+#define MS_GPR__DRIFT 12.0      /* what a level adds to the variance of a logarithm of shares, times 1 / places: seen, not derived */
 #define MS_GPR__RARE 50         /* candidates that cost about as much as one recommendation of subset simulation */
 
 /* A place in the unit box, what the mean there needs, and a step to go. */
@@ -4206,6 +4212,7 @@ typedef struct ms_gpr__walker {
     double *direction; /* [m] in widths of the box, of dimensions in use */
     double *scaled;    /* [active] the place in length scales */
     double *step;      /* [active] the direction in length scales */
+    double *low, *high; /* [m] of a hyperrectangle */
     void *d2, *slope;  /* [stride] as in ms_gpr__lines */
     double *kernel;    /* [stride] */
     double curvature;
@@ -4213,6 +4220,14 @@ typedef struct ms_gpr__walker {
     double value;      /* the mean less caution there */
     double slices;     /* means predicted along lines so far */
 } ms_gpr__walker;
+
+/* What lies nearest to one summit, in length scales. */
+typedef struct ms_gpr__mode {
+    int first, count;   /* of the population, which is sorted by modes; count: of those that the levels left there, at first */
+    double share;       /* of the region */
+    double *middle;     /* [AXES] the mean along the axes of the hunt, */
+    double *shape;      /* [AXES][AXES] and U, U'U = the covariance there */
+} ms_gpr__mode;
 
 /* What all tasks of one call share. */
 typedef struct ms_gpr__hunt {
@@ -4226,6 +4241,7 @@ typedef struct ms_gpr__hunt {
     int grouped;                /* and how many there are */
     ms_gpr__space s;
     double *unit;               /* [active] length scales in the box's width */
+    int *loose, looses;         /* [m] columns that the mean hardly depends on, continuous and not tied */
     int *mover, movers;         /* what slices go along: a dimension in use; active + a tied column; active + m + a list */
     double *tied;               /* [ties][m] scratch of the ascents */
     double goal;                /* the threshold, and a margin for the rounding of means that walkers sum up */
@@ -4244,8 +4260,11 @@ typedef struct ms_gpr__hunt {
     double *value;              /* [PILOT * BATCH] of the population, */
     double *next_value;
     int population, *seed;      /* [POPULATION] places where the chains of a level start */
-    int seeds;
+    int seeds, turn;
     double *tight;              /* [m] how far to go across; 0: only along the axis */
+    ms_gpr__mode mode[MS_GPR__SUMMITS]; /* as many of the summits, in their order */
+    int modes, axes;
+    double *axis;               /* [AXES][m] orthonormal directions that keep the ties */
     uint64_t stream;            /* of the wave's first batch or chain */
     ms_gpr_recommend_report report;
 } ms_gpr__hunt;
@@ -4521,23 +4540,63 @@ static void ms_gpr__walker_across(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__
     ms_gpr__walker_slice(h, w, -1, rng);
 }
 
+/* What the mean hardly depends on, all at once: a uniform point of a hyperrectangle, at first the box, which shrinks towards the walker. */
+static void ms_gpr__walker_shake(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
+{
+    const ms_gpr *gp = h->gp;
+    int tries, i, k, n = ms_gpr__padded(gp->n);
+    double mean;
+    if (h->looses == 0) return;
+    for (i = 0; i < h->looses; ++i) w->low[i] = 0, w->high[i] = 1;
+    memset(w->direction, 0, (size_t)gp->m * sizeof *w->direction);
+    for (tries = 0; tries < 60; ++tries) {
+        for (i = 0; i < h->looses; ++i) {
+            k = h->loose[i];
+            w->direction[k] = w->low[i] + ms_gpr__uniform(rng) * (w->high[i] - w->low[i]) - w->place[k];
+        }
+        ms_gpr__walker_face(h, h->lines, h->points, w);
+        mean = gp->mean + h->lines->mean(w->d2, w->slope, 1, w->curvature, h->weight, n);
+        w->slices += 1;
+        if (mean >= h->level && (mean -= ms_gpr__walker_doubt(h, h->lines, w, 1)) >= h->level) {
+            ms_gpr__walker_step(h, h->lines, w, 1);
+            w->value = mean;
+            return;
+        }
+        for (i = 0; i < h->looses; ++i) {
+            k = h->loose[i];
+            if (w->direction[k] < 0) w->low[i] = w->place[k] + w->direction[k];
+            else w->high[i] = w->place[k] + w->direction[k];
+        }
+    }
+}
+
 /* --- tasks --- */
 
-/* The mean, less caution, of `count` materials with the scratch of that batch. */
-static void ms_gpr__hunt_predict(const ms_gpr__hunt *h, int batch, const double *x, int count, double *mean, double *variance)
+/* The mean, less caution, of `count` candidates from `first` on, in the precision of the lines, with the scratch of that batch. */
+static void ms_gpr__hunt_predict(const ms_gpr__hunt *h, int batch, size_t first, int count)
 {
     ms_gpr__batch b;
-    int i;
+    size_t m = (size_t)h->gp->m, i;
+    int single = h->lines->size == sizeof(float) && !(h->o.caution > 0);
     memset(&b, 0, sizeof b);
     b.gp = h->gp;
-    b.x = x;
     b.count = count;
     b.tasks = 1;
-    b.mean = mean;
-    b.variance = variance;
     b.scratch = h->scratch + (size_t)batch * h->scratch_size;
+    if (single) {
+        float *x = h->candidate_f + first * m;
+        for (i = 0; i < (size_t)count * m; ++i) x[i] = (float)h->candidate[first * m + i];
+        b.x_f = x;
+        b.mean_f = (float *)(void *)(h->variance + first);
+        ms_gpr__predict_task_f(&b, 0);
+        for (i = 0; i < (size_t)count; ++i) h->mean[first + i] = (double)b.mean_f[i];
+        return;
+    }
+    b.x = h->candidate + first * m;
+    b.mean = h->mean + first;
+    b.variance = h->o.caution > 0 ? h->variance + first : NULL;
     ms_gpr__predict_task(&b, 0);
-    for (i = 0; variance && i < count; ++i) mean[i] -= h->o.caution * sqrt(variance[i]);
+    for (i = 0; b.variance && i < (size_t)count; ++i) b.mean[i] -= h->o.caution * sqrt(b.variance[i]);
 }
 
 /* One batch of uniform candidates and their means. */
@@ -4546,29 +4605,21 @@ static void ms_gpr__hunt_batch(void *context, int batch)
     ms_gpr__hunt *h = (ms_gpr__hunt *)context;
     ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)batch);
     size_t first = (size_t)batch * MS_GPR__BATCH, m = (size_t)h->gp->m, i;
-    double *x = h->candidate + first * m;
     ms_gpr__walker *w = &h->walker[batch];
     ms_gpr__space_first(&h->s, w->place, w->direction, &rng);
     for (i = 0; i < MS_GPR__BATCH; ++i) {
         ms_gpr__space_next(&h->s, w->place, w->direction, &rng);
-        ms_gpr__space_material(&h->s, w->place, x + i * m);
+        ms_gpr__space_material(&h->s, w->place, h->candidate + (first + i) * m);
     }
-    if (h->lines->size == sizeof(double) || h->o.caution > 0) {
-        ms_gpr__hunt_predict(h, batch, x, MS_GPR__BATCH, h->mean + first, h->o.caution > 0 ? h->variance + first : NULL);
-    } else {
-        ms_gpr__batch b;
-        float *x_f = h->candidate_f + first * m, *mean_f = (float *)(void *)(h->variance + first);
-        for (i = 0; i < MS_GPR__BATCH * m; ++i) x_f[i] = (float)x[i];
-        memset(&b, 0, sizeof b);
-        b.gp = h->gp;
-        b.x_f = x_f;
-        b.count = MS_GPR__BATCH;
-        b.tasks = 1;
-        b.mean_f = mean_f;
-        b.scratch = h->scratch + (size_t)batch * h->scratch_size;
-        ms_gpr__predict_task_f(&b, 0);
-        for (i = 0; i < MS_GPR__BATCH; ++i) h->mean[first + i] = (double)mean_f[i];
-    }
+    ms_gpr__hunt_predict(h, batch, first, MS_GPR__BATCH);
+}
+
+/* One step of a chain: along, across and over all that is loose by turns. */
+static void ms_gpr__walker_stir(const ms_gpr__hunt *h, ms_gpr__walker *w, int turn, ms__rng *rng)
+{
+    if (h->looses > 0 && turn % 4 == 3) ms_gpr__walker_shake(h, w, rng);
+    else if (h->movers > 0 && turn % 2) ms_gpr__walker_along(h, w, (int)(ms_gpr__uniform(rng) * h->movers), rng);
+    else ms_gpr__walker_across(h, w, rng);
 }
 
 /* Chains task, task + TASKS, ... of a level: each from its seed through its share of the next population. */
@@ -4586,8 +4637,7 @@ static void ms_gpr__hunt_level(void *context, int task)
         w->value = h->value[h->seed[chain]];
         ms_gpr__walker_arrive(h, h->lines, h->points, w);
         for (at = from; at < to; ++at) {
-            if (h->movers > 0 && at % 2) ms_gpr__walker_along(h, w, (int)(ms_gpr__uniform(&rng) * h->movers), &rng);
-            else ms_gpr__walker_across(h, w, &rng);
+            ms_gpr__walker_stir(h, w, at + h->turn, &rng);
             memcpy(h->next + (size_t)at * m, w->place, m * sizeof *w->place);
             h->next_value[at] = w->value;
         }
@@ -4607,7 +4657,10 @@ static void ms_gpr__hunt_wander(void *context, int task)
     for (i = task; i < h->wave; i += MS_GPR__TASKS) {
         double at = (double)(h->stream + (uint64_t)i) * 0.61803398874989485; /* any run of these is spread evenly */
         ms__rng rng = ms__rng_make(h->o.seed, ((uint64_t)1 << 41) + h->stream + (uint64_t)i);
-        int from = (int)((at - floor(at)) * h->population);
+        int mode = 0, from;
+        at -= floor(at);
+        for (; mode + 1 < h->modes && at >= h->mode[mode].share; ++mode) at -= h->mode[mode].share;
+        from = h->mode[mode].first + (int)(fmin(at / h->mode[mode].share, 0.999999999) * h->mode[mode].count);
         memcpy(w->place, h->place + (size_t)from * m, m * sizeof *w->place);
         for (round = 0; round < h->o.rounds; ++round) {
             for (d = 0, k = 0; d < m; ++d) { /* dropped dimensions are uniform anyway */
@@ -4620,7 +4673,9 @@ static void ms_gpr__hunt_wander(void *context, int task)
             for (k = 0; k < h->movers || k < directions; ++k) {
                 if (k < h->movers) ms_gpr__walker_along(h, w, k, &rng);
                 if (k < directions) ms_gpr__walker_across(h, w, &rng);
+                if (k % 4 == 0) ms_gpr__walker_shake(h, w, &rng);
             }
+            ms_gpr__walker_shake(h, w, &rng);
         }
         ms_gpr__space_material(&h->s, w->place, h->candidate + (size_t)i * m);
     }
@@ -4680,7 +4735,10 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
         h->weight = gp->weight_f;
     }
     ms__run(&gp->parallel, MS_GPR__PILOT, ms_gpr__hunt_batch, h);
-    if (gp->n > 0) ms_gpr__hunt_predict(h, 0, gp->x, gp->n, h->mean + pilot, NULL);
+    for (i = 0; i < gp->n; ++i) {
+        ms_gpr__hunt_place(h, gp->x + (size_t)i * (size_t)gp->m, w->place);
+        h->mean[pilot + i] = ms_gpr__walker_exact(h, w);
+    }
     for (i = 0; i < pilot + gp->n; ++i) {
         h->ranked[i].value = h->mean[i];
         h->ranked[i].index = i;
@@ -4807,8 +4865,267 @@ static void ms_gpr__hunt_measure(ms_gpr__hunt *h)
         for (j = 0; j < h->population; ++j) sum += h->place[(size_t)j * m + k] / h->population;
         for (j = 0; j < h->population; ++j) sum2 += (h->place[(size_t)j * m + k] - sum) * (h->place[(size_t)j * m + k] - sum) / h->population;
         spread = sqrt(sum2);
-        if (h->unit[i] > 0.3 && ms_gpr__space_continuous(&h->s, (int)k)) h->tight[k] = spread * h->unit[i] > 1 ? 1 / h->unit[i] : spread;
+        if (h->unit[i] > MS_GPR__TIGHT && ms_gpr__space_continuous(&h->s, (int)k)) h->tight[k] = spread * h->unit[i] > 1 ? 1 / h->unit[i] : spread;
     }
+}
+
+/* The next population, of chains from the seeds. */
+static void ms_gpr__hunt_rise(ms_gpr__hunt *h, int step)
+{
+    double *place = h->place, *value = h->value;
+    h->turn = step;
+    h->stream = ((uint64_t)1 << 40) + (uint64_t)step * MS_GPR__POPULATION;
+    ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__hunt_level, h);
+    h->place = h->next, h->value = h->next_value;
+    h->next = place, h->next_value = value;
+    h->population = h->seeds = MS_GPR__POPULATION;
+}
+
+/* --- shares of modes --- */
+
+static int ms_gpr__hunt_mode_of(const ms_gpr__hunt *h, const double *place)
+{
+    double nearest = 1e300;
+    int best = 0, c, k;
+    for (c = 0; c < h->modes; ++c) {
+        const double *summit = h->summit + c * h->gp->m;
+        double sum = 0;
+        for (k = 0; k < h->gp->active; ++k) {
+            int d = h->gp->dimension[k];
+            sum += h->unit[k] * (place[d] - summit[d]) * (h->unit[k] * (place[d] - summit[d]));
+        }
+        if (sum < nearest) best = c, nearest = sum;
+    }
+    return best;
+}
+
+/* Whether the straight way from a place to a summit stays in the region, and nearer to the lower end's height than to the level. */
+static int ms_gpr__hunt_joined(const ms_gpr__hunt *h, const double *place, const double *summit)
+{
+    const ms_gpr *gp = h->gp;
+    ms_gpr__walker w = h->walker[0];
+    double mean[9], bar;
+    int k, i, n = ms_gpr__padded(gp->n);
+    w.place = h->walker[1].place; /* the first one's may be what is asked about */
+    for (k = 0; k < gp->m; ++k) w.direction[k] = summit[k] - (w.place[k] = place[k]);
+    ms_gpr__walker_arrive(h, h->lines, h->points, &w);
+    ms_gpr__walker_face(h, h->lines, h->points, &w);
+    for (i = 0; i <= 8; ++i) mean[i] = gp->mean + h->lines->mean(w.d2, w.slope, 0.125 * i, w.curvature, h->weight, n);
+    bar = h->level + 0.5 * (fmin(mean[0], mean[8]) - h->level);
+    for (i = 1; i < 8; ++i)
+        if (mean[i] < bar || mean[i] - ms_gpr__walker_doubt(h, h->lines, &w, 0.125 * i) < h->level) return 0;
+    return 1;
+}
+
+/* A summit that no other is joined with becomes that of a mode. */
+static void ms_gpr__hunt_found(ms_gpr__hunt *h, const double *summit)
+{
+    size_t m = (size_t)h->gp->m;
+    int c;
+    for (c = 0; c < h->modes; ++c)
+        if (ms_gpr__hunt_joined(h, h->summit + (size_t)c * m, summit)) return;
+    memmove(h->summit + (size_t)h->modes++ * m, summit, m * sizeof *summit);
+}
+
+/* The modes: of the ascents from the first candidates, and of some from places of the population that none of those explains. */
+static void ms_gpr__hunt_modes(ms_gpr__hunt *h)
+{
+    ms_gpr__walker *w = &h->walker[0];
+    size_t m = (size_t)h->gp->m;
+    int i;
+    for (i = 0, h->modes = 0; i < MS_GPR__SUMMITS; ++i)
+        if (h->summit_value[i] >= h->level) ms_gpr__hunt_found(h, h->summit + (size_t)i * m);
+    for (i = 0; i < 2 * MS_GPR__SUMMITS && h->modes > 0 && h->modes < MS_GPR__SUMMITS; ++i) {
+        const double *place = h->place + (size_t)i * (size_t)h->population / (2 * MS_GPR__SUMMITS) * m;
+        if (ms_gpr__hunt_joined(h, place, h->summit + (size_t)ms_gpr__hunt_mode_of(h, place) * m)) continue;
+        memcpy(w->place, place, m * sizeof *place);
+        ms_gpr__walker_ascend(h, w, 30);
+        ms_gpr__space_settle(&h->s, w->place);
+        if (ms_gpr__walker_exact(h, w) - ms_gpr__walker_doubt(h, &h->gp->kernels->lines, w, 0) >= h->level) ms_gpr__hunt_found(h, w->place);
+    }
+}
+
+/* More places of mode c, where it has few: of a chain from one of them, or from its summit. What leaves it counts where it arrives. */
+static void ms_gpr__hunt_enrich(ms_gpr__hunt *h, int c)
+{
+    ms_gpr__walker *w = &h->walker[0];
+    ms__rng rng = ms__rng_make(h->o.seed, ((uint64_t)1 << 42) + (uint64_t)c);
+    size_t m = (size_t)h->gp->m;
+    int have = 0, i;
+    memcpy(w->place, h->summit + (size_t)c * m, m * sizeof *w->place);
+    for (i = 0; i < h->population; ++i)
+        if (h->ranked[i].index == c && have++ == 0) memcpy(w->place, h->place + (size_t)i * m, m * sizeof *w->place);
+    if (have >= MS_GPR__LEAST) return;
+    ms_gpr__walker_arrive(h, h->lines, h->points, w);
+    for (i = 0; have < MS_GPR__LEAST && i < 8 * MS_GPR__LEAST; ++i) {
+        ms_gpr__walker_stir(h, w, i, &rng);
+        if (i % 4 < 3 || i < MS_GPR__LEAST) continue;
+        h->ranked[h->population].index = ms_gpr__hunt_mode_of(h, w->place);
+        have += h->ranked[h->population].index == c;
+        memcpy(h->place + (size_t)h->population++ * m, w->place, m * sizeof *w->place);
+    }
+}
+
+/* Directions of what is narrow in any mode. */
+static void ms_gpr__hunt_axes(ms_gpr__hunt *h)
+{
+    const ms_gpr *gp = h->gp;
+    size_t m = (size_t)gp->m;
+    int c, i, j, k, at, most = ms_gpr__padded(gp->m) < MS_GPR__AXES ? gp->m : MS_GPR__AXES;
+    double *direction = h->walker[0].direction;
+    h->axes = 0;
+    for (at = 0; at < gp->active && h->axes < most; ++at) {
+        int d = gp->dimension[at];
+        double within = 0, norm2 = 0;
+        if (!(h->tight[d] > 0)) continue;
+        for (c = 0; c < h->modes; ++c) {
+            const double *v = h->place + (size_t)h->mode[c].first * m + d;
+            double sum = 0, sum2 = 0;
+            for (i = 0; i < h->mode[c].count; ++i, v += m) sum += *v, sum2 += *v * *v;
+            within += sum2 - sum * sum / h->mode[c].count;
+        }
+        if (!ms_gpr__space_face(&h->s, d, direction)) continue;
+        if (within > 0.065 * h->population) continue; /* of 1/12 */
+        for (j = 0; j < h->axes; ++j) {
+            double *a = h->axis + (size_t)j * m, sum = 0;
+            for (k = 0; k < gp->m; ++k) sum += a[k] * direction[k];
+            for (k = 0; k < gp->m; ++k) direction[k] -= sum * a[k];
+        }
+        for (k = 0; k < gp->m; ++k) norm2 += direction[k] * direction[k];
+        if (norm2 < 1e-6) continue;
+        for (k = 0; k < gp->m; ++k) h->axis[(size_t)h->axes * m + (size_t)k] = direction[k] / sqrt(norm2);
+        ++h->axes;
+    }
+}
+
+/* Mode by mode the mean along the axes and the covariance, of the first half of its places or the second. 0: there is none. */
+static int ms_gpr__hunt_shapes(ms_gpr__hunt *h, int half)
+{
+    const ms_gpr *gp = h->gp;
+    size_t m = (size_t)gp->m, row = (size_t)ms_gpr__padded(h->axes);
+    int c, i, j, k;
+    for (c = 0; c < h->modes; ++c) {
+        ms_gpr__mode *mode = &h->mode[c];
+        int first = mode->first + half * (mode->count / 2), count = half ? mode->count - mode->count / 2 : mode->count / 2;
+        memset(mode->middle, 0, row * sizeof *mode->middle);
+        memset(mode->shape, 0, row * row * sizeof *mode->shape);
+        for (i = -count; i < count; ++i) { /* the means, then the covariance */
+            const double *place = h->place + (size_t)(first + (i < 0 ? i + count : i)) * m;
+            double *z = h->walker[0].kernel;
+            for (j = 0; j < h->axes; ++j) {
+                for (k = 0, z[j] = 0; k < gp->m; ++k) z[j] += h->axis[(size_t)j * m + (size_t)k] * place[k];
+                if (i < 0) mode->middle[j] += z[j] / count;
+                else z[j] -= mode->middle[j];
+            }
+            for (j = 0; j < h->axes && i >= 0; ++j)
+                for (k = j; k < h->axes; ++k) mode->shape[(size_t)j * row + (size_t)k] += z[j] * z[k] / count;
+        }
+        for (j = 0; j < (int)row; ++j) {
+            for (k = j + 1; k < (int)row && count < 4 * h->axes; ++k) mode->shape[(size_t)j * row + (size_t)k] = 0; /* too few to say */
+            mode->shape[(size_t)j * (row + 1)] = j < h->axes ? 1e-12 + mode->shape[(size_t)j * (row + 1)] * (1 + 1e-9) : 1;
+        }
+        if (!ms_gpr__cholesky(gp->kernels, mode->shape, row, (int)row, 0)) return 0;
+    }
+    return 1;
+}
+
+/* The share of half of mode a's places that the affine map which takes its shape to b's brings into b. */
+static double ms_gpr__hunt_cross(ms_gpr__hunt *h, const ms_gpr__mode *a, const ms_gpr__mode *b, int half)
+{
+    const ms_gpr *gp = h->gp;
+    ms_gpr__walker *w = &h->walker[0];
+    size_t m = (size_t)gp->m, row = (size_t)ms_gpr__padded(h->axes);
+    double *z = w->kernel;
+    int first = half * (a->count / 2), end = half ? a->count : a->count / 2, count = 0, hits = 0, i, j, k;
+    for (i = first; i < end; ++i) {
+        const double *place = h->place + (size_t)(a->first + i) * m;
+        int inside = 1;
+        memset(z, 0, row * sizeof *z);
+        memcpy(w->place, place, m * sizeof *place);
+        for (j = 0; j < h->axes; ++j) {
+            for (k = 0, z[j] = -a->middle[j]; k < gp->m; ++k) z[j] += h->axis[(size_t)j * m + (size_t)k] * place[k];
+            for (k = 0; k < gp->m; ++k) w->place[k] -= z[j] * h->axis[(size_t)j * m + (size_t)k];
+        }
+        ms_gpr__forward_vector(gp->kernels, a->shape, row, (int)row, z);
+        for (j = 0; j < h->axes; ++j) {
+            double to = b->middle[j] - a->middle[j];
+            for (k = 0; k <= j; ++k) to += b->shape[(size_t)k * row + (size_t)j] * z[k];
+            for (k = 0; k < gp->m; ++k) w->place[k] += to * h->axis[(size_t)j * m + (size_t)k];
+        }
+        for (k = 0; k < gp->m; ++k) inside &= w->place[k] > -1e-12 && w->place[k] < 1 + 1e-12;
+        if (!inside || &h->mode[ms_gpr__hunt_mode_of(h, w->place)] != b) continue;
+        ms_gpr__space_material(&h->s, w->place, h->candidate + (size_t)count++ * m);
+    }
+    ms_gpr__hunt_predict(h, 0, 0, count);
+    h->report.candidates += count;
+    for (i = 0; i < count; ++i) hits += h->mean[i] >= h->level;
+    return (double)hits / (end - first);
+}
+
+/* The modes' shares of the region. Each level of the climb lets them drift. But a map that takes mode a to b and changes volumes by J takes
+   a share p of a into b, and its inverse a share q of b into a, so that the volume of b is J p / q of that of a. Both estimates are
+   weighted by what they are worth. Meng & Schilling 2002, "Warp bridge sampling". */
+static void ms_gpr__hunt_balance(ms_gpr__hunt *h, int levels)
+{
+    size_t m = (size_t)h->gp->m;
+    int climbed = h->report.acceptance > 0 ? h->population : 0, left[MS_GPR__SUMMITS], largest = 0, c, i, j;
+    double bridge[MS_GPR__SUMMITS], worth[MS_GPR__SUMMITS], sum = 0;
+    memset(bridge, 0, sizeof bridge);
+    memset(worth, 0, sizeof worth);
+    ms_gpr__hunt_modes(h);
+    if (h->modes == 0) h->modes = 1; /* rounding of the summit's mean */
+    for (j = 0; j < MS_GPR__REFRESH && h->modes > 1 && climbed > 0; ++j) { /* places forget which others they come from */
+        for (i = 0; i < MS_GPR__POPULATION; ++i) h->seed[i] = i;
+        ms_gpr__hunt_rise(h, levels + j);
+    }
+    memset(left, 0, sizeof left);
+    for (i = 0; i < h->population; ++i) {
+        h->ranked[i].index = ms_gpr__hunt_mode_of(h, h->place + (size_t)i * m);
+        left[h->ranked[i].index] += i < climbed;
+    }
+    for (c = 0; c < h->modes && h->modes > 1; ++c) ms_gpr__hunt_enrich(h, c);
+    for (c = 0, i = 0; c < h->modes; ++c) {
+        h->mode[c].first = i;
+        for (j = 0, h->mode[c].count = 0; j < h->population; ++j) i += h->ranked[j].index == c;
+    }
+    for (i = 0; i < h->population; ++i) {
+        ms_gpr__mode *mode = &h->mode[h->ranked[i].index];
+        memcpy(h->next + (size_t)(mode->first + mode->count++) * m, h->place + (size_t)i * m, m * sizeof *h->next);
+    }
+    {
+        double *place = h->place;
+        h->place = h->next;
+        h->next = place;
+    }
+    for (c = 0; c < h->modes; ++c)
+        if (left[c] > left[largest]) largest = c;
+    h->mode[largest].share = 1;
+    if (h->modes > 1) ms_gpr__hunt_axes(h);
+    for (i = 0; i < 2 && h->modes > 1 && h->axes > 0; ++i) {
+        const ms_gpr__mode *a = &h->mode[largest];
+        if (!ms_gpr__hunt_shapes(h, i)) break;
+        for (c = 0; c < h->modes; ++c) {
+            const ms_gpr__mode *b = &h->mode[c];
+            double p = c != largest ? ms_gpr__hunt_cross(h, a, b, 1 - i) : 0, q = p > 0 ? ms_gpr__hunt_cross(h, b, a, 1 - i) : 0, wide = 0, w;
+            if (!(q > 0)) continue;
+            for (j = 0; j < h->axes; ++j)
+                wide += log(b->shape[(size_t)j * ((size_t)ms_gpr__padded(h->axes) + 1)] / a->shape[(size_t)j * ((size_t)ms_gpr__padded(h->axes) + 1)]);
+            w = 0.5 / ((1.01 - p) / (0.5 * p * a->count) + (1.01 - q) / (0.5 * q * b->count));
+            bridge[c] += w * (wide + log(p / q));
+            worth[c] += w;
+        }
+    }
+    for (c = 0; c < h->modes; ++c) {
+        double stays = 0;
+        if (c == largest) continue;
+        if (left[c] > 0) {
+            stays = 1 / (MS_GPR__DRIFT * levels * (1.0 / left[c] + 1.0 / left[largest]));
+            bridge[c] += stays * log((double)left[c] / left[largest]);
+        }
+        h->mode[c].share = worth[c] + stays > 0 ? exp(bridge[c] / (worth[c] + stays)) : climbed > 0 ? 0 : 1;
+    }
+    for (c = 0; c < h->modes; ++c) sum += h->mode[c].share;
+    for (c = 0; c < h->modes; ++c) h->mode[c].share /= sum;
 }
 
 /* The population of the region: that of the box, whose level rises step by step. Each time one in SURVIVE is above the next level,
@@ -4843,14 +5160,7 @@ static ms_status ms_gpr__hunt_climb(ms_gpr__hunt *h)
         ms_gpr__hunt_measure(h);
         h->seeds = k < MS_GPR__POPULATION ? k : MS_GPR__POPULATION;
         for (i = 0; i < h->seeds; ++i) h->seed[i] = (int)((size_t)i * (size_t)k / (size_t)h->seeds);
-        h->stream = ((uint64_t)1 << 40) + (uint64_t)step * MS_GPR__POPULATION;
-        ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__hunt_level, h);
-        {
-            double *place = h->place, *value = h->value;
-            h->place = h->next, h->value = h->next_value;
-            h->next = place, h->next_value = value;
-        }
-        h->population = MS_GPR__POPULATION;
+        ms_gpr__hunt_rise(h, step);
         if (h->level >= h->goal) break;
         if (ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
     }
@@ -4861,6 +5171,7 @@ static ms_status ms_gpr__hunt_climb(ms_gpr__hunt *h)
         h->report.acceptance = 0;
         ms_gpr__hunt_measure(h);
     }
+    ms_gpr__hunt_balance(h, step + 1);
     return MS_OK;
 }
 
@@ -4898,12 +5209,18 @@ static double ms_gpr__hunt_spread(const ms_gpr__hunt *h, const double *x)
 static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
 {
     size_t m = (size_t)h->gp->m, stride = h->gp->stride, candidates = MS_GPR__BATCHES * MS_GPR__BATCH;
-    size_t population = MS_GPR__PILOT * MS_GPR__BATCH;
+    size_t population = MS_GPR__PILOT * MS_GPR__BATCH, axes = m < MS_GPR__AXES ? (size_t)ms_gpr__padded((int)m) : MS_GPR__AXES;
     int i;
+    for (i = 0; i < MS_GPR__SUMMITS; ++i) {
+        h->mode[i].middle = ms_gpr__take(arena, axes, 1);
+        h->mode[i].shape = ms_gpr__take(arena, axes, axes);
+    }
     h->unit = ms_gpr__take(arena, m, 1);
     h->mover = (int *)(void *)ms_gpr__take(arena, 2 * m + (size_t)h->s.groups, 1);
+    h->loose = (int *)(void *)ms_gpr__take(arena, m, 1);
     h->tied = ms_gpr__take(arena, (size_t)h->s.ties + 2, m);
     h->tight = ms_gpr__take(arena, m, 1);
+    h->axis = ms_gpr__take(arena, axes, m);
     h->group = ms_gpr__take(arena, m, 16);
     h->candidate = ms_gpr__take(arena, candidates, m);
     h->candidate_f = (float *)(void *)ms_gpr__take(arena, candidates / 2, m);
@@ -4924,9 +5241,11 @@ static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
         w->direction = ms_gpr__take(arena, m, 1);
         w->scaled = ms_gpr__take(arena, m, 1);
         w->step = ms_gpr__take(arena, m, 1);
+        w->low = ms_gpr__take(arena, m, 1);
+        w->high = ms_gpr__take(arena, m, 1);
         w->d2 = ms_gpr__take(arena, stride, 1);
         w->slope = ms_gpr__take(arena, stride, 1);
-        w->kernel = ms_gpr__take(arena, stride, 1);
+        w->kernel = ms_gpr__take(arena, stride > MS_GPR__AXES ? stride : MS_GPR__AXES, 1);
     }
 }
 
@@ -5014,7 +5333,11 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     arena.used = 0;
     ms_gpr__hunt_layout(h, &arena);
     for (k = 0; k < gp->active; ++k)
-        if (!h->s.tied[gp->dimension[k]] && h->s.owner[gp->dimension[k]] == 0) h->mover[h->movers++] = k;
+        if (!h->s.tied[gp->dimension[k]] && h->s.owner[gp->dimension[k]] == 0) {
+            int d = gp->dimension[k];
+            if (h->s.width[d] * gp->scale[d] > MS_GPR__TIGHT || !ms_gpr__space_continuous(&h->s, d)) h->mover[h->movers++] = k;
+            else h->loose[h->looses++] = d;
+        }
     for (k = 0; k < gp->m; ++k)
         if (h->s.tied[k] && h->s.owner[k] == 0) h->mover[h->movers++] = gp->active + k;
     for (k = 0; k < h->s.groups; ++k) {
@@ -6231,42 +6554,56 @@ static ms_status ms_gpr__look(ms_gpr__looks *looks, double a, double b, ms_error
     return status;
 }
 
-static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lambda)
+static double ms_gpr__looks_value(const ms_gpr__looks *looks, const ms_gpr_variant *v, double lambda)
+{
+    return v->confidence * (lambda * v->similarity + (1 - lambda) * (v->score - looks->floor) / (looks->best - looks->floor));
+}
+
+/* The best so far; of those that are two steps away from a point, where one is given. */
+static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lambda, const double *away, const double *step)
 {
     ms_gpr_variant chosen = looks->seen[0];
     int i;
     chosen.value = -HUGE_VAL;
     for (i = 0; i < looks->count; ++i) {
         const ms_gpr_variant *v = &looks->seen[i];
-        double value = v->confidence * (lambda * v->similarity + (1 - lambda) * (v->score - looks->floor) / (looks->best - looks->floor));
+        double value = ms_gpr__looks_value(looks, v, lambda);
         if (!(value > chosen.value)) continue;
-        chosen = looks->seen[i];
+        if (away && fabs(v->latent[0] - away[0]) < 2 * step[0] && fabs(v->latent[1] - away[1]) < 2 * step[1]) continue;
+        chosen = *v;
         chosen.value = value;
     }
     return chosen;
 }
 
-/* Pattern search from the best so far, inside the grid: the four neighbours at a step, which is halved where none is better. */
+/* Pattern searches from the best so far and from the best elsewhere, inside the grid: the four neighbours at a step, which is halved
+   where none is better. */
 static ms_status ms_gpr__looks_refine(ms_gpr__looks *looks, const ms_gpr_grid *grid, double lambda, ms_error *error)
 {
-    ms_gpr_variant at = ms_gpr__looks_best(looks, lambda);
-    double step_x = (grid->x1 - grid->x0) / (grid->columns - 1), step_y = (grid->y1 - grid->y0) / (grid->rows - 1);
-    int halvings, moves, side;
-    for (halvings = 0, moves = 0; halvings < MS_GPR__HALVINGS && moves < MS_GPR__MOVES; ++moves) {
-        double before = at.value;
-        ms_gpr_variant center = at;
-        for (side = 0; side < 4; ++side) {
-            double sign = side % 2 ? -1 : 1;
-            double a = ms_gpr__into(center.latent[0] + (side < 2 ? sign * step_x : 0), grid->x0, grid->x1);
-            double b = ms_gpr__into(center.latent[1] + (side < 2 ? 0 : sign * step_y), grid->y0, grid->y1);
-            ms_status status = ms_gpr__look(looks, a, b, error);
-            if (status != MS_OK) return status;
+    double cell[2], top[2];
+    int start, halvings, moves, side;
+    cell[0] = (grid->x1 - grid->x0) / (grid->columns - 1), cell[1] = (grid->y1 - grid->y0) / (grid->rows - 1);
+    for (start = 0; start < 2; ++start) {
+        ms_gpr_variant at = ms_gpr__looks_best(looks, lambda, start ? top : NULL, cell);
+        double step = 1;
+        if (start == 0) memcpy(top, at.latent, sizeof top);
+        for (halvings = 0, moves = 0; halvings < MS_GPR__HALVINGS && moves < MS_GPR__MOVES / 2; ++moves) {
+            ms_gpr_variant center = at;
+            for (side = 0; side < 4; ++side) {
+                double sign = side % 2 ? -step : step, value;
+                double a = ms_gpr__into(center.latent[0] + (side < 2 ? sign * cell[0] : 0), grid->x0, grid->x1);
+                double b = ms_gpr__into(center.latent[1] + (side < 2 ? 0 : sign * cell[1]), grid->y0, grid->y1);
+                ms_status status = ms_gpr__look(looks, a, b, error);
+                if (status != MS_OK) return status;
+                value = ms_gpr__looks_value(looks, &looks->seen[looks->count - 1], lambda);
+                if (!(value > at.value)) continue;
+                at = looks->seen[looks->count - 1];
+                at.value = value;
+            }
+            if (at.value > center.value) continue;
+            step *= 0.5;
+            ++halvings;
         }
-        at = ms_gpr__looks_best(looks, lambda);
-        if (at.value > before) continue;
-        step_x *= 0.5;
-        step_y *= 0.5;
-        ++halvings;
     }
     return MS_OK;
 }
@@ -6318,7 +6655,7 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
         for (i = 0; i < count && status == MS_OK; ++i)
             status = ms_gpr__looks_refine(&looks, grid, lambda[i], error);
         for (i = 0; i < count && status == MS_OK; ++i) {
-            variant[i] = ms_gpr__looks_best(&looks, lambda[i]);
+            variant[i] = ms_gpr__looks_best(&looks, lambda[i], NULL, NULL);
             if (x) status = ms_gpr_latent_map(plane, variant[i].latent, 1, x + (size_t)i * (size_t)plane->m, NULL, error);
         }
         ms_gpr__release_pictures(plane, similarity, looks.pictures);
@@ -6359,6 +6696,11 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 #undef MS_GPR__SURVIVE
 #undef MS_GPR__LEVELS
 #undef MS_GPR__SUMMITS
+#undef MS_GPR__TIGHT
+#undef MS_GPR__AXES
+#undef MS_GPR__LEAST
+#undef MS_GPR__REFRESH
+#undef MS_GPR__DRIFT
 #undef MS_GPR__RARE
 #undef MS_GPR__NEIGHBOURS
 #undef MS_GPR__LATENT_TRIAL

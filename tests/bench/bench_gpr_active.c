@@ -6,11 +6,13 @@
 #include "users.h"
 #include "bench.h"
 
-enum { USERS = 3, MANY = 38, HELD = 1200, COUNT = 300, ROUND = 10, SHOWN = 9, GALLERIES = 5, STEPS = 10 };
+enum { USERS = 3, MANY = 38, HELD = 1200, COUNT = 300, ROUND = 10, SHOWN = 9, GALLERIES = 5, STEPS = 10, TAUS = 7 };
 
 typedef struct worth {
     double score, jsd, lobes;
 } worth;
+
+static const double taus[TAUS] = {0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9};
 
 static double x[500 * MANY], y[500], held[HELD * MANY], truth[HELD];
 static int pairs[2 * GALLERIES * 2 * SHOWN], pair_count;
@@ -26,25 +28,57 @@ static ms_gpr *fit(int n, int m)
     return gp;
 }
 
-/* What was answered for the first n rows is worth. */
-static worth judge(const user *u, int n)
+/* Mean true score of materials, and the share of the liked classes that 5 or more of them belong to. */
+static worth judge_materials(const user *u, const double *r, int count)
 {
-    static double mean[HELD], r[COUNT * MANY];
     double found[USER_CLASSES] = {0, 0, 0};
-    ms_gpr *gp = fit(n, u->m);
     worth w = {0, 0, 0};
     int i, c;
-    ms_gpr_predict(gp, held, HELD, mean, NULL, NULL);
-    w.jsd = user_jsd(mean, truth, HELD);
-    if (ms_gpr_recommend(gp, NULL, COUNT, r, NULL, NULL, NULL, NULL) == MS_OK)
-        for (i = 0; i < COUNT; ++i) {
-            double u_true = user_true(u, r + i * u->m);
-            w.score += u_true / (int)COUNT;
-            if (u_true > 3) found[user_class_of(u, r + i * u->m)] += 1;
-        }
+    for (i = 0; i < count; ++i) {
+        double u_true = user_true(u, r + i * u->m);
+        w.score += u_true / count;
+        if (u_true > 3) found[user_class_of(u, r + i * u->m)] += 1;
+    }
     for (c = 0; c < u->classes; ++c) w.lobes += (found[c] >= 5) / (double)u->classes;
+    return w;
+}
+
+/* What was answered for the first n rows is worth; curve: by every threshold in place of the default's, or NULL. */
+static worth judge(const user *u, int n, worth *curve)
+{
+    static double mean[HELD], r[COUNT * MANY];
+    ms_gpr *gp = fit(n, u->m);
+    worth w = {0, 0, 0};
+    double jsd;
+    int t;
+    ms_gpr_predict(gp, held, HELD, mean, NULL, NULL);
+    jsd = user_jsd(mean, truth, HELD);
+    if (ms_gpr_recommend(gp, NULL, COUNT, r, NULL, NULL, NULL, NULL) == MS_OK) w = judge_materials(u, r, COUNT);
+    w.jsd = jsd;
+    for (t = 0; t < TAUS && curve; ++t) {
+        ms_gpr_recommend_options o;
+        memset(&o, 0, sizeof o);
+        o.tau = taus[t];
+        memset(&curve[t], 0, sizeof curve[t]);
+        if (ms_gpr_recommend(gp, &o, COUNT, r, NULL, NULL, NULL, NULL) == MS_OK) curve[t] = judge_materials(u, r, COUNT);
+    }
     ms_gpr_destroy(gp);
     return w;
+}
+
+/* The same of a model that knows everything: uniform materials whose true score is 10 tau or more. */
+static void judge_truth(const user *u, uint64_t state, worth *curve)
+{
+    static double r[TAUS][COUNT * MANY];
+    int count[TAUS] = {0}, t, k, i;
+    for (i = 0; i < 300000; ++i) {
+        double *p = x, u_true;
+        for (k = 0; k < u->m; ++k) p[k] = test_uniform(&state);
+        u_true = user_true(u, p);
+        for (t = 0; t < TAUS; ++t)
+            if (u_true >= 10 * taus[t] && count[t] < COUNT) memcpy(r[t] + count[t]++ * u->m, p, (size_t)u->m * sizeof *p);
+    }
+    for (t = 0; t < TAUS; ++t) curve[t] = judge_materials(u, r[t], count[t]);
 }
 
 /* The next `count` materials of an active gallery as rows n and on. */
@@ -100,19 +134,20 @@ static worth rounds(const user *u, int first, int more, int seed, uint64_t *stat
         ms_gpr_destroy(gp);
         n += more;
     }
-    return judge(u, n);
+    return judge(u, n, NULL);
 }
 
-/* One user by all ways: uniform 100 and 250; active 60, 80, 100; clicks first, 60, 80, 100 answers; the thesis's rounds to 100 and 250. */
-static void try_user(const user *u, int seed, uint64_t state, worth *w)
+/* One user by all ways: uniform 100 and 250; active 60, 80, 100; clicks first, 60, 80, 100 answers; the thesis's rounds to 100 and 250. curve: of 250
+   uniform, of 100 with clicks first, and of the truth. */
+static void try_user(const user *u, int seed, uint64_t state, worth *w, worth curve[3][TAUS])
 {
     int way, g, n, answers, k;
     for (k = 0; k < HELD * u->m; ++k) held[k] = test_uniform(&state);
     for (k = 0; k < HELD; ++k) truth[k] = user_true(u, held + k * u->m);
     pair_count = 0;
     user_gallery(u, 250, x, y, &state);
-    w[0] = judge(u, 100);
-    w[1] = judge(u, 250);
+    w[0] = judge(u, 100, NULL);
+    w[1] = judge(u, 250, curve[0]);
     for (way = 0; way < 2; ++way) {
         int next = 60;
         n = answers = pair_count = 0;
@@ -124,7 +159,7 @@ static void try_user(const user *u, int seed, uint64_t state, worth *w)
         for (;;) {
             int count = next - answers < ROUND ? next - answers : ROUND;
             if (count == 0) {
-                w[2 + 3 * way + (next - 60) / 20] = judge(u, n);
+                w[2 + 3 * way + (next - 60) / 20] = judge(u, n, way == 1 && next == 100 ? curve[1] : NULL);
                 if (next == 100) break;
                 next += 20;
                 continue;
@@ -137,6 +172,7 @@ static void try_user(const user *u, int seed, uint64_t state, worth *w)
     }
     w[8] = rounds(u, 50, 25, seed, &state);
     w[9] = rounds(u, 150, 50, seed, &state);
+    judge_truth(u, state, curve[2]);
 }
 
 /* What a click and a score cost in a session: thread time, medians of five sessions. */
@@ -206,8 +242,10 @@ int main(void)
                                               "80, clicks first", "100, clicks first", "100, the thesis's rounds", "250, the thesis's rounds"};
     static double score[STEPS][USER_KINDS * USERS], jsd[STEPS][USER_KINDS * USERS];
     FILE *md = bench_open("gpr_active.md");
-    worth all[STEPS];
-    int kind, i, k, m;
+    static const char *const row[3] = {"250 uniform", "100, clicks first", "all that is liked so much"};
+    worth all[STEPS], curve[2][3][TAUS];
+    int kind, i, k, m, t;
+    memset(curve, 0, sizeof curve);
     fprintf(md, "Users of twelve kinds, %d each: mean true score of %d recommendations / divergence / share of the liked classes that are\n"
                 "recommended, after so many answers; active galleries in batches of %d. Clicks first: of five active galleries of %d the user\n"
                 "clicks on the best two or as many as are liked, or on \"none of these\"; every click is an answer, then come scores. The thesis's rounds: 50 uniform materials, then twice 25 recommendations (150 and 50).\n\n| user |",
@@ -222,8 +260,13 @@ int main(void)
             memset(sum, 0, sizeof sum);
             for (i = 0; i < users; ++i) {
                 user u = user_of_kind(kind, (uint64_t)i + 1, m);
-                worth w[STEPS];
-                try_user(&u, i, (uint64_t)(77 + i + 100 * kind), w);
+                worth w[STEPS], c[3][TAUS];
+                try_user(&u, i, (uint64_t)(77 + i + 100 * kind), w, c);
+                for (k = 0; k < 3; ++k)
+                    for (t = 0; t < TAUS; ++t) {
+                        curve[m > 19][k][t].score += c[k][t].score / (users * USER_KINDS);
+                        curve[m > 19][k][t].lobes += c[k][t].lobes / (users * USER_KINDS);
+                    }
                 for (k = 0; k < STEPS; ++k) {
                     sum[k].score += w[k].score / users;
                     sum[k].jsd += w[k].jsd / users;
@@ -255,6 +298,16 @@ int main(void)
         fprintf(md, "\n");
         fflush(md);
     }
+    fprintf(md, "\nThe same users and answers at other thresholds (`tau`; the default is 0.6): mean true score / share of the liked classes. The last\n"
+                "row is of a model that knows everything: uniform materials with a true score of 10 tau or more. The divergence does not depend on tau.\n\n| |");
+    for (t = 0; t < TAUS; ++t) fprintf(md, " tau %g |", taus[t]);
+    fprintf(md, "\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
+    for (m = 0; m < 2; ++m)
+        for (k = 0; k < 3; ++k) {
+            fprintf(md, "| %s, m = %d |", row[k], 19 * (m + 1));
+            for (t = 0; t < TAUS; ++t) fprintf(md, " %.2f / %.2f |", curve[m][k][t].score, curve[m][k][t].lobes);
+            fprintf(md, "\n");
+        }
     time_clicks(md);
     return fclose(md) != 0;
 }
