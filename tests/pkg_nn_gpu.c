@@ -3,8 +3,8 @@
    installed; every text through glslangValidator where that is.   libraries: -lEGL */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
-#include "test.h"
-#include "gl/egl.h"
+#define GPU_FILE "nn"
+#include "gpu.h"
 
 /* --- networks of random weights --- */
 
@@ -187,52 +187,14 @@ static ms_nn *network(int i, unsigned char **file, int *width, int *height)
 
 /* --- one gallery --- */
 
-enum { COUNT = 7, ACROSS = 3, TEXT = 30000 };
-static char text[TEXT];
-
-static void render(GLuint target, int width, int height)
-{
-    gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
-    CHECK_INT(gl_CheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
-    gl_Viewport(0, 0, width, height);
-    gl_Disable(GL_BLEND);
-    gl_DrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-/* HLSL and Vulkan's GLSL cannot run here: through SPIR-V they become GLSL 330 again. */
-static int translate(ms_nn_language language)
-{
-    FILE *f = fopen("build/nn_step.frag", "w");
-    char *back;
-    if (!f) return 0;
-    fputs(text, f);
-    fclose(f);
-    if (system(language == MS_NN_HLSL ? "glslangValidator -D -V -S frag -e main -o build/nn_step.spv build/nn_step.frag >build/nn_glslang.txt 2>&1"
-                                      : "glslangValidator -V -S frag -o build/nn_step.spv build/nn_step.frag >build/nn_glslang.txt 2>&1") != 0 ||
-        system("spirv-cross --version 330 --no-es --no-420pack-extension --flatten-ubo --output build/nn_step.glsl build/nn_step.spv >build/nn_glslang.txt 2>&1") != 0)
-        return 0;
-    back = test_read_file("build/nn_step.glsl", NULL);
-    if (back && strlen(back) < sizeof text) strcpy(text, back);
-    free(back);
-    return 1;
-}
+enum { COUNT = 7, ACROSS = 3 };
 
 /* A program of the text, its textures named. */
 static GLuint program_of(ms_nn_language language, const float constants[4])
 {
-    static const char *const name[2] = {"ms_nn_weights", "ms_nn_values"};
-    char log[2000];
-    GLuint program;
-    int i;
-    if (language >= MS_NN_GLSL_VULKAN && !translate(language)) TEST_FAIL("no translation: build/nn_glslang.txt");
-    program = gl_program(gl_corner[language == MS_NN_GLSL_ES_300], text, log, sizeof log);
-    if (!program || (log[0] && language < MS_NN_GLSL_VULKAN)) TEST_FAIL("%.600s", log);
-    for (i = 0; i < 2; ++i) {
-        char full[100];
-        snprintf(full, sizeof full, language == MS_NN_HLSL ? "SPIRV_Cross_Combined%sSPIRV_Cross_DummySampler" : "%s", name[i]);
-        gl_Uniform1i(gl_GetUniformLocation(program, full), i);
-    }
-    gl_Uniform4fv(gl_GetUniformLocation(program, language < MS_NN_GLSL_VULKAN ? "ms_nn" : "ms_nn_block"), 1, constants);
+    const GLuint program = gpu_program((int)language, 0, "ms_nn", constants, 1);
+    gpu_read(program, (int)language, "ms_nn_weights", 0);
+    gpu_read(program, (int)language, "ms_nn_values", 1);
     return program;
 }
 
@@ -268,35 +230,6 @@ static double difference(const float *pixels, const float *expected, int count)
     return worst;
 }
 
-/* --- the same for a browser: a page of cases, run by tests/nn_gpu.js --- */
-
-static void put_base64(FILE *f, const char *name, const float *values, size_t count)
-{
-    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const unsigned char *b = (const unsigned char *)values;
-    size_t i, n = count * sizeof *values;
-    fprintf(f, "%s: '", name);
-    for (i = 0; i < n; i += 3) {
-        const unsigned long v = (unsigned long)b[i] << 16 | (unsigned long)(i + 1 < n ? b[i + 1] : 0) << 8 | (i + 2 < n ? b[i + 2] : 0);
-        fputc(digit[v >> 18], f);
-        fputc(digit[v >> 12 & 63], f);
-        fputc(i + 1 < n ? digit[v >> 6 & 63] : '=', f);
-        fputc(i + 2 < n ? digit[v & 63] : '=', f);
-    }
-    fputs("', ", f);
-}
-
-static void put_step(FILE *f, const float constants[4], int width, int height)
-{
-    const char *c;
-    fprintf(f, "{width: %d, height: %d, constants: [%g, %g, %g, 0], text: '", width, height, (double)constants[0], (double)constants[1], (double)constants[2]);
-    for (c = text; *c; ++c) {
-        if (*c == '\n') fputs("\\n", f);
-        else fputc(*c, f);
-    }
-    fputs("'},\n", f);
-}
-
 /* A gallery through all its steps: the largest difference; or into a page. */
 static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtype type, int flip, FILE *page)
 {
@@ -327,10 +260,10 @@ static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtyp
     CHECK(ms_nn_shader_inputs(nn, COUNT, x, inputs) == MS_OK);
     CHECK(ms_nn_shader_weights(nn, type, weights, &error) == MS_OK);
     if (page) {
-        fprintf(page, "{api: '%s', tolerance: %g, rows: %d, inputs: [%d, %d], ", language == MS_NN_WGSL ? "webgpu" : "webgl", TOLERANCE_F32, z.weight_rows, z.input_width, COUNT * z.rows);
-        put_base64(page, "weights", (const float *)weights, (size_t)z.weight_rows * MS_NN_SHADER_WIDTH * 4);
-        put_base64(page, "values", inputs, (size_t)(4 * COUNT * z.rows * z.input_width));
-        fputs("steps: [", page);
+        fprintf(page, "{api: '%s', tolerance: %g, images: {", language == MS_NN_WGSL ? "webgpu" : "webgl", TOLERANCE_F32);
+        gpu_put_image(page, "weights", MS_NN_SHADER_WIDTH, z.weight_rows, 4, (const float *)weights);
+        gpu_put_image(page, "values0", z.input_width, COUNT * z.rows, 4, inputs);
+        fputs("}, steps: [", page);
     } else {
         texture[textures++] = gl_texture(0, GL_RGBA32F, 1, 1, NULL);
         gl_TexImage2D(GL_TEXTURE_2D, 0, type == MS_NN_F16 ? GL_RGBA16F : GL_RGBA32F, MS_NN_SHADER_WIDTH, z.weight_rows, 0, GL_RGBA,
@@ -351,7 +284,8 @@ static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtyp
             constants[2] = (float)(flip ? sheet_h : 0);
         }
         if (page) {
-            put_step(page, constants, sheet_w, sheet_h);
+            gpu_put_step(page, "ms_nn", constants, 1, sheet_w, sheet_h);
+            fprintf(page, "read: {ms_nn_weights: 'weights', ms_nn_values: 'values%d'}, write: ['values%d']},\n", k, k + 1);
             continue;
         }
         program = program_of(language, constants);
@@ -360,15 +294,15 @@ static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtyp
         gl_BindTexture(GL_TEXTURE_2D, texture[0]);
         gl_ActiveTexture(GL_TEXTURE1);
         gl_BindTexture(GL_TEXTURE_2D, texture[textures - 1]);
-        render(texture[textures++], sheet_w, sheet_h);
+        gpu_draw(texture[textures++], 0, sheet_w, sheet_h, 0);
         gl_DeleteProgram(program);
     }
     pixels = (float *)malloc((size_t)(sheet_w * sheet_h) * 16);
     expected = (float *)malloc((size_t)(sheet_w * sheet_h) * 16);
     expect(nn, &s, &z, y, sheet_w, sheet_h, flip, expected);
     if (page) {
-        fputs("], ", page);
-        put_base64(page, "expected", expected, (size_t)(4 * sheet_w * sheet_h));
+        fputs("], expected: ", page);
+        gpu_put_floats(page, expected, (size_t)(4 * sheet_w * sheet_h));
         fputs("},\n", page);
     } else {
         gl_ReadPixels(0, 0, sheet_w, sheet_h, GL_RGBA, GL_FLOAT, pixels);
@@ -397,7 +331,7 @@ static void run_all(gl_api api, ms_nn_language language, int each)
     double worst[2] = {0, 0};
     int i, steps, half;
     if (!gl_open(api)) SKIP("no OpenGL context without a window");
-    if (language >= MS_NN_GLSL_VULKAN && system("glslangValidator --version >build/nn_glslang.txt 2>&1 && spirv-cross --revision >>build/nn_glslang.txt 2>&1") != 0)
+    if (language >= MS_NN_GLSL_VULKAN && !gpu_can_translate())
         SKIP("no glslangValidator or spirv-cross on this machine");
     for (i = 0; i < NETWORKS; i += each)
         for (steps = 0; steps <= layers_of(i); ++steps)
@@ -530,30 +464,16 @@ static void case_refused(void)
 static void case_browser(void)
 {
     static const int picks[] = {0, 1, 5, 6, 7, 8, 9, 10, 11, 12};
-    char *script = test_read_file("tests/nn_gpu.js", NULL), *log, *found;
     FILE *f;
     int i, language;
-    if (system("chromium --version >build/nn_chromium.txt 2>&1") != 0) SKIP("no chromium on this machine");
-    f = fopen("build/nn_gpu.html", "w");
-    if (!f || !script) SKIP("cannot write build/nn_gpu.html or read tests/nn_gpu.js");
-    fputs("<!doctype html><meta charset=utf-8><body><script>const cases = [\n", f);
+    if (!gpu_has_browser()) SKIP("no chromium on this machine");
+    if ((f = gpu_page("build/nn_gpu.html")) == NULL) SKIP("cannot write build/nn_gpu.html");
+    fputs("compile: [], images: {}, cases: [\n", f);
     for (language = (int)MS_NN_GLSL_ES_300; language <= (int)MS_NN_WGSL; language += (int)MS_NN_WGSL - (int)MS_NN_GLSL_ES_300)
         for (i = 0; i < (int)(sizeof picks / sizeof picks[0]); ++i)
             gallery(picks[i], picks[i] == 11 ? 1 : i % 2 ? layers_of(picks[i]) : 0, (ms_nn_language)language, MS_NN_F32, i / 2 % 2, f);
-    fprintf(f, "];\n%s</script>", script);
-    fclose(f);
-    free(script);
-    /* until the page has logged its result */
-    i = system("cd build && { timeout 100 chromium --headless=new --no-sandbox --user-data-dir=nn_chromium "
-               "--enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --use-angle=swiftshader --enable-unsafe-swiftshader "
-               "--enable-logging=stderr \"file://$PWD/nn_gpu.html\" >nn_chromium.txt 2>&1 & i=0; "
-               "while [ $i -lt 400 ] && ! grep -q 'nn worst.*nn' nn_chromium.txt; do sleep 0.25; i=$((i + 1)); done; kill $!; wait; }");
-    log = test_read_file("build/nn_chromium.txt", NULL);
-    found = log ? strstr(log, "nn worst ") : NULL;
-    if (!found) TEST_FAIL("chromium gave no result: build/nn_chromium.txt");
-    else if (strstr(log, "off by") || strstr(log, "error: ")) TEST_FAIL("%.900s", strstr(log, "CONSOLE"));
-    else TEST_NOTE("largest difference %.*s", (int)(strstr(found + 9, " nn") - found - 9), found + 9);
-    free(log);
+    fputs("]", f);
+    gpu_run(f, "build/nn_gpu.html");
 }
 
 static const test_case cases[] = {{"refused", case_refused}, {"browser", case_browser}, {"OpenGL 3.3", case_desktop}, {"OpenGL ES 3.0", case_es}, {"Vulkan's text", case_vulkan}, {"HLSL", case_hlsl}};

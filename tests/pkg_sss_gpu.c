@@ -3,9 +3,9 @@
    text through glslangValidator where that is.   libraries: -lEGL */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
-#include "test.h"
-#include "gl/egl.h"
 #include "image.h"
+#define GPU_FILE "sss"
+#include "gpu.h"
 
 /* --- a small picture: a bump over a tilted plane; three materials and none; holes, NaN and infinity --- */
 
@@ -263,7 +263,6 @@ static double tolerance_of(const one_case *t)
 
 /* --- OpenGL against the CPU --- */
 
-static char text[40000];
 static float constants[1000][4];
 enum { NAMES = 12, LEVELS = 7 }; /* 97 x 75 to 2 x 2 */
 static const char *const texture_name[NAMES] = {"ms_sss_colour", "ms_sss_depth", "ms_sss_strength", "ms_sss_input", "ms_sss_profile", "ms_sss_sum",
@@ -390,69 +389,28 @@ static void set_step(one_case *t, one_step s)
     } else if (ms_sss_shader_constants(t->kernel, s.term, &t->options, WIDTH, HEIGHT, &t->shader, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
 }
 
-/* A program; without a word from the driver, but about what a translation left undefined. */
-static GLuint gl_translated(const char *corner, const char *shader, int warnings)
+static void bind_reads(const one_case *t, one_step step, GLuint program)
 {
-    char log[2000];
-    GLuint program = gl_program(corner, shader, log, sizeof log);
-    if ((log[0] && !warnings) || !program) TEST_FAIL("%.600s", log);
-    return program;
-}
-
-static GLuint gl_silent(const char *corner, const char *shader) { return gl_translated(corner, shader, 0); }
-
-/* HLSL and Vulkan's GLSL cannot run here: through SPIR-V they become GLSL 330 again. */
-static int translate(ms_sss_language language)
-{
-    FILE *f = fopen("build/sss_step.frag", "w");
-    char *back;
-    if (!f) return 0;
-    fputs(text, f);
-    fclose(f);
-    if (system(language == MS_SSS_HLSL ? "glslangValidator -D -V -S frag -e main -o build/sss_step.spv build/sss_step.frag >build/glslang.txt 2>&1"
-                                       : "glslangValidator -V -S frag -o build/sss_step.spv build/sss_step.frag >build/glslang.txt 2>&1") != 0 ||
-        system("spirv-cross --version 330 --no-es --no-420pack-extension --flatten-ubo --output build/sss_step.glsl build/sss_step.spv >build/glslang.txt 2>&1") != 0)
-        return 0;
-    back = test_read_file("build/sss_step.glsl", NULL);
-    if (back && strlen(back) < sizeof text) strcpy(text, back);
-    free(back);
-    return 1;
+    int i;
+    for (i = 0; i < NAMES; ++i)
+        if (texture_name[i][0]) gpu_read(program, (int)t->shader.language, texture_name[i], read_by(t, step, i));
 }
 
 static GLuint gl_step(const one_case *t, one_step step)
 {
     const ms_sss_shader *shader = &t->shader;
-    const ms_sss_filter_options *o = &t->options;
     GLuint program;
-    int i;
     ms_error error;
-    if (!ms_sss_shader_text(shader, o, text, sizeof text, &error)) TEST_FAIL("%s", error.message);
-    if (shader->language >= MS_SSS_GLSL_VULKAN && !translate(shader->language)) TEST_FAIL("no translation: build/glslang.txt");
-    program = gl_translated(shader->compute ? NULL : gl_corner[shader->language == MS_SSS_GLSL_ES_300], text, shader->language >= MS_SSS_GLSL_VULKAN);
-    for (i = 0; i < NAMES; ++i) {
-        char name[100];
-        GLint at;
-        if (!texture_name[i][0]) continue;
-        snprintf(name, sizeof name, shader->language == MS_SSS_HLSL ? "SPIRV_Cross_Combined%sSPIRV_Cross_DummySampler" : "%s", texture_name[i]);
-        at = gl_GetUniformLocation(program, name);
-        if (at >= 0) gl_Uniform1i(at, read_by(t, step, i));
-    }
-    gl_Uniform4fv(gl_GetUniformLocation(program, shader->language < MS_SSS_GLSL_VULKAN ? "ms_sss" : "ms_sss_block"), ms_sss_shader_constant_count(shader), &constants[0][0]);
+    if (!ms_sss_shader_text(shader, &t->options, text, sizeof text, &error)) TEST_FAIL("%s", error.message);
+    program = gpu_program((int)shader->language, shader->compute, "ms_sss", &constants[0][0], ms_sss_shader_constant_count(shader));
+    bind_reads(t, step, program);
     return program;
 }
 
-static void gl_draw(GLuint target, GLuint other, int width, int height, int add)
+static GLuint plain_program(const char *shader)
 {
-    static const GLenum both[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, other, 0);
-    gl_DrawBuffers(other ? 2 : 1, both);
-    gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
-    CHECK_INT(gl_CheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
-    gl_Viewport(0, 0, width, height);
-    if (add) gl_Enable(GL_BLEND);
-    else gl_Disable(GL_BLEND);
-    gl_BlendFunc(GL_ONE, GL_ONE);
-    gl_DrawArrays(GL_TRIANGLES, 0, 3);
+    strcpy(text, shader);
+    return gpu_program(GPU_GLSL_330, 0, "ms_sss", &constants[0][0], (int)(sizeof constants / sizeof constants[0]));
 }
 
 static void gl_compute(const ms_sss_shader *s, GLuint target, int width, int height)
@@ -485,7 +443,7 @@ static double gl_compare(one_case *t)
         set_step(t, step[i]);
         program = gl_step(t, step[i]);
         if (s->compute) gl_compute(s, texture[to], width_of(to), height_of(to));
-        else gl_draw(texture[to], targets_of(step[i]) > 1 ? texture[to + 1] : 0, width_of(to), height_of(to), s->step == MS_SSS_STEP_Y && step[i].term > 0);
+        else gpu_draw(texture[to], targets_of(step[i]) > 1 ? texture[to + 1] : 0, width_of(to), height_of(to), s->step == MS_SSS_STEP_Y && step[i].term > 0);
         gl_DeleteProgram(program);
     }
     gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[written_by(t, step[n - 1])], 0);
@@ -502,7 +460,7 @@ static void compare_all(gl_api which, ms_sss_language language, int method, int 
     double worst = 0, worst_wider = 0;
     int i;
     if (!gl_open(which)) SKIP("no %s context without a window", which == GL_API_ES_30 ? "OpenGL ES 3.0" : which == GL_API_33 ? "OpenGL 3.3" : "OpenGL 4.3");
-    if (language >= MS_SSS_GLSL_VULKAN && system("glslangValidator --version >build/glslang.txt 2>&1 && spirv-cross --revision >>build/glslang.txt 2>&1") != 0)
+    if (language >= MS_SSS_GLSL_VULKAN && !gpu_can_translate())
         SKIP("no glslangValidator or spirv-cross on this machine");
     make_picture();
     for (i = 0; i < count; ++i) {
@@ -602,31 +560,6 @@ static void case_sixteen(void)
     }
 }
 
-/* --- OpenGL ES and WGSL in a browser: a page of cases, run by tests/sss_gpu.js --- */
-
-static void put_base64(FILE *f, const float *values, size_t count)
-{
-    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const unsigned char *b = (const unsigned char *)values;
-    size_t i, n = count * sizeof *values;
-    for (i = 0; i < n; i += 3) {
-        const unsigned long v = (unsigned long)b[i] << 16 | (unsigned long)(i + 1 < n ? b[i + 1] : 0) << 8 | (i + 2 < n ? b[i + 2] : 0);
-        fputc(digit[v >> 18], f);
-        fputc(digit[v >> 12 & 63], f);
-        fputc(i + 1 < n ? digit[v >> 6 & 63] : '=', f);
-        fputc(i + 2 < n ? digit[v & 63] : '=', f);
-    }
-}
-
-/* A map as an image, its value in all four. */
-static void put_map(FILE *f, const float *map)
-{
-    static float four[PIXELS * 4];
-    int i;
-    for (i = 0; i < PIXELS * 4; ++i) four[i] = map[i / 4];
-    put_base64(f, four, PIXELS * 4);
-}
-
 /* The i-th combination of everything that changes a text, into text; few of them, but with --full. */
 enum { VARIANTS = 81 * 8192 };
 
@@ -676,78 +609,55 @@ static int variant(int i, ms_sss_language language, int compute)
     return 0;
 }
 
-static void put_text(FILE *f, const char *c)
-{
-    for (; *c; ++c) {
-        if (*c == '\n') fputs("\\n", f);
-        else if (*c == '\'') fputs("\\'", f);
-        else fputc(*c, f);
-    }
-}
-
-static void put_step(FILE *f, one_case *t, one_step step)
-{
-    const ms_sss_shader *s = &t->shader;
-    const int to = written_by(t, step);
-    ms_error error;
-    int i;
-    set_step(t, step);
-    if (!ms_sss_shader_text(s, &t->options, text, sizeof text, &error)) TEST_FAIL("%s", error.message);
-    fputs("{text: '", f);
-    put_text(f, text);
-    fputs("', constants: [", f);
-    for (i = 0; i < 4 * ms_sss_shader_constant_count(s); ++i) fprintf(f, "%.9g,", (double)(&constants[0][0])[i]);
-    fputs("], read: {", f);
-    for (i = 0; i < NAMES; ++i) if (texture_name[i][0]) fprintf(f, "%s: '%s', ", texture_name[i], image_name(read_by(t, step, i)));
-    fprintf(f, "}, write: ['%s'", image_name(to));
-    if (targets_of(step) > 1) fprintf(f, ", '%s'", image_name(to + 1));
-    fputs("]", f);
-    if (s->compute) {
-        const int gx = ms_sss_shader_group(s, 0), gy = ms_sss_shader_group(s, 1);
-        fprintf(f, ", groups: [%d, %d]", (width_of(to) + gx - 1) / gx, (height_of(to) + gy - 1) / gy);
-    }
-    fputs("},\n", f);
-}
+/* --- OpenGL ES and WGSL in a browser --- */
 
 static void put_case(FILE *f, one_case *t)
 {
     one_step step[STEPS];
-    int i, n = plan_steps(t, step);
+    int i, k, n = plan_steps(t, step);
+    ms_error error;
     make_reference(t);
     for (i = 0; i < 4 * PIXELS; ++i)
-        if (jumps[i / 4]) output[i] = NAN;
-    fprintf(f, "{tolerance: %g, input: '", tolerance_of(t));
-    put_base64(f, input, PIXELS * 4);
-    fputs("', profile: '", f);
-    put_map(f, index_of);
-    fputs("', expected: '", f);
-    put_base64(f, output, PIXELS * 4);
-    fputs("', steps: [", f);
-    for (i = 0; i < n; ++i) put_step(f, t, step[i]);
+        if (jumps[i / 4] || i % 4 == 3 || !isfinite(input[i])) output[i] = NAN;
+    fprintf(f, "{api: '%s', tolerance: %g, expected: ", t->shader.language == MS_SSS_WGSL ? "webgpu" : "webgl", tolerance_of(t));
+    gpu_put_floats(f, output, PIXELS * 4);
+    fputs(", images: {", f);
+    gpu_put_image(f, "input", WIDTH, HEIGHT, 4, input);
+    gpu_put_image(f, "profile", WIDTH, HEIGHT, 1, index_of);
+    fputs("}, steps: [", f);
+    for (i = 0; i < n; ++i) {
+        const ms_sss_shader *s = &t->shader;
+        const int to = written_by(t, step[i]);
+        int gx, gy;
+        set_step(t, step[i]);
+        gx = ms_sss_shader_group(s, 0);
+        gy = ms_sss_shader_group(s, 1);
+        if (!ms_sss_shader_text(s, &t->options, text, sizeof text, &error)) TEST_FAIL("%s", error.message);
+        gpu_put_step(f, "ms_sss", &constants[0][0], ms_sss_shader_constant_count(s), width_of(to), height_of(to));
+        if (s->compute) fprintf(f, "groups: [%d, %d], ", (width_of(to) + gx - 1) / gx, (height_of(to) + gy - 1) / gy);
+        fprintf(f, "write: ['%s'", image_name(to));
+        if (targets_of(step[i]) > 1) fprintf(f, ", '%s'", image_name(to + 1));
+        fputs("], read: {", f);
+        for (k = 0; k < NAMES; ++k)
+            if (texture_name[k][0]) fprintf(f, "%s: '%s', ", texture_name[k], image_name(read_by(t, step[i], k)));
+        fputs("}},\n", f);
+    }
     fputs("]},\n", f);
 }
 
 static void browser(ms_sss_language language, const char *path)
 {
     const int cases = test_full ? 72 : 12, step = test_full ? 1 : 7;
-    char command[600], *script = test_read_file("tests/sss_gpu.js", NULL), *log, *found;
     FILE *f;
     int i;
-    if (system("chromium --version >build/chromium.txt 2>&1") != 0) SKIP("no chromium on this machine");
-    f = fopen(path, "w");
-    if (!f || !script) SKIP("cannot write %s or read tests/sss_gpu.js", path);
+    if (!gpu_has_browser()) SKIP("no chromium on this machine");
+    if ((f = gpu_page(path)) == NULL) SKIP("cannot write %s", path);
     make_picture();
-    fprintf(f, "<!doctype html><meta charset=utf-8><body><script>const data = {api: '%s', width: %d, height: %d, targets: {",
-            language == MS_SSS_WGSL ? "webgpu" : "webgl", WIDTH, HEIGHT);
-    for (i = SUM; i < TEXTURES; ++i)
-        if (i == SUM || i >= PREPARED) fprintf(f, "%s: [%d, %d], ", image_name(i), width_of(i), height_of(i));
-    fputs("}, images: {depth: '", f);
-    put_map(f, depth);
-    fputs("', strength: '", f);
-    put_map(f, strength);
-    fputs("', normal: '", f);
-    put_base64(f, normal, PIXELS * 4);
-    fputs("'}, cases: [\n", f);
+    fputs("images: {", f);
+    gpu_put_image(f, "depth", WIDTH, HEIGHT, 1, depth);
+    gpu_put_image(f, "strength", WIDTH, HEIGHT, 1, strength);
+    gpu_put_image(f, "normal", WIDTH, HEIGHT, 4, normal);
+    fputs("}, cases: [\n", f);
     for (i = 0; i < cases; ++i) { /* one term: not every browser blends floats; work groups take SwiftShader ten seconds a case */
         one_case t;
         make_case(&t, i * step, language, language == MS_SSS_WGSL && (test_full ? i % 12 == 7 : i == 11), 1);
@@ -761,29 +671,13 @@ static void browser(ms_sss_language language, const char *path)
         make_tower_case(&t, i * step, language);
         put_case(f, &t);
     }
-    fputs("], compile: ['", f);
-    put_text(f, transmission_shader(language));
-    for (i = 0; i < 2 * VARIANTS; ++i) {
-        if ((i % 2 && language != MS_SSS_WGSL) || !variant(i / 2, language, i % 2)) continue;
-        fputs("',\n'", f);
-        put_text(f, text);
-    }
-    fprintf(f, "']};\n%s</script>", script);
-    fclose(f);
-    free(script);
-    /* until the page has logged its result: --dump-dom does not wait for the GPU */
-    snprintf(command, sizeof command, "cd build && { timeout 100 chromium --headless=new --no-sandbox --user-data-dir=chromium "
-             "--enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --use-angle=swiftshader --enable-unsafe-swiftshader "
-             "--enable-logging=stderr \"file://$PWD/%s\" >chromium.txt 2>&1 & i=0; "
-             "while [ $i -lt 400 ] && ! grep -q 'sss worst.*sss' chromium.txt; do sleep 0.25; i=$((i + 1)); done; kill $!; wait; }", strrchr(path, '/') + 1);
-    i = system(command);
-    log = test_read_file("build/chromium.txt", NULL);
-    found = log ? strstr(log, "sss worst ") : NULL;
-    if (!found) TEST_FAIL("chromium gave no result: build/chromium.txt");
-    else if (strstr(log, "error: no Web")) SKIP("chromium has %.30s here", strstr(log, "error: no Web") + 7);
-    else if (strstr(log, "off by") || strstr(log, "error: ")) TEST_FAIL("%.600s", strstr(log, "CONSOLE"));
-    else TEST_NOTE("largest difference %.*s", (int)(strstr(found + 10, " sss") - found - 10), found + 10);
-    free(log);
+    fputs("], compile: [", f);
+    strcpy(text, transmission_shader(language));
+    gpu_put_text(f);
+    for (i = 0; i < 2 * VARIANTS; ++i)
+        if ((!(i % 2) || language == MS_SSS_WGSL) && variant(i / 2, language, i % 2)) gpu_put_text(f);
+    fputs("]", f);
+    gpu_run(f, path);
 }
 
 static void case_webgl(void) { browser(MS_SSS_GLSL_ES_300, "build/sss_webgl.html"); }
@@ -908,9 +802,9 @@ static int count_reads(one_case *t, ms_sss_step which, int *usual)
     width = width_of(written_by(t, step));
     height = height_of(written_by(t, step));
     for (i = MIDDLE; i < TOWER + 12; ++i) { /* what other steps make: of a plane */
-        gl_silent(gl_corner[0], i > TOWER && (i - TOWER) % 4 == 1 ? "#version 330\nout vec4 c; void main() { c = vec4(1.0, 0.0, 0.0, 0.0); }\n"
+        plain_program(i > TOWER && (i - TOWER) % 4 == 1 ? "#version 330\nout vec4 c; void main() { c = vec4(1.0, 0.0, 0.0, 0.0); }\n"
                                                                 : "#version 330\nout vec4 c; void main() { c = vec4(0.5, 0.5, 0.5, 50.0); }\n");
-        gl_draw(gl_texture(i, GL_RGBA32F, WIDTH, HEIGHT, NULL), 0, WIDTH, HEIGHT, 0);
+        gpu_draw(gl_texture(i, GL_RGBA32F, WIDTH, HEIGHT, NULL), 0, WIDTH, HEIGHT, 0);
     }
     gl_texture(COLOUR, GL_RGBA32F, WIDTH, HEIGHT, input);
     gl_texture(INPUT, GL_RGBA32F, WIDTH, HEIGHT, input);
@@ -928,16 +822,8 @@ static int count_reads(one_case *t, ms_sss_step which, int *usual)
         *to++ = *from;
     }
     *to = 0;
-    memcpy(text, counted, (size_t)(to - counted) + 1);
-    {
-        const GLuint program = gl_silent(gl_corner[0], text);
-        for (i = 0; i < NAMES; ++i) {
-            GLint at = gl_GetUniformLocation(program, texture_name[i]);
-            if (at >= 0) gl_Uniform1i(at, read_by(t, step, i));
-        }
-        gl_Uniform4fv(gl_GetUniformLocation(program, "ms_sss"), ms_sss_shader_constant_count(&t->shader), &constants[0][0]);
-    }
-    gl_draw(gl_texture(RESULT, GL_RGBA32F, width, height, NULL), 0, width, height, 0);
+    bind_reads(t, step, plain_program(counted));
+    gpu_draw(gl_texture(RESULT, GL_RGBA32F, width, height, NULL), 0, width, height, 0);
     gl_ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, drawn);
     memset(often, 0, sizeof often);
     for (i = 0; i < width * height; ++i) {
@@ -1058,9 +944,9 @@ static void case_transmission(void)
     int x, y, c;
     CHECK_INT(ms_sss_transmission_text((ms_sss_language)9, NULL, 0), 0);
     if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
-    gl_silent(gl_corner[0], transmission_shader(MS_SSS_GLSL_330));
+    plain_program(transmission_shader(MS_SSS_GLSL_330));
     texture = gl_texture(0, GL_RGBA32F, WIDTH, HEIGHT, NULL);
-    gl_draw(texture, 0, WIDTH, HEIGHT, 0);
+    gpu_draw(texture, 0, WIDTH, HEIGHT, 0);
     gl_ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, drawn);
     memset(&k, 0, sizeof k);
     for (c = 0; c < 3; ++c) {
@@ -1120,20 +1006,20 @@ static void validate_one(const char *shader, const char *flags, const char *path
     if (!f) return;
     fputs(shader, f);
     fclose(f);
-    snprintf(command, sizeof command, "glslangValidator %s %s >build/glslang.txt 2>&1", flags, path);
+    snprintf(command, sizeof command, "glslangValidator %s %s >" GPU_LOG " 2>&1", flags, path);
     if (system(command) != 0) {
-        char *log = test_read_file("build/glslang.txt", NULL);
+        char *log = test_read_file(GPU_LOG, NULL);
         TEST_FAIL("text %d: %.600s", number, log ? log : "no log");
         free(log);
-    } else if (strstr(flags, "-V -S frag -o") && system("spirv-cross --version >build/glslang.txt 2>&1") != 127 << 8) {
-        if (system("spirv-cross --msl --output build/sss.metal build/sss.spv >build/glslang.txt 2>&1") != 0) TEST_FAIL("text %d is not translated to Metal", number);
+    } else if (strstr(flags, "-V -S frag -o") && system("spirv-cross --version >" GPU_LOG " 2>&1") != 127 << 8) {
+        if (system("spirv-cross --msl --output build/sss.metal build/sss.spv >" GPU_LOG " 2>&1") != 0) TEST_FAIL("text %d is not translated to Metal", number);
     }
 }
 
 static void validate(ms_sss_language language, int compute, const char *flags, const char *path)
 {
     int i, count = 0;
-    if (system("glslangValidator --version >build/glslang.txt 2>&1") != 0) SKIP("no glslangValidator on this machine");
+    if (system("glslangValidator --version >" GPU_LOG " 2>&1") != 0) SKIP("no glslangValidator on this machine");
     for (i = 0; i < VARIANTS; ++i) {
         if (!variant(i, language, compute)) continue;
         validate_one(text, flags, path, i);
