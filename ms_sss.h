@@ -6653,12 +6653,7 @@ static const char *const ms_sss__source_body[] = {
         "#READS_PROFILE if (c.a > 0.0) { c = float4(c.rg, code_of(c.b, profile_at(fetch_profile(p).r)), c.a); }\n"
         "return pick(none, c, c.a > 0.0);\n"
     "#endif\n"
-    "}\n"};
-
-static const char *const ms_sss__shader_body[] = {
-    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n"
-    "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n"
-    "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n"
+    "}\n",
     "bool inside(int2 p) {\n"
         "#HALVED return p.x >= 0 && p.y >= 0 && 2 * p.x < int(constant[0].x) && 2 * p.y < int(constant[0].y);\n"
         "#!HALVED return p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y);\n"
@@ -6677,37 +6672,47 @@ static const char *const ms_sss__shader_body[] = {
     "#if BOTH\n"
         "return there.a > 0.0 && ((bits_of(there.b) ^ bits_of(own.b)) & 15u) == 0u;\n"
     "#else\n"
-        "#PROFILE return there.a > 0.0 && abs(there.a - own.a) < 0.5;\n"
-        "#!PROFILE return there.a > 0.0;\n"
+        "#PROFILE_ALONE return there.a > 0.0 && abs(there.a - own.a) < 0.5;\n"
+        "#!PROFILE_ALONE return there.a > 0.0;\n"
     "#endif\n"
     "}\n",
-    "#if SHAPE\n"
+    "#if SLOPES\n"
     "float2 ray_of(int2 p) {\n"
         "float2 ray = float2(0.0, 0.0);\n"
     "#if PERSPECTIVE\n"
-        "#HALVED ray = (float2(2.0 * float(p.x) + 1.0, 2.0 * float(p.y) + 1.0) - 0.5 * constant[0].xy) / constant[2].y;\n"
-        "#!HALVED ray = (float2(float(p.x) + 0.5, float(p.y) + 0.5) - 0.5 * constant[0].xy) / constant[2].y;\n"
+        "ray = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
+        "#HALVED ray = 2.0 * ray;\n"
+        "ray = ray - 0.5 * constant[0].xy;\n"
+        "#TOWER ray = ray * constant[1].w;\n"
+        "#!TOWER ray = ray / constant[2].y;\n"
     "#endif\n"
         "return ray;\n"
     "}\n",
     "#if !WITH_NORMAL\n"
-    "// The slope from the depths before and after: their mean where the surface turns little, else the smaller one, steeper\n"
-    "// by what its step exceeds the next: near outlines depth goes as a root.\n"
-    "float slope_of(int2 p, int2 way, float4 own, float focal, float2 limit) {\n"
+    "// The slope from the depths before and after, of one surface where steps are under reach (TOWER: slopes): their mean where it\n"
+    "// turns little, else the smaller one, steeper by what its step exceeds the next: near outlines depth goes as a root.\n"
+    "float slope_of(int2 p, int2 way, float4 own, float focal, float reach) {\n"
         "float4 before = texel(p - way);\n"
         "float4 after = texel(p + way);\n"
-        "float a = 0.0;\n"
-        "float b = 0.0;\n"
-        "float da = own.a - before.a;\n"
-        "float db = after.a - own.a;\n"
-        "bool on_a = same(before, own) && da * da * limit.x * limit.x < limit.y;\n"
-        "bool on_b = same(after, own) && db * db * limit.x * limit.x < limit.y;\n"
-    "#if PERSPECTIVE\n"
-        "da = da / before.a;\n"
-        "db = db / after.a;\n"
+        "float a = own.a - before.a;\n"
+        "float b = after.a - own.a;\n"
+        "bool on_a = same(before, own);\n"
+        "bool on_b = same(after, own);\n"
+    "#if !TOWER\n"
+        "on_a = on_a && abs(a) < reach;\n"
+        "on_b = on_b && abs(b) < reach;\n"
     "#endif\n"
-        "if (on_b) { b = focal * db; }\n"
-        "a = pick(b, focal * da, on_a);\n"
+    "#if PERSPECTIVE\n"
+        "if (on_a) { a = a / before.a; }\n"
+        "if (on_b) { b = b / after.a; }\n"
+    "#endif\n"
+        "a = focal * a;\n"
+        "b = focal * b;\n"
+    "#if TOWER\n"
+        "on_a = on_a && abs(a) < reach;\n"
+        "on_b = on_b && abs(b) < reach;\n"
+    "#endif\n"
+        "a = pick(pick(0.0, b, on_b), a, on_a);\n"
         "b = pick(a, b, on_b);\n"
         "float slope = 0.5 * (a + b);\n"
         "if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n"
@@ -6718,7 +6723,8 @@ static const char *const ms_sss__shader_body[] = {
             "float4 beyond = texel(p + way * pick(2, -2, back));\n"
             "float step = own.a - next;\n"
             "float inner = next - beyond.a;\n"
-            "float least = own.a * 4.7683716e-7;\n"
+            "#TOWER float least = own.a * 2.0 * constant[5].z;\n"
+            "#!TOWER float least = own.a * 4.7683716e-7;\n"
     "#if PERSPECTIVE\n"
             "step = step * beyond.a;\n"
             "inner = inner * own.a;\n"
@@ -6734,7 +6740,7 @@ static const char *const ms_sss__shader_body[] = {
     "}\n"
     "#endif\n",
     "// Slopes along x and y.\n"
-    "float2 slopes_of(int2 p, float4 own, float2 ray, int at) {\n"
+    "float2 slopes_of(int2 p, float4 own, float2 ray, float2 focal, float reach) {\n"
         "float2 slope = float2(0.0, 0.0);\n"
     "#if WITH_NORMAL\n"
         "float3 normal = fetch_normal(p).rgb;\n"
@@ -6742,14 +6748,16 @@ static const char *const ms_sss__shader_body[] = {
         "float facing = max(normal.z - (ray.x * normal.x + ray.y * normal.y), eighth);\n"
         "if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) { slope = normal.xy / facing; }\n"
     "#else\n"
-        "float2 limit = float2(constant[at + 1].w, constant[at + 4].w);\n"
-        "float2 focal = constant[2].yz;\n"
-        "#HALVED focal = 0.5 * focal;\n"
-        "slope = float2(slope_of(p, int2(1, 0), own, focal.x, limit), slope_of(p, int2(0, 1), own, focal.y, limit));\n"
+        "slope = float2(slope_of(p, int2(1, 0), own, focal.x, reach), slope_of(p, int2(0, 1), own, focal.y, reach));\n"
     "#endif\n"
-        "return slope * constant[2].w;\n"
+        "return slope;\n"
     "}\n"
-    "#endif\n",
+    "#endif\n"};
+
+static const char *const ms_sss__shader_body[] = {
+    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n"
+    "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n"
+    "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n"
     "#PREPARE float4 filter_pixel(int2 p) { return source(p); }\n",
     "#if NEARNESS\n"
     "// Of a pixel near another, of the same surface; at: its profile's constants.\n"
@@ -6906,11 +6914,12 @@ static const char *const ms_sss__shader_body[] = {
     "#if SHAPE\n"
         "// Of the tangent plane: depth a column and a row, in perspective relative; mm of scaled depth, times the cosine to the ray.\n"
         "float2 ray = ray_of(p);\n"
-        "float2 slopes = slopes_of(p, own, ray, at);\n"
+        "float2 focal = constant[2].yz;\n"
+        "#HALVED focal = 0.5 * focal;\n"
+        "float2 slopes = constant[2].w * slopes_of(p, own, ray, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
         "float slope = dot(axis, slopes);\n"
         "pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n"
-        "float2 plane = slopes / constant[2].yz;\n"
-        "#HALVED plane = 2.0 * plane;\n"
+        "float2 plane = slopes / focal;\n"
         "float towards = dot(ray, slopes) + 1.0;\n"
         "float deep = constant[2].y / (constant[0].z * constant[at + 1].w);\n"
         "float facing = deep / sqrt(dot(slopes, slopes) + towards * towards);\n"
@@ -7110,39 +7119,6 @@ static const char *const ms_sss__tower_body[] = {
         "}\n"
         "return d;\n"
     "}\n",
-    "#if SLOPES\n"
-    "float d_at(int2 p) {\n"
-        "float d = 0.0;\n"
-        "if (p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y)) { d = d_of(source(p).a); }\n"
-        "return d;\n"
-    "}\n",
-    "// The slope from d before and after: their mean where the surface turns little, else the smaller one, steeper by what its\n"
-    "// step exceeds the next: near outlines depth goes as a root.\n"
-    "float slope_of(int2 p, int2 way, float own, float deep, float radius) {\n"
-        "float before = d_at(p - way);\n"
-        "float after = d_at(p + way);\n"
-        "float a = (own - before) * deep;\n"
-        "float b = (after - own) * deep;\n"
-        "bool on_a = abs(before) > 0.0 && abs(a) < radius;\n"
-        "bool on_b = abs(after) > 0.0 && abs(b) < radius;\n"
-        "float slope = 0.5 * (pick(0.0, a, on_a) + pick(0.0, b, on_b));\n"
-        "if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n"
-            "bool back = !on_b || (on_a && abs(a) < abs(b));\n"
-            "float next = pick(after, before, back);\n"
-            "float step = own - next;\n"
-            "float inner = next - d_at(p + way * pick(2, -2, back));\n"
-            "float more = min(abs(step) - abs(inner), abs(inner)) - 2.0 * constant[5].z * abs(own);\n"
-            "if (!(on_a && on_b)) { slope = slope + slope; }\n"
-            "if (on_a && on_b && abs(a) < abs(b)) { slope = a; }\n"
-            "if (on_a && on_b && abs(b) < abs(a)) { slope = b; }\n"
-            "if (more > 0.0 && (step * deep) * (inner * deep) > 0.0) {\n"
-                "more = min(more / abs(inner), 0.85);\n"
-                "slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n"
-            "}\n"
-        "}\n"
-        "return slope;\n"
-    "}\n"
-    "#endif\n",
     "// Level 0.\n"
     "float4 filter_pixel(int2 p) {\n"
         "float4 own = source(p);\n"
@@ -7151,18 +7127,7 @@ static const char *const ms_sss__tower_body[] = {
         "float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
         "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
         "if (!(abs(d) > 0.0)) { return ms_sss_other; }\n"
-    "#if WITH_NORMAL\n"
-        "float3 normal = fetch_normal(p).rgb;\n"
-        "float2 ray = (middle - 0.5 * constant[0].xy) * constant[1].w;\n"
-        "float facing = max(normal.z - dot(ray, normal.xy), 0.125 * max(abs(normal.x), abs(normal.y)));\n"
-        "if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) { slope = normal.xy / facing; }\n"
-    "#endif\n"
-    "#if SLOPES\n"
-        "float deep = deep_of(d);\n"
-        "float radius = radius_of(d);\n"
-        "slope = float2(slope_of(p, int2(1, 0), d, deep, radius), slope_of(p, int2(0, 1), d, deep, radius));\n"
-    "#endif\n"
-        "slope = clamp(slope, float2(-8.0, -8.0), float2(8.0, 8.0)) * constant[2].y;\n"
+        "#TILTED slope = constant[2].y * slopes_of(p, own, ray_of(p), float2(1.0 / constant[1].z, 1.0 / constant[1].z), radius_of(d));\n"
         "float step = constant[1].z;\n"
         "#PERSPECTIVE step = -step * d;\n"
         "ms_sss_other = float4(min(area_of(slope, middle), 10.0), slope.x * step, slope.y * step, 0.0);\n"
@@ -7712,9 +7677,9 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     f[MS_SSS__HAS_DEPTH_ALPHA] = s->depth == MS_SSS_ALPHA;
     f[MS_SSS__HAS_PROFILE] = s->profile != MS_SSS_NONE;
     f[MS_SSS__HAS_PROFILE_TEXTURE] = s->profile == MS_SSS_TEXTURE;
-    f[MS_SSS__HAS_PROFILE_ALONE] = s->profile != MS_SSS_NONE && !both;
+    f[MS_SSS__HAS_PROFILE_ALONE] = s->profile != MS_SSS_NONE && !both && !tower;
     f[MS_SSS__HAS_READS_PROFILE] = again || (raw && s->profile != MS_SSS_NONE && !both_alpha);
-    f[MS_SSS__HAS_BOTH] = both;
+    f[MS_SSS__HAS_BOTH] = both && !tower;
     f[MS_SSS__HAS_BOTH_ALPHA] = both_alpha;
     f[MS_SSS__HAS_PERSPECTIVE] = o->fov_degrees > 0;
     f[MS_SSS__HAS_FOLLOW] = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
@@ -7730,7 +7695,7 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     f[MS_SSS__HAS_RESOLVE] = resolve;
     f[MS_SSS__HAS_GATHERS] = gathers;
     f[MS_SSS__HAS_TILTED] = shape;
-    f[MS_SSS__HAS_SLOPES] = shape && !s->with_normal;
+    f[MS_SSS__HAS_SLOPES] = shape && (pass || base);
     f[MS_SSS__HAS_SIZES] = MS_SSS_PYRAMID_SIZES;
     f[MS_SSS__HAS_LAST_SIZE] = MS_SSS_PYRAMID_SIZES - 2;
     f[MS_SSS__HAS_COMPUTE] = s->compute;
@@ -9103,7 +9068,8 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(incline)(const ms_sss__growth *s, c
         const MS_SSS__MASK before = MS_SSS__LESS(half, MS_SSS__SELECT(is_b, MS_SSS__SELECT(is_a, MS_SSS__SELECT(first_a, one, zero), zero), one));
         const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), after_next = MS_SSS__SELECT(before, at[0], at[4]);
         const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, after_next);
-        const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain), MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner)));
+        const MS_SSS__V beyond = MS_SSS__MIN(MS_SSS__ABS(inner), MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner)));
+        const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain), beyond);
         MS_SSS__V more = MS_SSS__MIN(MS_SSS__DIV(excess, MS_SSS__ABS(inner)), MS_SSS__SET(0.85f));
         more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(MS_SSS__MUL(step, deep), MS_SSS__MUL(inner, deep)))), more, zero);
         more = MS_SSS__MUL(more, MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
