@@ -3788,7 +3788,7 @@ typedef struct ms_sss__kernels {
                            float *const out[3]);
     void (*shape)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y, int begin, int end,
                   float *const slope[2]);
-    void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, int axis, float *const out[3]);
+    void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, float *const out[6]);
     void (*limit)(float *depth, int count);
     void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size, int first, int last, unsigned char *plan);
     void (*sweep[2])(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first, int last); /* [with slopes] */
@@ -4606,11 +4606,15 @@ static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const 
     held[1] = last;
     if (s->shaped) {
         const float *depth[5];
+        float *tangent[6];
         for (c = 0; c < 5; ++c) depth[c] = plane[(y + 3 + c) % 5][3];
         for (c = 0; c < 3; ++c) own[c] = s->own + ((ptrdiff_t)slot * 3 + c) * s->padded;
         ms_sss__slopes(job, task, y, depth, temp);
-        job->simd->tangents(p, mine[3], (const float *const *)temp, y, first, last, 0, temp + 2);
-        job->simd->tangents(p, mine[3], (const float *const *)temp, y, first, last, 1, own);
+        for (c = 0; c < 3; ++c) {
+            tangent[c] = temp[2 + c];
+            tangent[3 + c] = own[c];
+        }
+        job->simd->tangents(p, mine[3], (const float *const *)temp, y, first, last, tangent);
     }
     job->simd->plan(s, p, 1, mine[3], s->shaped ? own[0] : NULL, first, last, plan);
     if (s->shaped || ms_sss__differ(p->aspect[0], p->aspect[1])) {
@@ -8022,6 +8026,7 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__MIN(a, b) _mm512_maskz_min_ps(0xffff, a, b) /* maskz: GCC 12 warns about the plain ones in C++ */
 #define MS_SSS__MAX(a, b) _mm512_maskz_max_ps(0xffff, a, b)
 #define MS_SSS__SQRT(a) _mm512_maskz_sqrt_ps(0xffff, a)
+#define MS_SSS__RSQRT(a) _mm512_maskz_rsqrt14_ps(0xffff, a)
 #define MS_SSS__ABS(a) _mm512_abs_ps(a)
 #define MS_SSS__FLOOR(a) _mm512_floor_ps(a)
 #define MS_SSS__TRUNC(a) _mm512_floor_ps(a)
@@ -8053,6 +8058,7 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__MIN(a, b) _mm256_min_ps(a, b)
 #define MS_SSS__MAX(a, b) _mm256_max_ps(a, b)
 #define MS_SSS__SQRT(a) _mm256_sqrt_ps(a)
+#define MS_SSS__RSQRT(a) _mm256_rsqrt_ps(a)
 #define MS_SSS__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
 #define MS_SSS__FLOOR(a) _mm256_floor_ps(a)
 #define MS_SSS__TRUNC(a) _mm256_floor_ps(a)
@@ -8084,6 +8090,7 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__MIN(a, b) _mm_min_ps(a, b)
 #define MS_SSS__MAX(a, b) _mm_max_ps(a, b)
 #define MS_SSS__SQRT(a) _mm_sqrt_ps(a)
+#define MS_SSS__RSQRT(a) _mm_rsqrt_ps(a)
 #define MS_SSS__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
 #define MS_SSS__FLOOR(a) ms_sss__floor_sse2(a)
 #define MS_SSS__TRUNC(a) _mm_cvtepi32_ps(_mm_cvttps_epi32(a))
@@ -8292,26 +8299,31 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(size)(const ms_sss__pass *p, MS_SSS
 /* Tangents of the rays through pixels from column x on. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(ray)(const ms_sss__pass *p, int x)
 {
-    float at[MS_SSS__LANES];
-    int i;
-    for (i = 0; i < MS_SSS__LANES; ++i) at[i] = ((float)(x + i) + 0.5f - p->middle[0]) * p->tangent;
-    return MS_SSS__LOAD(at);
+    return MS_SSS__MUL(MS_SSS__ADD(MS_SSS__LOAD(ms_sss__ramp), MS_SSS__SET((float)x + 0.5f - p->middle[0])), MS_SSS__SET(p->tangent));
 }
 
-/* For pixels whose kernel has `size` pixels a mm and whose surface has slopes sx, sy: out[0], pixels a mm of the tangent plane
-   along (dx, dy); out[1], depth that the plane gains a pixel there, in perspective relative to the depth there; out[2], cosine of the normal to the ray, in mm of dz 1. */
-static MS_SSS__INLINE void MS_SSS__NAME(tangent)(const ms_sss__pass *p, MS_SSS__V dx, MS_SSS__V dy, int x, int y, MS_SSS__V size,
-                                                 MS_SSS__V sx, MS_SSS__V sy, MS_SSS__V out[3])
+/* 1 / sqrt(a): relative error 3e-7. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(inverse_root)(MS_SSS__V a)
 {
-    const MS_SSS__V one = MS_SSS__SET(1.0f), rx = MS_SSS__NAME(ray)(p, x), ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
-    const MS_SSS__V along = MS_SSS__MADD(dx, sx, MS_SSS__MUL(dy, sy)), ray = MS_SSS__MADD(dx, rx, MS_SSS__MUL(dy, ry));
-    MS_SSS__V square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)), axis;
-    square = MS_SSS__MADD(along, MS_SSS__MADD(along, square, MS_SSS__ADD(ray, ray)), one);
-    out[0] = MS_SSS__DIV(size, MS_SSS__SQRT(square));
-    out[1] = MS_SSS__MADD(dx, MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0])), MS_SSS__MUL(dy, MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]))));
-    axis = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, one));
-    square = MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(axis, axis)));
-    out[2] = MS_SSS__DIV(MS_SSS__SET(p->unit), MS_SSS__SQRT(square));
+#ifdef MS_SSS__RSQRT
+    const MS_SSS__V y = MS_SSS__RSQRT(a);
+    return MS_SSS__MUL(y, MS_SSS__LESSEN(MS_SSS__MUL(MS_SSS__MUL(a, MS_SSS__SET(0.5f)), y), y, MS_SSS__SET(1.5f)));
+#else
+    return MS_SSS__DIV(MS_SSS__SET(1.0f), MS_SSS__SQRT(a));
+#endif
+}
+
+/* Pixels a mm of the tangent plane along an axis of slope `along` and ray `ray`; square: of the ray's length. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(foreshorten)(MS_SSS__V size, MS_SSS__V along, MS_SSS__V ray, MS_SSS__V square)
+{
+    return MS_SSS__MUL(size, MS_SSS__NAME(inverse_root)(MS_SSS__MADD(along, MS_SSS__MADD(along, square, MS_SSS__ADD(ray, ray)), MS_SSS__SET(1.0f))));
+}
+
+/* Cosine of the normal of slopes sx, sy to the ray, in mm of dz 1. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(facing)(const ms_sss__pass *p, MS_SSS__V sx, MS_SSS__V sy, MS_SSS__V rx, MS_SSS__V ry)
+{
+    const MS_SSS__V axis = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, MS_SSS__SET(1.0f)));
+    return MS_SSS__MUL(MS_SSS__SET(p->unit), MS_SSS__NAME(inverse_root)(MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(axis, axis)))));
 }
 
 /* The slope of two one-sided ones that count where their step in depth is under the kernel's radius: their mean where the
@@ -8388,19 +8400,20 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
     }
 }
 
-/* The tangents of row y along an axis, see tangent. */
-static void MS_SSS__NAME(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, int axis,
-                                   float *const out[3])
+/* Of row y, see ms_sss__line: out[0 to 2] along x, out[3 to 5] along y. */
+static void MS_SSS__NAME(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, float *const out[6])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
+    const MS_SSS__V one = MS_SSS__SET(1.0f), ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
     int x;
     for (x = begin; x < end; x += MS_SSS__LANES) {
-        const MS_SSS__V z = MS_SSS__LOAD(depth + x);
-        MS_SSS__V own[3];
-        MS_SSS__NAME(tangent)(p, axis ? zero : one, axis ? one : zero, x, y, MS_SSS__NAME(size)(p, z), MS_SSS__LOAD(slope[0] + x), MS_SSS__LOAD(slope[1] + x), own);
-        MS_SSS__STORE(out[0] + x, own[0]);
-        MS_SSS__STORE(out[1] + x, own[1]);
-        MS_SSS__STORE(out[2] + x, own[2]);
+        const MS_SSS__V size = MS_SSS__NAME(size)(p, MS_SSS__LOAD(depth + x)), sx = MS_SSS__LOAD(slope[0] + x), sy = MS_SSS__LOAD(slope[1] + x);
+        const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x), square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)), facing = MS_SSS__NAME(facing)(p, sx, sy, rx, ry);
+        MS_SSS__STORE(out[0] + x, MS_SSS__NAME(foreshorten)(size, sx, rx, square));
+        MS_SSS__STORE(out[1] + x, MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0])));
+        MS_SSS__STORE(out[2] + x, facing);
+        MS_SSS__STORE(out[3] + x, MS_SSS__NAME(foreshorten)(size, sy, ry, square));
+        MS_SSS__STORE(out[4] + x, MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1])));
+        MS_SSS__STORE(out[5] + x, facing);
     }
 }
 
@@ -8619,6 +8632,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
             const int two = plan[k + 1] & MS_SSS__BESIDE, i = plan[k + 1] - two;
             const float *a0 = here + step[i], *a1 = here + step[i + 1], *b0 = here + step[-i], *b1 = here + step[-i - 1];
             const MS_SSS__V *q = h[k][g];
+            if (l->axis) /* rows lie far apart: the next groups of the taps' outer ones */
+                for (c = 0; c < 4; c += 16 / MS_SSS__LANES) {
+                    MS_SSS__PREFETCH((const char *)(a1 + MS_SSS__CHUNK * l->group + c * plane));
+                    MS_SSS__PREFETCH((const char *)(b0 + MS_SSS__CHUNK * l->group + c * plane));
+                }
             MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) {
                 const MS_SSS__V w = MS_SSS__LOAD(s->weight[k + 1][c]);
@@ -8678,10 +8696,10 @@ static MS_SSS__INLINE void MS_SSS__NAME(group)(const ms_sss__sweep *s, const ms_
         dy = MS_SSS__LOAD(turn[1]);
         if (s->shaped) {
             const MS_SSS__V sx = MS_SSS__LOAD(l->own[0] + x), sy = MS_SSS__LOAD(l->own[1] + x);
-            MS_SSS__V own[3];
-            MS_SSS__NAME(tangent)(p, dx, dy, x, l->at, size, sx, sy, own);
-            size = own[0];
-            facing = own[2];
+            const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x), ry = MS_SSS__SET(((float)l->at + 0.5f - p->middle[1]) * p->tangent);
+            const MS_SSS__V square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)), along = MS_SSS__MADD(dx, sx, MS_SSS__MUL(dy, sy));
+            size = MS_SSS__NAME(foreshorten)(size, along, MS_SSS__MADD(dx, rx, MS_SSS__MUL(dy, ry)), square);
+            facing = MS_SSS__NAME(facing)(p, sx, sy, rx, ry);
             rise = MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0]));
             rise_y = MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]));
         }
@@ -9545,6 +9563,7 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__MIN
 #undef MS_SSS__MAX
 #undef MS_SSS__SQRT
+#undef MS_SSS__RSQRT
 #undef MS_SSS__ABS
 #undef MS_SSS__FLOOR
 #undef MS_SSS__TRUNC
