@@ -783,11 +783,12 @@ typedef enum ms_sss_step {
      5  ms_sss_sum       compute, Y of terms after the first: the sum of those before; UP: of all
      6  ms_sss_normal    X, Y and NORMAL where slopes count, with_normal: as ms_sss_frame.normal
      7  ms_sss_target    compute: what is written, rgba32f or (half_target) rgba16f; GLSL 330: image unit 0, HLSL: u0
+     8  ms_sss_surface   Y, slopes_kept: X's second target
 
    Light does not cross between profiles, nor to pixels that take no part (see ms_sss_filter): an index from profile_count
    on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 2 in X and Y, 26 for 7 taps, and one
    more where light stays (delta, fade, strength below 1). Slopes (depth, MS_SSS_DEPTH_AWARE, flat below 1) read 4 more in
-   each, 5 or 6 at outlines, or 1 with_normal. Depth, profile and strength in
+   each, 5 or 6 at outlines, or 1 with_normal; with slopes_kept Y reads 1: 31 to 33 in all. Depth, profile and strength in
    textures of their own cost 2 n - 1 each, or one each with PREPARE. Turned axes read twice as many. Half resolution reads
    10 a pixel and a quarter of X's and Y's: 17 for 7 taps, 19 with slopes. Of several profiles a texel of DOWN has one,
    that of the nearest of its pixels (without depth: of the first that takes part); ms_sss_filter halves each by itself.
@@ -812,6 +813,7 @@ typedef struct ms_sss_shader {
     int later;              /* compute: 1 for Y of terms after the first, adds ms_sss_sum */
     int half_resolution;    /* 1: X and Y work at half the width and height, between DOWN and UP */
     int term_count;         /* UP: the most of any of the kernels; 0: 1 */
+    int slopes_kept;        /* 1: X writes its slopes, from depth, to a second target (two or more 32-bit floats), which Y reads */
 } ms_sss_shader;
 
 /* Pixels of a compute shader's work group: dispatch the target's size over them, rounded up. 0: x, 1: y. */
@@ -6692,6 +6694,7 @@ static const char *const ms_sss__source_body[] = {
     "#endif\n"
         "return ray;\n"
     "}\n",
+    "#if !GIVEN\n"
     "#if !WITH_NORMAL\n"
     "// The slope from the depths before and after, of one surface where steps are under reach (TOWER: slopes): their mean where it\n"
     "// turns little, else the smaller one, steeper by what its step exceeds the next: near outlines depth goes as a root.\n"
@@ -6756,6 +6759,7 @@ static const char *const ms_sss__source_body[] = {
     "#endif\n"
         "return slope;\n"
     "}\n"
+    "#endif\n"
     "#endif\n"};
 
 static const char *const ms_sss__shader_body[] = {
@@ -6920,7 +6924,9 @@ static const char *const ms_sss__shader_body[] = {
         "float2 ray = ray_of(p);\n"
         "float2 focal = constant[2].yz;\n"
         "#HALVED focal = 0.5 * focal;\n"
-        "float2 slopes = constant[2].w * slopes_of(p, own, ray, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
+        "#GIVEN float2 slopes = fetch_surface(p).rg;\n"
+        "#!GIVEN float2 slopes = constant[2].w * slopes_of(p, own, ray, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
+        "#KEEPS ms_sss_other = float4(slopes.x, slopes.y, 0.0, 0.0);\n"
         "float slope = dot(axis, slopes);\n"
         "pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n"
         "float2 plane = slopes / focal;\n"
@@ -7353,7 +7359,7 @@ static const char *const ms_sss__transmission_body[] = {
     X(DEPTH) X(DEPTH_TEXTURE) X(DEPTH_ALPHA) X(PROFILE) X(PROFILE_TEXTURE) X(PROFILE_ALONE) X(READS_PROFILE) \
     X(BOTH) X(BOTH_ALPHA) X(PERSPECTIVE) X(FOLLOW) X(EXACT) X(SPATIAL) X(FALLOFF) X(TURNED) X(SHAPE) X(COMPUTE) X(TILED) X(LATER) X(GROUP_X)   \
     X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y) X(PASS) X(HALVED) X(NEARNESS) X(DOWN) X(NORMAL) X(SMALLER) X(UP) X(TERMS) \
-    X(TOWER) X(BASE) X(SHRINK) X(GATHER) X(RESOLVE) X(GATHERS) X(TILTED) X(SLOPES) X(SIZES) X(LAST_SIZE)
+    X(TOWER) X(BASE) X(SHRINK) X(GATHER) X(RESOLVE) X(GATHERS) X(TILTED) X(SLOPES) X(GIVEN) X(KEEPS) X(SIZES) X(LAST_SIZE)
 
 enum {
 #define MS_SSS__FEATURE_ENUM(name) MS_SSS__HAS_##name,
@@ -7655,7 +7661,8 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     const int again = both && !raw && s->half_target; /* blue of 16 bits can't hold the index as well */
     const int used[NAMES] = {1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || (second && !halved) || resolve), second || up || resolve,
                              s->profile == MS_SSS_TEXTURE && (raw || (again && !tower)), s->later || up || gathers,
-                             s->with_normal && shape && (pass || base || s->step == MS_SSS_STEP_NORMAL), 0, tower && !base, gathers, gathers, gathers};
+                             s->with_normal && shape && (pass || base || s->step == MS_SSS_STEP_NORMAL), 0, tower ? !base : s->slopes_kept && second, gathers, gathers, gathers};
+    const int two = tower ? !resolve : s->slopes_kept && s->step == MS_SSS_STEP_X; /* targets */
     int *f = text->feature, i;
     text->column = d->column;
     f[MS_SSS__HAS_PREPARE] = s->step == MS_SSS_STEP_PREPARE;
@@ -7700,6 +7707,8 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     f[MS_SSS__HAS_GATHERS] = gathers;
     f[MS_SSS__HAS_TILTED] = shape;
     f[MS_SSS__HAS_SLOPES] = shape && (pass || base);
+    f[MS_SSS__HAS_GIVEN] = s->slopes_kept && second;
+    f[MS_SSS__HAS_KEEPS] = two && !tower;
     f[MS_SSS__HAS_SIZES] = MS_SSS_PYRAMID_SIZES;
     f[MS_SSS__HAS_LAST_SIZE] = MS_SSS_PYRAMID_SIZES - 2;
     f[MS_SSS__HAS_COMPUTE] = s->compute;
@@ -7717,8 +7726,8 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     ms_sss__say_dialect(text, d->constants, s, "", 0);
     for (i = 0; i < NAMES; ++i)
         if (used[i]) ms_sss__say_dialect(text, d->texture, s, name[i], i);
-    if (tower) ms_sss__say(text, d->other);
-    ms_sss__say_dialect(text, s->compute ? d->tile : tower && !resolve ? d->fragments : d->fragment, s, "", 0);
+    if (tower || two) ms_sss__say(text, d->other);
+    ms_sss__say_dialect(text, s->compute ? d->tile : two ? d->fragments : d->fragment, s, "", 0);
     if (!tower || base) ms_sss__say_body(text, ms_sss__source_body, sizeof ms_sss__source_body / sizeof ms_sss__source_body[0]);
     if (tower) ms_sss__say_body(text, ms_sss__tower_body, sizeof ms_sss__tower_body / sizeof ms_sss__tower_body[0]);
     else ms_sss__say_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
@@ -7750,6 +7759,8 @@ static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filte
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "half_resolution %d: its first step is DOWN, that of others is PREPARE or X", s->half_resolution);
     if (s->step == MS_SSS_STEP_NORMAL && !(s->with_normal && ms_sss__shader_shaped(s, o)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step NORMAL without with_normal, or where slopes do not count");
+    if (s->slopes_kept && (s->compute || s->with_normal || ms_sss__shader_tower(s) || !ms_sss__shader_shaped(s, o)))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "slopes_kept in a pyramid, a compute shader, with_normal, or where slopes do not count");
     if (s->term_count < 0 || s->term_count > MS_SSS_TERMS_MAX)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term_count %d is not within 0 to %d", s->term_count, (int)MS_SSS_TERMS_MAX);
     if (s->half_target && ms_sss__shader_shaped(s, o))

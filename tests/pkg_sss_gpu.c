@@ -122,6 +122,7 @@ static void make_case(one_case *t, int i, ms_sss_language language, int compute,
     t->options.flat = i % 7 < 2 ? 1 : i % 7 == 2 ? 0.4f : 0;
     t->shader.with_normal = i % 5 == 2;
     t->shader.prepared = i % 4 == 1;
+    t->shader.slopes_kept = i % 2 && !compute && !t->shader.with_normal && shaped(t);
 }
 
 /* The same at half resolution. Several kernels: patches of 2 x 2 pixels of one material, for a texel of half the size has
@@ -157,7 +158,7 @@ static void make_tower_case(one_case *t, int i, ms_sss_language language)
     made = 1;
     make_picture();
     make_case(t, i, language, 0, 1);
-    t->shader.prepared = 0;
+    t->shader.prepared = t->shader.slopes_kept = 0;
     t->shader.tap_count = 0;
     t->options.method = MS_SSS_METHOD_PYRAMID;
     t->options.pyramids = pyramid;
@@ -268,12 +269,12 @@ enum { NAMES = 12, LEVELS = 7 }; /* 97 x 75 to 2 x 2 */
 static const char *const texture_name[NAMES] = {"ms_sss_colour", "ms_sss_depth", "ms_sss_strength", "ms_sss_input", "ms_sss_profile", "ms_sss_sum",
                                                 "ms_sss_normal", "", "ms_sss_surface", "ms_sss_coarse", "ms_sss_coarse_surface", "ms_sss_weight"};
 enum { SURFACE = 8, COARSE, COARSE_SURFACE, WEIGHT }; /* of the names */
-enum { COLOUR, DEPTH, STRENGTH, INPUT, PROFILE, SUM, NORMAL, PREPARED, MIDDLE, RESULT, SMALL, SMALL_NORMAL, SMALL_MIDDLE, SMALL_SUM, SMALL_RESULT,
+enum { COLOUR, DEPTH, STRENGTH, INPUT, PROFILE, SUM, NORMAL, PREPARED, MIDDLE, SLOPES, RESULT, SMALL, SMALL_NORMAL, SMALL_MIDDLE, SMALL_SLOPES, SMALL_SUM, SMALL_RESULT,
        TOWER, TEXTURES = TOWER + 4 * LEVELS }; /* TOWER: light, surface, sums, weights of each level */
 static const char *image_name(int which)
 {
-    static const char *const name[TOWER] = {"input", "depth", "strength", "input", "profile", "sum", "normal", "prepared", "middle", "result",
-                                            "small", "small_normal", "small_middle", "small_sum", "small_result"};
+    static const char *const name[TOWER] = {"input", "depth", "strength", "input", "profile", "sum", "normal", "prepared", "middle", "slopes", "result",
+                                            "small", "small_normal", "small_middle", "small_slopes", "small_sum", "small_result"};
     static char level[2][40];
     static int turn;
     if (which < TOWER) return name[which];
@@ -342,6 +343,7 @@ static int read_by(const one_case *t, one_step s, int name)
         }
     }
     if (name == COLOUR) return y ? half ? SMALL_MIDDLE : MIDDLE : x && half ? SMALL : x && t->shader.prepared ? PREPARED : COLOUR;
+    if (name == SURFACE) return half ? SMALL_SLOPES : SLOPES;
     if (name == INPUT && half) return SMALL;
     if (name == SUM) return sum_of(t, y ? s.term - 1 : s.term);
     if (name == NORMAL && half && (x || y)) return SMALL_NORMAL;
@@ -365,7 +367,10 @@ static int written_by(const one_case *t, one_step s)
     }
 }
 
-static int targets_of(one_step s) { return s.step >= MS_SSS_STEP_BASE && s.step < MS_SSS_STEP_RESOLVE ? 2 : 1; } /* the other is the next image */
+static int targets_of(const one_case *t, one_step s) /* the other is the next image */
+{
+    return (s.step >= MS_SSS_STEP_BASE && s.step < MS_SSS_STEP_RESOLVE) || (s.step == MS_SSS_STEP_X && t->shader.slopes_kept) ? 2 : 1;
+}
 
 static int halved(int side, int which)
 {
@@ -443,7 +448,7 @@ static double gl_compare(one_case *t)
         set_step(t, step[i]);
         program = gl_step(t, step[i]);
         if (s->compute) gl_compute(s, texture[to], width_of(to), height_of(to));
-        else gpu_draw(texture[to], targets_of(step[i]) > 1 ? texture[to + 1] : 0, width_of(to), height_of(to), s->step == MS_SSS_STEP_Y && step[i].term > 0);
+        else gpu_draw(texture[to], targets_of(t, step[i]) > 1 ? texture[to + 1] : 0, width_of(to), height_of(to), s->step == MS_SSS_STEP_Y && step[i].term > 0);
         gl_DeleteProgram(program);
     }
     gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[written_by(t, step[n - 1])], 0);
@@ -603,6 +608,7 @@ static int variant(int i, ms_sss_language language, int compute)
         if (o.depth_mode == MS_SSS_DEPTH_FOLLOW) o.depth_mode = MS_SSS_DEPTH_AWARE;
     }
     s.later = compute && s.step == MS_SSS_STEP_Y && bits >> 9 & 1;
+    s.slopes_kept = i % 2 && !compute && !s.with_normal && !(bits >> 12) && s.depth && o.depth_mode == MS_SSS_DEPTH_AWARE && o.flat < 1;
     if (ms_sss_shader_text(&s, &o, text, sizeof text, &error)) return 1;
     if (!((o.fov_degrees > 0 && !s.depth) || (s.half_target && s.depth && (s.profile == MS_SSS_ALPHA || o.flat < 1 || (s.profile && s.half_resolution)))))
         TEST_FAIL("variant %d: %s", i, error.message);
@@ -636,7 +642,7 @@ static void put_case(FILE *f, one_case *t)
         gpu_put_step(f, "ms_sss", &constants[0][0], ms_sss_shader_constant_count(s), width_of(to), height_of(to));
         if (s->compute) fprintf(f, "groups: [%d, %d], ", (width_of(to) + gx - 1) / gx, (height_of(to) + gy - 1) / gy);
         fprintf(f, "write: ['%s'", image_name(to));
-        if (targets_of(step[i]) > 1) fprintf(f, ", '%s'", image_name(to + 1));
+        if (targets_of(t, step[i]) > 1) fprintf(f, ", '%s'", image_name(to + 1));
         fputs("], read: {", f);
         for (k = 0; k < NAMES; ++k)
             if (texture_name[k][0]) fprintf(f, "%s: '%s', ", texture_name[k], image_name(read_by(t, step[i], k)));
@@ -763,6 +769,8 @@ static void case_refused(void)
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "term_count");
     s = good, s.depth = (ms_sss_source)4;
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "depth 4");
+    s = good, s.slopes_kept = 1;
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "slopes_kept");
     s = good, s.later = 1;
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "later");
     s = good, s.language = MS_SSS_GLSL_ES_300, s.compute = 1;
@@ -838,13 +846,14 @@ static int count_reads(one_case *t, ms_sss_step which, int *usual)
 
 static void case_reads(void)
 {
-    static const struct { float flat, delta; int source, normal, usual, most; } kinds[6] = {
-        {1, 0, MS_SSS_ALPHA, 0, 26, 26}, {1, 0, MS_SSS_TEXTURE, 0, 39, 39}, {0, 0, MS_SSS_ALPHA, 0, 34, 38},
-        {0, 0, MS_SSS_ALPHA, 1, 28, 28}, {1, 0, MS_SSS_NONE, 0, 26, 26},    {1, 0.1f, MS_SSS_ALPHA, 0, 27, 27}};
+    static const struct { float flat, delta; int source, normal, kept, usual, most; } kinds[7] = {
+        {1, 0, MS_SSS_ALPHA, 0, 0, 26, 26}, {1, 0, MS_SSS_TEXTURE, 0, 0, 39, 39}, {0, 0, MS_SSS_ALPHA, 0, 0, 34, 38},
+        {0, 0, MS_SSS_ALPHA, 1, 0, 28, 28}, {1, 0, MS_SSS_NONE, 0, 0, 26, 26},    {1, 0.1f, MS_SSS_ALPHA, 0, 0, 27, 27},
+        {0, 0, MS_SSS_ALPHA, 0, 1, 31, 33}};
     int i, c, k, both, usual[2];
     if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
     make_picture();
-    for (i = 0; i < 6; ++i) {
+    for (i = 0; i < 7; ++i) {
         one_case t;
         memset(&t, 0, sizeof t);
         t.kernel[0] = make_kernel(7, 1, 1);
@@ -855,6 +864,7 @@ static void case_reads(void)
         t.shader.tap_count = 7;
         t.shader.depth = (ms_sss_source)kinds[i].source;
         t.shader.with_normal = kinds[i].normal;
+        t.shader.slopes_kept = kinds[i].kept;
         make_reference(&t);
         if (ms_sss_shader_constants(t.kernel, 0, &t.options, WIDTH, HEIGHT, &t.shader, constants, NULL) != MS_OK) TEST_FAIL("constants");
         both = count_reads(&t, MS_SSS_STEP_X, &usual[0]);
