@@ -6,9 +6,9 @@
 #include "bench.h"
 #include "gl/egl.h"
 
-enum { COLOUR, DEPTH, MIDDLE, MIDDLE_HALF, TARGET, SMALL, SMALL_MIDDLE, SMALL_TARGET, TOWER, TEXTURES = TOWER + 4 * MS_SSS_PYRAMID_LEVELS };
+enum { COLOUR, DEPTH, MIDDLE, MIDDLE_HALF, TARGET, SLOPES, SMALL, SMALL_MIDDLE, SMALL_TARGET, TOWER, TEXTURES = TOWER + 4 * MS_SSS_PYRAMID_LEVELS };
 
-enum { TAPS, RELEASED, DISC, HALF, PYRAMID }; /* what runs */
+enum { TAPS, KEPT, RELEASED, DISC, HALF, PYRAMID }; /* what runs */
 
 typedef struct contender {
     const char *name, *reads;
@@ -29,6 +29,7 @@ static const contender contenders[] = {
     {"ours, 16 profiles", "27", 0, 16, 0, 0, 0},
     {"ours, compute", "27 of a tile", 0, 1, 0, 1, 0},
     {"**ours, slopes and elevation**", "35", 1, 1, 0, 0, 0},
+    {"ours, slopes kept", "32", 1, 1, 0, 0, KEPT},
     {"ours, slopes, 16 profiles", "35", 1, 16, 0, 0, 0},
     {"ours, slopes, compute", "35 of a tile", 1, 1, 0, 1, 0},
     {"structure of the released shader, 7 taps", "28 filtered", 0, 1, 1, 0, RELEASED},
@@ -141,7 +142,7 @@ static int plan(const contender *c, int levels, draw *d)
         return n;
     }
     if (c->other == HALF) d[n].step = MS_SSS_STEP_DOWN, d[n++].to = SMALL;
-    d[n].step = MS_SSS_STEP_X, d[n++].to = c->other == HALF ? SMALL_MIDDLE : c->other == DISC ? TARGET : middle;
+    d[n].step = MS_SSS_STEP_X, d[n].other = c->other == KEPT ? SLOPES : 0, d[n++].to = c->other == HALF ? SMALL_MIDDLE : c->other == DISC ? TARGET : middle;
     if (c->other != DISC) d[n].step = MS_SSS_STEP_Y, d[n++].to = c->other == HALF ? SMALL_TARGET : TARGET;
     if (c->other == HALF) d[n].step = MS_SSS_STEP_UP, d[n++].to = TARGET;
     return n;
@@ -156,7 +157,7 @@ static int read_by(const contender *c, const draw *d, int name)
     case 0: return d->step > MS_SSS_STEP_BASE ? level : y ? half ? SMALL_MIDDLE : c->half ? MIDDLE_HALF : MIDDLE : x && half ? SMALL : COLOUR;
     case 3: return half ? SMALL : COLOUR;
     case 5: return half ? SMALL_TARGET : next + 2;
-    case 8: return level + 1;
+    case 8: return c->other == KEPT ? SLOPES : level + 1;
     case 9: return next;
     case 10: return next + 1;
     default: return next + 3;
@@ -187,6 +188,7 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     s.compute = c->compute;
     s.half_target = c->half && !c->compute;
     s.half_resolution = c->other == HALF;
+    s.slopes_kept = c->other == KEPT;
     for (i = 0; i < n; ++i) {
         float frame[4] = {(float)width, (float)height, (float)i, 0};
         s.step = d[i].step;
