@@ -2403,7 +2403,7 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     fflush(stdout);
     fine = renderer_file(&t, &r.f, &c, mean, &s, o->type, &bytes);
     if (fine && ms_nn_load(bytes.data, bytes.size, NULL, &nn, &error) != MS_OK) fine = wrong("%s", error.message);
-    for (k = 0; k < 2 && o->check[k] && fine; ++k) fine = set_read(pool, o->check[k], csv, s.size, NULL, &check[k]);
+    for (k = 0; k < 2 && o->check[k] && fine; ++k) fine = set_read(pool, o->check[k], csv, s.size, &s, &check[k]);
     if (fine && check[0].count) {
         changing = changing_pixels(&check[0], check[1].count ? &check[1] : NULL);
         fine = report_all("check", nn, &check[0], check[1].count ? &check[1] : NULL, changing);
