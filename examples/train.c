@@ -2,7 +2,7 @@
 
      cc -O2 -I. examples/train.c -o build/train -lpthread -lm       (-O3 -fno-math-errno -fno-trapping-math: faster)
      build/train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N | --psnr DB]
-                 [--trunk RENDERER.safetensors] [--rank 96] [--width 384] [--depth 3] [--teachers 3] [--type F16] [--epochs N] [--channels auto] [--hidden auto] [--seed 1]
+                 [--trunk RENDERER.safetensors] [--rank 96] [--width 384] [--depth 3] [--teachers 0] [--type F16] [--epochs N] [--channels auto] [--hidden auto] [--seed 1]
                  [--threads 2] [--again] [--every 20]
      build/train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--sharp LIST] [--seed 1] [--threads 2]
      build/train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]
@@ -18,12 +18,13 @@
    depends on parameters of its own and others that all share, one network serves the three (--channels auto finds out; none; or lists such as
    "0,3,6;1,4,6;2,5,6"). Parameters that a picture does not depend on, since a lobe's share is 0 or 1, are drawn anew each time (--hidden auto finds
    them; none; or "0@7=1,4@7=0": the first where the eighth is 1 ..., of a channel's list).
-   Networks from other starts err apart: --teachers of them are trained, and their mean is taught to the one that is saved, on eight times as many
-   materials as there are pictures; 0: one network and its pictures, in a quarter of the time.
+   Networks from other starts err apart: of --teachers 3, say, the mean is taught to the one that is saved, on eight times as many materials as
+   there are pictures; better by a decibel where pictures are few, in four times the time.
    --bytes (4M): the largest file; --psnr: the quality that is enough; either picks rank and type (a --rank that is a multiple of 32 runs fastest). --check: another folder, FOLDER, with FOLDER.csv (or of
    `make dataset`), for the final measure; two of the same materials cancel their noise. Otherwise every 16th picture is held out.
+   A folder of `make dataset` has linear light, so the layer of pixels is made anew on what the trunk learnt, as with --trunk.
    --trunk: the trunk of a renderer that is there, and a new pixels' layer for it, of the pictures' full size or --size: for larger pictures with more
-   noise than a trunk could learn from, or to take the noise out of a layer. They are regressed on its features in linear light, and what is noise in
+   noise than a trunk could learn from. They are regressed on its features in linear light, and what is noise in
    the result is shrunk (a folder of `make dataset`).
    A run that was interrupted goes on where OUT.safetensors.checkpoint0 and so on say (every 20 seconds), to the same bits; --again starts afresh.
 
@@ -42,11 +43,11 @@
 
 static const char usage_text[] =
     "usage: train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N | --psnr DB] [--trunk RENDERER.safetensors] [--rank 96] [--width 384] "
-    "[--depth 3] [--teachers 3] [--type F32|F16|I8] [--epochs N] [--channels auto|none|LISTS] [--hidden auto|none|LIST] [--seed 1] [--threads 2] [--again] [--every 20]\n"
+    "[--depth 3] [--teachers 0] [--type F32|F16|I8] [--epochs N] [--channels auto|none|LISTS] [--hidden auto|none|LIST] [--seed 1] [--threads 2] [--again] [--every 20]\n"
     "       train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--sharp LIST] [--seed 1] [--threads 2]\n"
     "       train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]\n";
 
-enum { MOST_PARAMETERS = 256, MOST_HIDDEN = 512, CHUNK = 128 };
+enum { MOST_PARAMETERS = 256, MOST_HIDDEN = 512, CHUNK = 64, BATCH = 2 * CHUNK };
 
 static char trouble[700]; /* what went wrong, in words */
 
@@ -460,6 +461,15 @@ static char *names_like(int n)
     return names;
 }
 
+static int is_data_set(const char *pictures)
+{
+    static const char *const part[] = {".bin", NULL};
+    char **name;
+    int count = list_folder(pictures, part, &name);
+    list_free(name, count);
+    return count > 0;
+}
+
 /* like: a set that decides on names, ranges and size, or NULL. */
 static int set_read(train_pool *pool, const char *pictures, const char *csv, int size, const material_set *like, material_set *s)
 {
@@ -763,33 +773,79 @@ static void find_channels(train_pool *pool, const material_set *s, const float *
     free(h.triple);
 }
 
-/* Rules: where input `gate` is exactly 0 or 1 in many rows, which others do better when they are left out there? */
+/* The rows in which inputs gate[0], ... are value[0], ... exactly. */
+static int rows_where(int rows, int d, const float *x, const float *y, int gates, const int *gate, const int *value, float *px, float *py)
+{
+    int i, k, n = 0;
+    for (i = 0; i < rows; ++i) {
+        for (k = 0; k < gates && !(fabsf(x[i * d + gate[k]] - (float)value[k]) > 0); ++k) {}
+        if (k < gates) continue;
+        memcpy(px + n * d, x + i * d, (size_t)d * sizeof(float));
+        memcpy(py + n++ * OUTPUTS, y + i * OUTPUTS, OUTPUTS * sizeof(float));
+    }
+    return n;
+}
+
+typedef struct hiding {
+    train_pool *pool;
+    int rows, d, gate[3], value[3];
+    const float *x, *y;
+    float *px, *py;
+    uint64_t seed;
+    char matters[MOST_PARAMETERS];
+} hiding;
+
+/* Marks the inputs without which a part of the rows does worse: those of the first `gates` gates, then of one or two more. */
+static void find_mattering(hiding *h, int gates)
+{
+    double error[MOST_PARAMETERS + 1];
+    int n = rows_where(h->rows, h->d, h->x, h->y, gates, h->gate, h->value, h->px, h->py), j, g, v;
+    if (n < (gates > 1 ? 400 : 1500) || (gates == 1 && (n * 20 < h->rows || n * 10 > 9 * h->rows))) {
+        if (gates == 1) memset(h->matters, 1, sizeof h->matters);
+        return;
+    }
+    probe_each(h->pool, n, h->d, h->px, h->py, h->seed, error);
+    for (j = 0; j < h->d; ++j) {
+        for (g = 0; g < gates && h->gate[g] != j; ++g) {} /* of the gates themselves it says nothing */
+        if (g == gates ? error[j] > (gates > 1 ? 1.04 : 1) * error[h->d] : g == 0) h->matters[j] = 1; /* few rows: noise */
+    }
+    for (g = gates > 1 ? h->gate[gates - 1] + 1 : 0; g < h->d && gates < 3; ++g)
+        for (v = 0; v < 2 && g != h->gate[0]; ++v) {
+            h->gate[gates] = g;
+            h->value[gates] = v;
+            find_mattering(h, gates + 1);
+        }
+}
+
+/* Rules: where input `gate` is exactly 0 or 1 in many rows, which others do better when they are left out there? A regression of all these
+   rows may be too coarse to see what matters in few of them, so leaving it out must harm no part where other gates are shut or open. */
 static void find_hidden(train_pool *pool, int rows, int d, const float *x, const float *y, uint64_t seed, form *f)
 {
-    int gate, value, i, j, n, o;
-    float *px = (float *)room((size_t)rows * (size_t)d, sizeof(float)), *py = (float *)room((size_t)rows * OUTPUTS, sizeof(float));
-    double error[MOST_PARAMETERS + 1];
+    hiding *h = (hiding *)zeros(1, sizeof *h);
+    int j;
+    h->pool = pool;
+    h->rows = rows;
+    h->d = d;
+    h->x = x;
+    h->y = y;
+    h->seed = seed;
+    h->px = (float *)room((size_t)rows * (size_t)d, sizeof(float));
+    h->py = (float *)room((size_t)rows * OUTPUTS, sizeof(float));
     f->rules = 0;
-    for (gate = 0; gate < d; ++gate)
-        for (value = 0; value < 2; ++value) {
-            for (n = i = 0; i < rows; ++i) {
-                float v = x[i * d + gate] - (float)value;
-                if (v < 0 || v > 0) continue;
-                memcpy(px + n * d, x + i * d, (size_t)d * sizeof(float));
-                for (o = 0; o < OUTPUTS; ++o) py[n * OUTPUTS + o] = y[i * OUTPUTS + o];
-                ++n;
-            }
-            if (n < 1500 || n * 20 < rows || n * 10 > 9 * rows) continue;
-            probe_each(pool, n, d, px, py, seed, error);
+    for (h->gate[0] = 0; h->gate[0] < d; ++h->gate[0])
+        for (h->value[0] = 0; h->value[0] < 2; ++h->value[0]) {
+            memset(h->matters, 0, sizeof h->matters);
+            find_mattering(h, 1);
             for (j = 0; j < d; ++j)
-                if (j != gate && error[j] <= error[d] && f->rules < MOST_HIDDEN) {
+                if (!h->matters[j] && f->rules < MOST_HIDDEN) {
                     f->rule[f->rules].column = j;
-                    f->rule[f->rules].gate = gate;
-                    f->rule[f->rules++].value = value;
+                    f->rule[f->rules].gate = h->gate[0];
+                    f->rule[f->rules++].value = h->value[0];
                 }
         }
-    free(px);
-    free(py);
+    free(h->px);
+    free(h->py);
+    free(h);
 }
 
 /* "0,3,6;1,4,6;2,5,6" */
@@ -885,7 +941,7 @@ static void step_chunk(void *context, int k)
             e += g[j] * g[j];
         }
         t->sum[k] += (double)(e - t->floor);
-        by = t->scale / (sqrtf(e) * (float)t->batch); /* the root: between the mean of the squares and that of their logarithms, the PSNR */
+        by = t->scale / (sqrtf(e * sqrtf(e)) * (float)t->batch); /* of the fourth root: between the mean of the squares and that of their logarithms, the PSNR */
         for (j = 0; j < t->rank; ++j) g[j] *= by;
     }
     train_backward(&t->net, t->work[k], n, t->in[k], t->act[k], t->g[k], t->spare[k], t->grad[k], NULL);
@@ -1803,7 +1859,7 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     for (k = 1; k <= o->depth; ++k) sizes[k] = o->width;
     sizes[o->depth + 1] = o->rank;
     if (o->epochs == 0) {
-        o->epochs = (int)(10000.0 / (double)((y.rows + 255) / 256));
+        o->epochs = (int)(16000.0 / (double)((y.rows + BATCH - 1) / BATCH));
         if (o->epochs > 1500) o->epochs = 1500;
     }
     memset(&w, 0, sizeof w);
@@ -1819,15 +1875,15 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     key = hash_bytes(key, c.coordinate, y.rows * (size_t)o->rank * sizeof(float));
     if (o->teachers) lesson = lesson_make(o, &f, (int)y.rows, x, o->rank);
     for (k = 0;; ++k) {
-        uint64_t theirs = hash_bytes(hash_bytes(key, &k, sizeof k), &o->teachers, sizeof o->teachers);
-        int last = k == o->teachers;
+        int last = k == o->teachers, taught = last ? k : 0;
+        uint64_t theirs = hash_bytes(hash_bytes(key, &k, sizeof k), &taught, sizeof taught); /* teachers do not know how many they are */
         if (o->teachers) printf(last ? "their mean:\n" : "teacher %d of %d:\n", k + 1, o->teachers);
-        trainer_start(&t, pool, &f, sizes, o->depth + 2, 256, o->seed + (uint64_t)k);
+        trainer_start(&t, pool, &f, sizes, o->depth + 2, BATCH, o->seed + (uint64_t)k);
         t.net.silu = 1; /* smoother than ELUs: a decibel on materials that it never saw */
         for (i = 0; i < t.net.count; ++i) t.net.p[i] *= 1.6f; /* they halve what goes through */
         t.scale = (float)sqrt((c.total > 0 ? c.total : 1)) / 8;
         t.floor = 1e-6f * (float)y.pixels;
-        t.batch = 256;
+        t.batch = BATCH;
         t.x = lesson.rows && last ? lesson.x : x;
         t.c = lesson.rows && last ? lesson.c : c.coordinate;
         snprintf(checkpoint, sizeof checkpoint, "%.980s.checkpoint%d", path, k);
@@ -2528,7 +2584,6 @@ int main(int argc, char **argv)
     o.depth = 3;
     o.threads = 2;
     o.count = 5;
-    o.teachers = 3;
     o.first = 64;
     o.type = MS_NN_F16;
     o.rate = 0;
@@ -2541,9 +2596,16 @@ int main(int argc, char **argv)
         return file_usage(usage_text);
     }
     if (o.width == 0) o.width = inversion ? 256 : 384;
-    if (o.rate <= 0) o.rate = inversion ? 1e-3 : 2e-3;
+    if (o.rate <= 0) o.rate = inversion ? 1e-3 : 4e-3;
     train_pool_start(&pool, o.threads);
-    fine = inversion == 2 ? measure_renderer(&pool, plain[0], plain[1], &o) : inversion ? train_inversion(&pool, plain[0], plain[1], &o) : o.trunk ? train_larger(&pool, plain[0], plain[1], plain[2], &o) : train_renderer(&pool, plain[0], plain[1], plain[2], &o);
+    if (inversion) fine = inversion == 2 ? measure_renderer(&pool, plain[0], plain[1], &o) : train_inversion(&pool, plain[0], plain[1], &o);
+    else {
+        fine = o.trunk || train_renderer(&pool, plain[0], plain[1], plain[2], &o);
+        if (fine && (o.trunk || is_data_set(plain[0]))) {
+            if (o.trunk == NULL) o.trunk = plain[2], o.bytes = 0; /* rank and type are chosen */
+            fine = train_larger(&pool, plain[0], plain[1], plain[2], &o);
+        }
+    }
     train_pool_stop(&pool);
     if (!fine) fprintf(stderr, "train: %s\n", trouble);
     return fine ? file_end_stdout("train") : 1;

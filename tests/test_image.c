@@ -365,11 +365,31 @@ static void test_resize(void)
     image_free(&im);
 }
 
+/* Every finite half comes back; a value between two goes to the nearer one, in the middle to the even one. */
+static void test_half(void)
+{
+    unsigned h;
+    for (h = 0; h < 0x7bff; ++h) {
+        float a = image_from_half((uint16_t)h), b = image_from_half((uint16_t)(h + 1)), middle = (a + b) / 2; /* exact: 12 bits */
+        if (image_to_half(a) != h || (h && image_to_half(-a) != (h | 0x8000u)) || image_to_half(middle) != h + h % 2 || image_to_half(nextafterf(middle, a)) != h ||
+            image_to_half(nextafterf(middle, b)) != h + 1 || !(a < b)) {
+            TEST_FAIL("around half %04x", h);
+            break;
+        }
+    }
+    CHECK_INT(image_from_half(0x3c00) * 1000, 1000); /* one; the largest; the least */
+    CHECK_INT(image_from_half(0x7bff), 65504);
+    CHECK(image_from_half(1) * 16777216.0f >= 1 && image_from_half(1) * 16777216.0f <= 1);
+    CHECK_INT(image_to_half(1e30f), 0x7bff);
+    CHECK_INT(image_to_half(-1e30f), 0xfbff);
+    CHECK_INT(image_to_half(1e-9f), 0);
+}
+
 static const test_case cases[] = {
     {"pfm_bytes", test_pfm_bytes},         {"pnm_bytes", test_pnm_bytes}, {"round_trip", test_round_trip},
     {"not_finite", test_not_finite},       {"refused", test_refused},     {"prefixes", test_prefixes},
     {"write_refused", test_write_refused}, {"srgb", test_srgb},           {"png_chunks", test_png_chunks},
     {"code_lengths", test_code_lengths},
     {"png_read", test_png_read},           {"png_damage", test_png_damage},
-    {"png_round_trip", test_png_round_trip}, {"resize", test_resize}};
+    {"png_round_trip", test_png_round_trip}, {"resize", test_resize}, {"half", test_half}};
 TEST_MAIN(cases)
