@@ -2344,36 +2344,6 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
 
 /* --- a larger picture for a renderer that is there ---------------------------------------------------------------- */
 
-/* What the renderer draws of each picture, at its size, takes the place of the pictures' own means over its pixels, in linear light: of the
-   pictures only the ratios within a pixel stay, of which the noise of the few brightest paths has gone. */
-typedef struct detail {
-    const frozen *r;
-    const float *u; /* [rows][rank], of the pictures */
-    material_set *s;
-    size_t rows;
-} detail;
-
-static void detail_rows(void *context, int task)
-{
-    detail *d = (detail *)context;
-    size_t from = (size_t)task * CHUNK, n = d->rows - from < CHUNK ? d->rows - from : CHUNK, i, p;
-    int rank = d->r->rank, size = d->r->size, wide = d->s->size, box = wide / size, planes = 3 / d->r->f.lists, j;
-    float *drawn = (float *)room(n * d->r->pixels, sizeof(float));
-    train_work *work = (train_work *)room(1, sizeof *work);
-    train_product(work, (int)n, (int)d->r->pixels, rank, train_rows(d->u + from * (size_t)rank, (size_t)rank), train_transposed(d->r->q, (size_t)rank), drawn, d->r->pixels, 0);
-    for (i = 0; i < n; ++i)
-        for (p = 0; p < d->r->pixels; ++p) {
-            float v = drawn[i * d->r->pixels + p] + d->r->mean[p], light[64], sum = 0;
-            size_t plane = p / ((size_t)size * (size_t)size), y = p / (size_t)size % (size_t)size, x = p % (size_t)size;
-            uint16_t *corner = d->s->linear + (((from + i) * (size_t)planes + plane) * (size_t)wide + y * (size_t)box) * (size_t)wide + x * (size_t)box;
-            for (j = 0; j < box * box; ++j) sum += light[j] = image_from_half(corner[j / box * wide + j % box]);
-            v = image_srgb_decode(v > 0 ? v < 1 ? v : 1 : 0) * (float)(box * box);
-            for (j = 0; j < box * box; ++j) corner[j / box * wide + j % box] = image_to_half(sum > 0 ? v * light[j] / sum : v / (float)(box * box));
-        }
-    free(drawn);
-    free(work);
-}
-
 /* The trunk of --trunk, its features turned to the axes on which the pictures of this set vary, and a pixels' layer of their full size. */
 static int train_larger(train_pool *pool, const char *pictures, const char *csv, const char *path, options *o)
 {
@@ -2430,15 +2400,6 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
         memcpy(u + (size_t)i * (size_t)full, act[last], (size_t)(n * full) * sizeof(float));
     }
     printf("%d pictures of %d x %d for the trunk of %s: %d features\n", s.count, s.size, s.size, o->trunk, full);
-
-    if (s.size > r.size && s.size % r.size == 0 && s.size <= 8 * r.size) {
-        detail d;
-        d.r = &r;
-        d.u = u;
-        d.s = &s;
-        d.rows = (size_t)rows;
-        train_run(pool, (rows + CHUNK - 1) / CHUNK, detail_rows, &d);
-    }
 
     /* features about their mean, on the axes of their covariance */
     m = (float *)zeros((size_t)full, sizeof(float));

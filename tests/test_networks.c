@@ -58,8 +58,8 @@ static void test_renderer_256(void)
         mean += sum / (double)NETWORKS_TILES;
         worst = fmin(worst, sum);
     }
-    CHECK_LE(42.19, mean); /* measured, less 0.05 dB as above */
-    CHECK_LE(34.28, worst);
+    CHECK_LE(42.99, mean); /* measured, less 0.05 dB as above */
+    CHECK_LE(34.3, worst);
     TEST_NOTE("averaged to 128 x 128: mean %.2f dB, min %.2f", mean, worst);
     free(truth);
     free(planes);
