@@ -3628,7 +3628,9 @@ enum {
     MS_SSS__BLOCK = 32, /* columns that are left out together where none takes part */
     MS_SSS__TASKS = 16, /* bands of rows at most */
     MS_SSS__ROWS = 42,  /* row buffers of a task */
-    MS_SSS__PAIRS = 8,  /* of taps that are made as pairs */
+    MS_SSS__PAIRS = 16, /* of taps that are made as pairs */
+    MS_SSS__LEANING = 8, /* the same with slopes */
+    MS_SSS__HELD = 4,   /* pairs whose weights are held */
     MS_SSS__FAR = 120,  /* pixels that pairs may reach */
     MS_SSS__MARGIN = 144, /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
     MS_SSS__STEP = 8,   /* rows that the second pass takes together */
@@ -3702,6 +3704,7 @@ typedef struct ms_sss__sweep {
     int pairs;         /* of taps that weigh the same; 0: any taps */
     int shaped, reach, bands, band, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
     float offset[2][MS_SSS__PAIRS][16]; /* mm; of the axes in their own pixels */
+    int simple;        /* weights of one sign that add up to 1 */
     float nearness[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* 1 / offset; centre, pairs */
     float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16];
     float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
@@ -3879,7 +3882,11 @@ static MS_SSS__INLINE float ms_sss__index_size(int index)
     return size;
 }
 
-static const float ms_sss__ramp[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+/* 0 to FAR */
+#define MS_SSS__TEN(n) n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7, n + 8, n + 9
+static const float ms_sss__whole[MS_SSS__FAR + 1] = {MS_SSS__TEN(0),  MS_SSS__TEN(10), MS_SSS__TEN(20), MS_SSS__TEN(30),  MS_SSS__TEN(40),  MS_SSS__TEN(50), MS_SSS__TEN(60),
+                                         MS_SSS__TEN(70), MS_SSS__TEN(80), MS_SSS__TEN(90), MS_SSS__TEN(100), MS_SSS__TEN(110), 120};
+#undef MS_SSS__TEN
 
 /* The three weights of a level for a radius in pixels, step floats apart. */
 static MS_SSS__INLINE void ms_sss__weights_at(const ms_sss__growth *s, float size, int level, int blurred, float *out, int step)
@@ -4708,7 +4715,7 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
     const int pairs = k->tap_count / 2;
     float inner = 0;
     int i, c;
-    if (pairs > MS_SSS__PAIRS || p->exact || p->follow || s->lanes == 1) return 0;
+    if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS) || p->exact || p->follow || s->lanes == 1) return 0;
     for (c = 0; c < 3; ++c) ms_sss__splat(s->weight[0][c], (double)p->weight[0][c]);
     for (i = 0; i < pairs; ++i) {
         const double x = (double)k->offset_mm[2 * i + 2];
@@ -4755,6 +4762,9 @@ static void ms_sss__both_passes(ms_sss__job *job)
     int i, c;
     memset(&s, 0, sizeof s);
     s.job = job;
+    s.simple = 1;
+    for (c = 0; c < 3; ++c)
+        if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1)) s.simple = 0;
     s.lanes = job->simd->lanes;
     s.shaped = job->shaped && !job->fixed;
     s.rows = s.shaped ? 5 : 1;
@@ -8310,7 +8320,7 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(size)(const ms_sss__pass *p, MS_SSS
 /* Tangents of the rays through pixels from column x on. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(ray)(const ms_sss__pass *p, int x)
 {
-    return MS_SSS__MUL(MS_SSS__ADD(MS_SSS__LOAD(ms_sss__ramp), MS_SSS__SET((float)x + 0.5f - p->middle[0])), MS_SSS__SET(p->tangent));
+    return MS_SSS__MUL(MS_SSS__ADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET((float)x + 0.5f - p->middle[0])), MS_SSS__SET(p->tangent));
 }
 
 /* 1 / sqrt(a): relative error 3e-7. */
@@ -8525,33 +8535,147 @@ static float MS_SSS__NAME(least)(const float *depth, int count)
 }
 
 #if MS_SSS__LANES > 1
-/* n groups from column x on, of which some are left as they are: first what the taps weigh, then the sums, since the chains of one group are long. Pixels i, i + 1
-   (and i + 2, where lanes of a group differ) of a pair and -i, -i - 1 (-i - 2) opposite. */
-static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const ms_sss__line *l, int x, int n,
-                                               MS_SSS__V (*out)[3])
+/* What the pixels of a pair at distance t weigh by their depths, q: i, i + 1 (and i + 2, two: where lanes of a group differ), -i, -i - 1 (-i - 2).
+   Returns their sum. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weights)(const float *deep, const ptrdiff_t *step, int i, const int two, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
+{
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
+    const ptrdiff_t *up = step + i, *down = step - i;
+    MS_SSS__V r = MS_SSS__SUB(t, MS_SSS__SET(ms_sss__whole[i])), share = MS_SSS__SUB(one, r), far = zero, up_sum, down_sum;
+    if (two) {
+        share = MS_SSS__MAX(share, zero);
+        far = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
+        r = MS_SSS__SUB(one, MS_SSS__ADD(share, far));
+    }
+    q[0] = MS_SSS__MUL(share, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[0]))));
+    q[1] = MS_SSS__MUL(r, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[1]))));
+    q[3] = MS_SSS__MUL(share, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[0]))));
+    q[4] = MS_SSS__MUL(r, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[-1]))));
+    up_sum = MS_SSS__ADD(q[0], q[1]);
+    down_sum = MS_SSS__ADD(q[3], q[4]);
+    if (two) {
+        q[2] = MS_SSS__MUL(far, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[2]))));
+        q[5] = MS_SSS__MUL(far, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[-2]))));
+        up_sum = MS_SSS__ADD(up_sum, q[2]);
+        down_sum = MS_SSS__ADD(down_sum, q[5]);
+    }
+    return MS_SSS__ADD(up_sum, down_sum);
+}
+
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const float *deep, const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
+{
+    if (place < MS_SSS__BESIDE) return MS_SSS__NAME(weights)(deep, step, place, 0, z, t, q);
+    return MS_SSS__NAME(weights)(deep, step, place - MS_SSS__BESIDE, 1, z, t, q);
+}
+
+/* The light of a pair's pixels in a channel. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(light)(const float *from, const ptrdiff_t *step, int i, const int two, const MS_SSS__V *q)
+{
+    const ptrdiff_t *up = step + i, *down = step - i;
+    MS_SSS__V v = MS_SSS__MADD(q[1], MS_SSS__LOAD(from + up[1]), MS_SSS__MUL(q[0], MS_SSS__LOAD(from + up[0])));
+    v = MS_SSS__MADD(q[4], MS_SSS__LOAD(from + down[-1]), MS_SSS__MADD(q[3], MS_SSS__LOAD(from + down[0]), v));
+    if (two) v = MS_SSS__MADD(q[5], MS_SSS__LOAD(from + down[-2]), MS_SSS__MADD(q[2], MS_SSS__LOAD(from + up[2]), v));
+    return v;
+}
+
+/* Adds a pair's light to v and its weights, whose sum is all, to m. */
+static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], const float *red, const float *green, const float *blue, const ptrdiff_t *step, int place,
+                                                  const MS_SSS__V *q, MS_SSS__V all, MS_SSS__V v[3], MS_SSS__V m[3])
+{
+    const MS_SSS__V wr = MS_SSS__LOAD(weight[0]), wg = MS_SSS__LOAD(weight[1]), wb = MS_SSS__LOAD(weight[2]);
+    m[0] = MS_SSS__MADD(wr, all, m[0]);
+    m[1] = MS_SSS__MADD(wg, all, m[1]);
+    m[2] = MS_SSS__MADD(wb, all, m[2]);
+    if (place < MS_SSS__BESIDE) {
+        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(red, step, place, 0, q), v[0]);
+        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(green, step, place, 0, q), v[1]);
+        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(blue, step, place, 0, q), v[2]);
+    } else {
+        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(red, step, place - MS_SSS__BESIDE, 1, q), v[0]);
+        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(green, step, place - MS_SSS__BESIDE, 1, q), v[1]);
+        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(blue, step, place - MS_SSS__BESIDE, 1, q), v[2]);
+    }
+}
+
+/* n groups from column x on, without slopes: HELD pairs of each at a time, first what they weigh, then the sums, since the chains of one group are long. */
+static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, const int three, MS_SSS__V (*out)[3])
+{
+    const ptrdiff_t *step = l->step, plane = l->plane, here = step[0], group = l->group;
+    const float *first = l->from + x / MS_SSS__LANES * group, (*offset)[16] = s->offset[l->axis];
+    const int pairs = three ? 3 : s->pairs, plan_size = s->plan_size;
+    const unsigned char *plans = l->plan + x / MS_SSS__LANES * plan_size + 1;
+    MS_SSS__V q[MS_SSS__HELD][MS_SSS__CHUNK][6], all[MS_SSS__HELD][MS_SSS__CHUNK], norm[MS_SSS__CHUNK][3];
+    int g, k, c, begin = 0, end = 0;
+    if (MS_SSS__CHUNK == 1 && plans[-1] < MS_SSS__SOME) return;
+    do {
+        const unsigned char *plan = plans;
+        const float *red = first;
+        begin = end;
+        end = three || pairs - begin < MS_SSS__HELD ? pairs : begin + MS_SSS__HELD;
+        for (g = 0; g < n; ++g, plan += plan_size, red += group) {
+            const float *deep = red + 3 * plane;
+            const MS_SSS__V z = MS_SSS__LOAD(deep + here), size = MS_SSS__NAME(size)(p, z);
+            if (MS_SSS__CHUNK > 1 && plan[-1] < MS_SSS__SOME) continue;
+            if (three) {
+                MS_SSS__UNROLL
+                for (k = 0; k < 3; ++k) all[k][g] = MS_SSS__NAME(weigh_pair)(deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k][g]);
+                continue;
+            }
+            for (k = begin; k < end; ++k)
+                all[k - begin][g] = MS_SSS__NAME(weigh_pair)(deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k - begin][g]);
+        }
+        plan = plans;
+        red = first;
+        for (g = 0; g < n; ++g, plan += plan_size, red += group) {
+            const float *green = red + plane, *blue = green + plane;
+            MS_SSS__V v[3], m[3], own[3];
+            own[0] = MS_SSS__LOAD(red + here);
+            own[1] = MS_SSS__LOAD(green + here);
+            own[2] = MS_SSS__LOAD(blue + here);
+            if (MS_SSS__CHUNK > 1 && plan[-1] < MS_SSS__SOME) continue;
+            MS_SSS__UNROLL
+            for (c = 0; c < 3; ++c) {
+                m[c] = begin ? norm[g][c] : MS_SSS__LOAD(s->weight[0][c]);
+                v[c] = begin ? out[g][c] : MS_SSS__MUL(m[c], own[c]);
+            }
+            if (three) {
+                MS_SSS__UNROLL
+                for (k = 0; k < 3; ++k) MS_SSS__NAME(add_pair)(s->weight[k + 1], red, green, blue, step, plan[k], q[k][g], all[k][g], v, m);
+            }
+            for (k = begin; k < end && !three; ++k)
+                MS_SSS__NAME(add_pair)(s->weight[k + 1], red, green, blue, step, plan[k], q[k - begin][g], all[k - begin][g], v, m);
+            if (end == pairs && s->simple) {
+                MS_SSS__UNROLL
+                for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(1e-30f), m[c]), MS_SSS__DIV(v[c], m[c]), own[c]);
+                continue;
+            }
+            MS_SSS__UNROLL
+            for (c = 0; c < 3; ++c) {
+                norm[g][c] = m[c];
+                out[g][c] = end < pairs ? v[c] : MS_SSS__NAME(restore)(v[c], m[c], own[c], p->total[c], p->mixed[c]);
+            }
+        }
+    } while (!three && end < pairs);
+}
+
+/* The same with slopes. */
+static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, MS_SSS__V (*out)[3])
 {
     const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f);
     const ptrdiff_t *step = l->step, plane = l->plane;
-    MS_SSS__V h[MS_SSS__PAIRS][MS_SSS__CHUNK][6], sum[MS_SSS__PAIRS][MS_SSS__CHUNK][2], sine[MS_SSS__PAIRS][MS_SSS__CHUNK][2], away[2];
+    MS_SSS__V h[MS_SSS__LEANING][MS_SSS__CHUNK][6], sum[MS_SSS__LEANING][MS_SSS__CHUNK][2], sine[MS_SSS__LEANING][MS_SSS__CHUNK][2], away[2];
     int g, k, j, side, c;
     for (g = 0; g < n; ++g) {
         const unsigned char *plan = l->plan + (x / MS_SSS__LANES + g) * s->plan_size;
         const float *here = l->from + (x / MS_SSS__LANES + g) * l->group;
-        MS_SSS__V z, size, rise = zero, facing = zero, grain = zero;
+        const MS_SSS__V z = MS_SSS__LOAD(here + step[0] + 3 * plane), grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
+        const MS_SSS__V size = MS_SSS__LOAD(l->own[0] + x + g * MS_SSS__LANES), rise = MS_SSS__LOAD(l->own[1] + x + g * MS_SSS__LANES);
+        const MS_SSS__V facing = MS_SSS__LOAD(l->own[2] + x + g * MS_SSS__LANES);
         if (plan[0] < MS_SSS__SOME) continue;
-        z = MS_SSS__LOAD(here + step[0] + 3 * plane);
-        if (shaped) {
-            size = MS_SSS__LOAD(l->own[0] + x + g * MS_SSS__LANES);
-            rise = MS_SSS__LOAD(l->own[1] + x + g * MS_SSS__LANES);
-            facing = MS_SSS__LOAD(l->own[2] + x + g * MS_SSS__LANES);
-            grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
-        } else {
-            size = MS_SSS__NAME(size)(p, z);
-        }
         away[0] = away[1] = zero;
         for (k = 0; k < s->pairs; ++k) {
             const int two = plan[k + 1] & MS_SSS__BESIDE, i = plan[k + 1] - two;
-            const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[l->axis][k])), base = MS_SSS__SET((float)i), r = MS_SSS__SUB(t, base);
+            const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[l->axis][k])), base = MS_SSS__SET(ms_sss__whole[i]), r = MS_SSS__SUB(t, base);
             const MS_SSS__V start = MS_SSS__MUL(rise, base), least = MS_SSS__MADD(grain, t, MS_SSS__ADD(grain, grain));
             MS_SSS__V share[3];
             share[0] = MS_SSS__SUB(one, r);
@@ -8571,56 +8695,42 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
                     if (j == 2 && !two) break;
                     there = MS_SSS__LOAD(here + step[side ? -i - j : i + j] + 3 * plane);
                     dz[j] = MS_SSS__SUB(there, z);
-                    if (!shaped) {
-                        f[j] = MS_SSS__MUL(share[j], MS_SSS__NAME(falloff)(dz[j]));
-                        continue;
-                    }
                     dz[j] = p->perspective ? MS_SSS__LESSEN(gain, there, dz[j]) : MS_SSS__SUB(dz[j], gain);
                     gain = side ? MS_SSS__SUB(gain, rise) : MS_SSS__ADD(gain, rise);
                     square = MS_SSS__MIN(MS_SSS__MUL(dz[j], dz[j]), one);
                     f[j] = MS_SSS__LESSEN(share[j], square, share[j]);
                     over[j] = MS_SSS__MADD(MS_SSS__LOAD(s->remote[k]), square, one);
                 }
-                if (shaped) { /* f / over, by one division that serves 1 / (all + SPARSE) too */
-                    both = MS_SSS__MUL(over[0], over[1]);
-                    f[0] = MS_SSS__MUL(f[0], over[1]);
-                    f[1] = MS_SSS__MUL(f[1], over[0]);
-                    if (two) {
-                        f[0] = MS_SSS__MUL(f[0], over[2]);
-                        f[1] = MS_SSS__MUL(f[1], over[2]);
-                        f[2] = MS_SSS__MUL(f[2], both);
-                        both = MS_SSS__MUL(both, over[2]);
-                    }
-                    all = MS_SSS__ADD(f[0], f[1]);
-                    below = MS_SSS__MADD(f[1], dz[1], MS_SSS__MUL(f[0], dz[0]));
-                    if (two) {
-                        all = MS_SSS__ADD(all, f[2]);
-                        below = MS_SSS__MADD(f[2], dz[2], below);
-                    }
-                    lies = MS_SSS__MADD(MS_SSS__SET(MS_SSS__SPARSE), both, all);
-                    inverse = MS_SSS__DIV(one, MS_SSS__MUL(both, lies));
-                    lies = MS_SSS__MUL(inverse, lies); /* 1 / both */
-                    below = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(MS_SSS__MUL(below, lies), least));
-                    sine[k][g][side] = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(below, MS_SSS__LOAD(s->nearness[k])), one), MS_SSS__SET(p->least));
-                    below = MS_SSS__MUL(MS_SSS__MADD(MS_SSS__SET(MS_SSS__SPARSE), away[side], below), MS_SSS__MUL(inverse, MS_SSS__MUL(both, both)));
-                    inverse = MS_SSS__MUL(MS_SSS__SUB(below, away[side]), MS_SSS__LOAD(s->bulge[k]));
-                    away[side] = below;
-                    lies = MS_SSS__MUL(lies, MS_SSS__MIN(MS_SSS__MADD(inverse, inverse, one), MS_SSS__SET(MS_SSS__AREA_MAX)));
-                    sum[k][g][side] = MS_SSS__MUL(all, lies);
-                    MS_SSS__UNROLL
-                    for (j = 0; j < 3; ++j) {
-                        if (j == 2 && !two) break;
-                        h[k][g][3 * side + j] = MS_SSS__MUL(f[j], lies);
-                    }
-                } else {
-                    all = MS_SSS__ADD(f[0], f[1]);
-                    if (two) all = MS_SSS__ADD(all, f[2]);
-                    sum[k][g][side] = all;
-                    MS_SSS__UNROLL
-                    for (j = 0; j < 3; ++j) {
-                        if (j == 2 && !two) break;
-                        h[k][g][3 * side + j] = f[j];
-                    }
+                /* f / over, by one division that serves 1 / (all + SPARSE) too */
+                both = MS_SSS__MUL(over[0], over[1]);
+                f[0] = MS_SSS__MUL(f[0], over[1]);
+                f[1] = MS_SSS__MUL(f[1], over[0]);
+                if (two) {
+                    f[0] = MS_SSS__MUL(f[0], over[2]);
+                    f[1] = MS_SSS__MUL(f[1], over[2]);
+                    f[2] = MS_SSS__MUL(f[2], both);
+                    both = MS_SSS__MUL(both, over[2]);
+                }
+                all = MS_SSS__ADD(f[0], f[1]);
+                below = MS_SSS__MADD(f[1], dz[1], MS_SSS__MUL(f[0], dz[0]));
+                if (two) {
+                    all = MS_SSS__ADD(all, f[2]);
+                    below = MS_SSS__MADD(f[2], dz[2], below);
+                }
+                lies = MS_SSS__MADD(MS_SSS__SET(MS_SSS__SPARSE), both, all);
+                inverse = MS_SSS__DIV(one, MS_SSS__MUL(both, lies));
+                lies = MS_SSS__MUL(inverse, lies); /* 1 / both */
+                below = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(MS_SSS__MUL(below, lies), least));
+                sine[k][g][side] = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(below, MS_SSS__LOAD(s->nearness[k])), one), MS_SSS__SET(p->least));
+                below = MS_SSS__MUL(MS_SSS__MADD(MS_SSS__SET(MS_SSS__SPARSE), away[side], below), MS_SSS__MUL(inverse, MS_SSS__MUL(both, both)));
+                inverse = MS_SSS__MUL(MS_SSS__SUB(below, away[side]), MS_SSS__LOAD(s->bulge[k]));
+                away[side] = below;
+                lies = MS_SSS__MUL(lies, MS_SSS__MIN(MS_SSS__MADD(inverse, inverse, one), MS_SSS__SET(MS_SSS__AREA_MAX)));
+                sum[k][g][side] = MS_SSS__MUL(all, lies);
+                MS_SSS__UNROLL
+                for (j = 0; j < 3; ++j) {
+                    if (j == 2 && !two) break;
+                    h[k][g][3 * side + j] = MS_SSS__MUL(f[j], lies);
                 }
             }
         }
@@ -8651,27 +8761,25 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
             MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) {
                 const MS_SSS__V w = MS_SSS__LOAD(s->weight[k + 1][c]);
-                MS_SSS__V u = MS_SSS__MADD(q[1], MS_SSS__LOAD(a1 + c * plane), MS_SSS__MUL(q[0], MS_SSS__LOAD(a0 + c * plane))), v;
-                v = shaped ? MS_SSS__MUL(q[3], MS_SSS__LOAD(b0 + c * plane)) : MS_SSS__MADD(q[3], MS_SSS__LOAD(b0 + c * plane), u);
+                MS_SSS__V u = MS_SSS__MADD(q[1], MS_SSS__LOAD(a1 + c * plane), MS_SSS__MUL(q[0], MS_SSS__LOAD(a0 + c * plane))), v, rise, drop;
+                v = MS_SSS__MUL(q[3], MS_SSS__LOAD(b0 + c * plane));
                 v = MS_SSS__MADD(q[4], MS_SSS__LOAD(b1 + c * plane), v);
                 if (two) {
                     const MS_SSS__V a2 = MS_SSS__LOAD(here + step[i + 2] + c * plane), b2 = MS_SSS__LOAD(here + step[-i - 2] + c * plane);
-                    if (shaped) u = MS_SSS__MADD(q[2], a2, u);
-                    else v = MS_SSS__MADD(q[2], a2, v);
+                    u = MS_SSS__MADD(q[2], a2, u);
                     v = MS_SSS__MADD(q[5], b2, v);
                 }
                 norm[c] = MS_SSS__MADD(w, MS_SSS__ADD(sum[k][g][0], sum[k][g][1]), norm[c]);
-                if (shaped) {
-                    const MS_SSS__V rise = MS_SSS__NAME(lift)(p, c, sine[k][g][0]), drop = MS_SSS__NAME(lift)(p, c, sine[k][g][1]);
-                    v = MS_SSS__MADD(rise, u, MS_SSS__MUL(drop, v));
-                    lifted[c] = MS_SSS__MADD(w, MS_SSS__MADD(rise, sum[k][g][0], MS_SSS__MUL(drop, sum[k][g][1])), lifted[c]);
-                }
+                rise = MS_SSS__NAME(lift)(p, c, sine[k][g][0]);
+                drop = MS_SSS__NAME(lift)(p, c, sine[k][g][1]);
+                v = MS_SSS__MADD(rise, u, MS_SSS__MUL(drop, v));
+                lifted[c] = MS_SSS__MADD(w, MS_SSS__MADD(rise, sum[k][g][0], MS_SSS__MUL(drop, sum[k][g][1])), lifted[c]);
                 r[c] = MS_SSS__MADD(w, v, r[c]);
             }
         }
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
-            if (shaped && !p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(lifted[c], MS_SSS__SET(p->root[c])));
+            if (!p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(lifted[c], MS_SSS__SET(p->root[c])));
             out[g][c] = MS_SSS__NAME(restore)(r[c], norm[c], MS_SSS__LOAD(here + step[0] + c * plane), p->total[c], p->mixed[c]);
         }
     }
@@ -8681,8 +8789,9 @@ static MS_SSS__INLINE void MS_SSS__NAME(chunk)(const ms_sss__sweep *s, const ms_
 /* The group at column x by any taps along an axis, or turned: along each pixel's own. Neighbours mostly share the integer part of a
    tap's position: each distinct one is handled once for all lanes that have it. h is a pixel's share of a tap (bilinear), f what its
    depth leaves of it. */
-static MS_SSS__INLINE void MS_SSS__NAME(group)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, const int turned, MS_SSS__V out[3])
+static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
 {
+    const int turned = l->turn != NULL;
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const float *here = l->from + x / MS_SSS__LANES * l->group, *at = here + l->step[0];
     const MS_SSS__V z = MS_SSS__LOAD(at + 3 * l->plane);
@@ -8730,9 +8839,9 @@ static MS_SSS__INLINE void MS_SSS__NAME(group)(const ms_sss__sweep *s, const ms_
         float floors[MS_SSS__LANES], floors_y[MS_SSS__LANES];
         unsigned left = pending;
         MS_SSS__STORE(floors, whole);
-        if (turned) MS_SSS__STORE(floors_y, whole_y);
+        MS_SSS__STORE(floors_y, whole_y);
         while (left) {
-            const int lane = ms_sss__lowest(left), i = (int)floors[lane], i_y = turned ? (int)floors_y[lane] : 0;
+            const int lane = ms_sss__lowest(left), i = (int)floors[lane], i_y = (int)floors_y[lane];
             MS_SSS__MASK same = MS_SSS__SAME(whole, MS_SSS__SET(floors[lane]));
             if (turned) same = MS_SSS__BOTH(same, MS_SSS__SAME(whole_y, MS_SSS__SET(floors_y[lane])));
             left &= ~MS_SSS__BITS(same);
@@ -8801,14 +8910,19 @@ static MS_SSS__INLINE void MS_SSS__NAME(group)(const ms_sss__sweep *s, const ms_
     }
 }
 
-static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
+/* What pairs cannot do in the group at column x. */
+static MS_SSS__APART void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int kind, MS_SSS__V out[3])
 {
-    MS_SSS__NAME(group)(s, p, l, x, 0, out);
-}
-
-static MS_SSS__APART void MS_SSS__NAME(any_turned)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
-{
-    MS_SSS__NAME(group)(s, p, l, x, 1, out);
+    const float *here = l->from + x / MS_SSS__LANES * l->group + l->step[0];
+    const MS_SSS__MASK need = MS_SSS__NAME(need)(p, MS_SSS__LOAD(here + 3 * l->plane));
+    MS_SSS__V own[3];
+    int c;
+    for (c = 0; c < 3; ++c) {
+        own[c] = MS_SSS__MUL(MS_SSS__LOAD(here + c * l->plane), MS_SSS__SET(p->total[c]));
+        if (kind < MS_SSS__SOME) out[c] = own[c];
+    }
+    if (kind == MS_SSS__ANY) MS_SSS__NAME(any)(s, p, l, x, out);
+    for (c = 0; c < 3 && kind != MS_SSS__LEAVE; ++c) out[c] = MS_SSS__SELECT(need, out[c], own[c]);
 }
 
 /* A pass of several rows between columns first and last, chunk by chunk so that what they share stays in the cache. */
@@ -8820,6 +8934,10 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
         for (y = 0; y < lines; ++y) {
             const ms_sss__line *l = &line[y];
             const int n = (l->last - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (l->last - x) / MS_SSS__LANES : MS_SSS__CHUNK;
+            const int plan_size = s->plan_size, axis = l->axis, stream = l->stream;
+            const ptrdiff_t group = l->group, to_group = l->to_group;
+            const float *deep = l->from + x / MS_SSS__LANES * group + l->step[0] + 3 * l->plane;
+            float *to[3];
             MS_SSS__V out[MS_SSS__CHUNK][3];
             if (x < l->first || x >= l->last) continue;
             for (c = 0; c < 4; ++c) {
@@ -8828,28 +8946,25 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
                 for (b = 0; b < n * MS_SSS__LANES * l->ahead_step[c]; b += 64) MS_SSS__PREFETCH(ahead + b);
             }
 #if MS_SSS__LANES > 1
-            MS_SSS__NAME(chunk)(s, p, shaped, l, x, n, out);
+            if (shaped) MS_SSS__NAME(leaning)(s, p, l, x, n, out);
+            else if (MS_SSS__LANES > 4 && s->pairs == 3) MS_SSS__NAME(flat)(s, p, l, x, n, 1, out);
+            else MS_SSS__NAME(flat)(s, p, l, x, n, 0, out);
 #else
             (void)shaped;
-            for (c = 0; c < 3; ++c) out[0][c] = l->from[x * l->group + l->step[0] + c * l->plane] * p->total[c];
+            memset(out, 0, sizeof out);
 #endif
+            for (c = 0; c < 3; ++c) to[c] = l->to[c] + x / MS_SSS__LANES * l->to_group;
             for (g = 0; g < n; ++g) {
-                const int at = x + g * MS_SSS__LANES, group = at / MS_SSS__LANES, kind = l->plan[group * s->plan_size];
-                const float *here = l->from + group * l->group + l->step[0];
-                if (kind == MS_SSS__ANY && l->turn) MS_SSS__NAME(any_turned)(s, p, l, at, out[g]);
-                else if (kind == MS_SSS__ANY) MS_SSS__NAME(any)(s, p, l, at, out[g]);
-                if (kind == MS_SSS__ANY || kind == MS_SSS__SOME) {
-                    const MS_SSS__MASK need = MS_SSS__NAME(need)(p, MS_SSS__LOAD(here + 3 * l->plane));
+                const int kind = l->plan[(x / MS_SSS__LANES + g) * plan_size];
+                if (kind != MS_SSS__ALL) MS_SSS__NAME(rest)(s, p, l, x + g * MS_SSS__LANES, kind, out[g]);
+                if (stream) {
                     MS_SSS__UNROLL
-                    for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__SELECT(need, out[g][c], MS_SSS__MUL(MS_SSS__LOAD(here + c * l->plane), MS_SSS__SET(p->total[c])));
+                    for (c = 0; c < 3; ++c) MS_SSS__STREAM(to[c] + g * to_group, out[g][c]);
+                } else {
+                    MS_SSS__UNROLL
+                    for (c = 0; c < 3; ++c) MS_SSS__STORE(to[c] + g * to_group, out[g][c]);
                 }
-                MS_SSS__UNROLL
-                for (c = 0; c < 3; ++c) {
-                    float *to = l->to[c] + group * l->to_group;
-                    if (l->stream) MS_SSS__STREAM(to, out[g][c]);
-                    else MS_SSS__STORE(to, out[g][c]);
-                }
-                if (l->axis == 0) MS_SSS__STORE(l->to[2] + group * l->to_group + MS_SSS__LANES, MS_SSS__LOAD(here + 3 * l->plane));
+                if (axis == 0) MS_SSS__STORE(to[2] + g * to_group + MS_SSS__LANES, MS_SSS__LOAD(deep + g * group));
             }
         }
 }
@@ -9126,7 +9241,7 @@ static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[5], 
             MS_SSS__STORE(out[2] + i, zero);
             continue;
         }
-        rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__ramp), MS_SSS__SET(s->tangent), MS_SSS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
+        rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(s->tangent), MS_SSS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
         if (normal) { /* slopes beyond 8, and normals turned away, keep their direction */
             const MS_SSS__V a = MS_SSS__LOAD(normal[0] + i), b = MS_SSS__LOAD(normal[1] + i), c = MS_SSS__LOAD(normal[2] + i);
             const MS_SSS__V least = MS_SSS__MUL(MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)), MS_SSS__SET(0.125f));
@@ -9464,7 +9579,7 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, cons
             y1 = MS_SSS__LOAD(own[2] + 2 * i + MS_SSS__LANES);
         }
         for (odd = 0; odd < 2; ++odd) {
-            const MS_SSS__V rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__ramp), MS_SSS__SET(cells * s->tangent),
+            const MS_SSS__V rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(cells * s->tangent),
                                               MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
             tiny |= MS_SSS__NAME(gather_side)(s, wide, tilted, odd ? MS_SSS__ODD(d0, d1) : MS_SSS__EVEN(d0, d1), odd ? MS_SSS__ODD(x0, x1) : MS_SSS__EVEN(x0, x1),
                                               odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1), coarse, i, s->tap[y & 1][odd], rx, ry, result[odd]);
