@@ -3803,9 +3803,9 @@ typedef struct ms_sss__kernels {
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
     void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first, int count, float *const out[3]);
-    void (*shrink)(const ms_sss__growth *s, const float *const row[4][7], int first, int count, float *const out[7]);
+    void (*shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count, float *const out[7]);
     int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *const coarse[8], int first, int count, int y, float *const out[6]);
-    int (*settle)(const ms_sss__growth *s, const float *const row[3][4], const float *const slope[3], const float *const sum[6], int first, int count,
+    int (*settle)(const ms_sss__growth *s, const float *row[3][4], const float *const slope[3], const float *const sum[6], int first, int count,
                   float *const out[3]);
     void (*invert)(const ms_sss__growth *s, const float *depth, int count, float *d);
     int (*halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit, int count, float *const out[4]);
@@ -9280,7 +9280,7 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(beside)(MS_SSS__V off)
 /* One row of a level from rows 2j - 1 to 2j + 2 of the finer one, each colour, d, share, changes of d: pixel i is the mean of columns 2i - 1
    to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of what lies near the tangent plane of the nearest of the middle four that has a quarter of the
    largest share. tilted 0: no changes, and on the picture (share NULL) shares of 1. */
-static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, const int tilted, const int shares, const float *const row[4][7],
+static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, const int tilted, const int shares, const float *row[4][7],
                                                     int first, int count, float *const out[7])
 {
     static const float side[4] = {0.125f, 0.375f, 0.375f, 0.125f};
@@ -9389,7 +9389,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
     }
 }
 
-static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const float *const row[4][7], int first, int count, float *const out[7])
+static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count, float *const out[7])
 {
     if (s->upright > 0) MS_SSS__NAME(shrink_row)(s, 1, 1, row, first, count, out);
     else if (row[1][4]) MS_SSS__NAME(shrink_row)(s, 0, 1, row, first, count, out);
@@ -9602,7 +9602,7 @@ static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[
 
 /* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
    tangent plane, and the sums. row: colour and d of the rows above, at and below; slope: share, then the changes of d. */
-static MS_SSS__INLINE int MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *const row[3][4], const float *const slope[3],
+static MS_SSS__INLINE int MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *row[3][4], const float *const slope[3],
                                                    const float *const sum[6], int first, int count, float *const out[3])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f);
@@ -9654,7 +9654,7 @@ static MS_SSS__INLINE int MS_SSS__NAME(settle_row)(const ms_sss__growth *s, cons
     return tiny;
 }
 
-static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *const row[3][4], const float *const slope[3], const float *const sum[6],
+static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *row[3][4], const float *const slope[3], const float *const sum[6],
                                 int first, int count, float *const out[3])
 {
     return s->upright > 0 ? MS_SSS__NAME(settle_row)(s, 1, row, slope, sum, first, count, out)
