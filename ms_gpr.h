@@ -446,7 +446,8 @@ typedef enum ms_gpr_search {
 /* All zero: the defaults. */
 typedef struct ms_gpr_recommend_options {
     double tau;            /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
-                              to 0.7 (quality). floor: ms_gpr_floor */
+                              to 0.7 (quality); recommendations score a little above it on average: 0.8 for the best alone.
+                              floor: ms_gpr_floor */
     double best;           /* the score that tau = 1 means, such as 10; 0: the largest that was given. Where the model predicts
                               less all over the box, the largest mean takes its place */
     double caution;        /* accept on mean - caution * sigma, >= 0. 0: on the mean */
@@ -3373,6 +3374,16 @@ static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, m
     return o->start ? ms_gpr__check_theta(o->start, m, error) : MS_OK;
 }
 
+/* How many scores the starts race on; n: there is no race, or little to spare. */
+static int ms_gpr__fit_part(const ms_gpr__fit *fit, int n, int m)
+{
+    int least = 4 * m > MS_GPR__PART ? 4 * m : MS_GPR__PART;
+    if (fit->o.method == MS_GPR_METHOD_ML || fit->starts == 1 || fit->o.pair_count > 0 || (fit->links && fit->links != n)) return n;
+    if (n / 2 < least) return n;
+    if (n / 3 < least) return least;
+    return n / 3 < 400 ? n / 3 : 400;
+}
+
 static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, int part, ms_gpr__arena *arena)
 {
     const ms_gpr__kernels *f = ms_gpr__kernels_of(ms_gpr__simd_pick(fit->o.simd));
@@ -3458,8 +3469,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     fit.links = ms_gpr__link_all(NULL, y, n, 0, 0, fit.o.step, 0, 1, NULL, fit.o.pair_count);
     fit.starts = fit.o.start || fit.o.length_start > 0 ? 1 : 3 + fit.o.random_starts;
     fit.expected = 30 * fit.starts + fit.o.evaluations / 2;
-    part = 4 * m > MS_GPR__PART ? 4 * m : MS_GPR__PART;
-    part = n / 2 < part || fit.o.method == MS_GPR_METHOD_ML || fit.starts == 1 || (fit.links && fit.links != n) || fit.o.pair_count > 0 ? n : n / 3 < part ? part : n / 3 < 400 ? n / 3 : 400;
+    part = ms_gpr__fit_part(&fit, n, m);
     ms_gpr__fit_layout(&fit, n, m, part, &arena);
     doubles = arena.used;
     arena.base = ms_gpr__doubles(&fit.o.allocator, doubles, &block);
@@ -7011,19 +7021,22 @@ static void MS_GPR__KERNEL(go)(void *d2, const void *slope, double t, double c, 
 
 #if !MS_GPR__FLOAT
 /* A tile of 4 rows and 3 vectors, then of 1: twelve sums, three vectors of b and one of a fill 16 registers. Depth goes in slices,
-   and three vectors of a slice of b are copied together, so that they stay in the first cache and on few pages; rows go in blocks, so
-   that a slice of a stays in the second. */
-#define MS_GPR__SLICE 128
-#define MS_GPR__ROWS 256
+   and three vectors of a slice of b are copied together, so that they stay in the first cache and on few pages; a block of c and the slices
+   of a and b that meet there stay in the second. */
+#define MS_GPR__SLICE 96
+#define MS_GPR__ROWS 128
+#define MS_GPR__COLUMNS 240 /* a multiple of three vectors */
 static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
                                    int rows, int columns, int depth, int parts)
 {
     double strip[MS_GPR__SLICE * 3 * MS_GPR__LANES];
-    int slices = (depth + MS_GPR__SLICE - 1) / MS_GPR__SLICE, blocks = (rows + MS_GPR__ROWS - 1) / MS_GPR__ROWS, part, i, j, k;
-    for (part = 0; part < slices * blocks; ++part) {
-        int top = part / slices * MS_GPR__ROWS, bottom = rows - top > MS_GPR__ROWS ? top + MS_GPR__ROWS : rows;
+    int slices = (depth + MS_GPR__SLICE - 1) / MS_GPR__SLICE, high = (rows + MS_GPR__ROWS - 1) / MS_GPR__ROWS;
+    int wide = (columns + MS_GPR__COLUMNS - 1) / MS_GPR__COLUMNS, part, i, j, k;
+    for (part = 0; part < slices * high * wide; ++part) {
+        int top = part / slices % high * MS_GPR__ROWS, bottom = rows - top > MS_GPR__ROWS ? top + MS_GPR__ROWS : rows;
+        int left = part / slices / high * MS_GPR__COLUMNS, right = columns - left > MS_GPR__COLUMNS ? left + MS_GPR__COLUMNS : columns;
         int from = part % slices * MS_GPR__SLICE, to = depth - from > MS_GPR__SLICE ? from + MS_GPR__SLICE : depth;
-        for (j = 0; j + 3 * MS_GPR__LANES <= columns; j += 3 * MS_GPR__LANES) {
+        for (j = left; j + 3 * MS_GPR__LANES <= right; j += 3 * MS_GPR__LANES) {
             int wanted = (parts & MS_GPR__UPPER) && j + 3 * MS_GPR__LANES < bottom ? (j + 3 * MS_GPR__LANES + 3) & ~3 : bottom;
             int first = (parts & MS_GPR__LOWER) && j > from ? j : from;
             if (first >= to) break;
@@ -7052,7 +7065,7 @@ static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, 
                 MS_GPR__STORE(c3, c30), MS_GPR__STORE(c3 + MS_GPR__LANES, c31), MS_GPR__STORE(c3 + 2 * MS_GPR__LANES, c32);
             }
         }
-        for (; j < columns; j += MS_GPR__LANES) {
+        for (; j < right; j += MS_GPR__LANES) {
             int wanted = (parts & MS_GPR__UPPER) && j + MS_GPR__LANES < bottom ? (j + MS_GPR__LANES + 3) & ~3 : bottom;
             int first = (parts & MS_GPR__LOWER) && j > from ? j : from;
             for (i = top; i < wanted; i += 4) {
@@ -7159,6 +7172,7 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
 #endif /* !MS_GPR__FLOAT */
 
 #undef MS_GPR__ROWS
+#undef MS_GPR__COLUMNS
 #undef MS_GPR__SLICE
 #undef MS_GPR__JOIN_
 #undef MS_GPR__JOIN

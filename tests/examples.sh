@@ -171,6 +171,8 @@ if [ -x build/recommend ]; then
     refuses "a metal that is not there" "none of its 3 rows" build/recommend "$out/scores.csv" --keep x2=0.1 --list "$out/metals.csv"
     refuses "ties that contradict" "tie 2 contradicts" build/recommend "$out/scores.csv" --keep x0+x1=1 --keep "x0 + x1 = 0.5"
     refuses "a parameter that is not there" "x0=x4: a wish is none" build/recommend "$out/scores.csv" --keep x0=x4
+    head -n 1 "$out/metals.csv" >"$out/none.csv"
+    refuses "a list of no rows" "none.csv: holds no rows" build/recommend "$out/scores.csv" --list "$out/none.csv"
     refuses "a list without names" "does not name the columns" build/recommend "$out/scores.csv" --list "$out/scores.csv"
     refuses "too few columns to avoid" "fewer columns" build/recommend "$out/scores.csv" --avoid "$out/metals.csv"
     ok "the plane" build/latent "$out/scores.csv" "$out/plane.png"
