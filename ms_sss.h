@@ -3752,12 +3752,12 @@ typedef struct ms_sss__halving {
 } ms_sss__halving;
 
 /* Square of the radius of a level's gather, in pixels of the next. Wider ones see the shape from nearer by, narrower ones cost less: 1.75 and
-   2.2 of what six pixels hold, wide 2.75 and 3.5 of eight. */
+   2.2 of what six pixels hold, wide 2.24 and 3.74 of eight; a wide level 0 of 2.5 or 2.8 is nearer to random walks, but loses 1.2% or 1.6% of textures. */
 #define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
 
-/* A pixel that a pixel of the finer level gathers from: among the rows at hand, columns from its own, place, its square. */
+/* A pixel that a pixel of the finer level gathers from: floats from the one that its four lie around, place, its square. */
 typedef struct ms_sss__tap {
-    int row, column;
+    ptrdiff_t at;
     float x, y, square;
 } ms_sss__tap;
 
@@ -3774,7 +3774,7 @@ typedef struct ms_sss__growth {
     float reach, join;    /* distance from a tangent plane at which nothing is left, in radii: of sums on the way up, of pixels that become one */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
     float quarter[3], most[3]; /* K / 4; 1 / reflectance */
-    const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four hold the pixel */
+    const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four lie around the pixel */
     int taps, core, sums; /* core: that reach pixels that face the camera; sums: whether the coarser level has any */
     ptrdiff_t plane;      /* of the coarser level */
     float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
@@ -3804,7 +3804,7 @@ typedef struct ms_sss__kernels {
                  int count, float *blur);
     void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first, int count, float *const out[3]);
     void (*shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count, float *const out[7]);
-    int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *const coarse[8], int first, int count, int y, float *const out[6]);
+    int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6]);
     int (*settle)(const ms_sss__growth *s, const float *row[3][4], const float *const slope[3], const float *const sum[6], int first, int count,
                   float *const out[3]);
     void (*invert)(const ms_sss__growth *s, const float *depth, int count, float *d);
@@ -5769,9 +5769,8 @@ typedef struct ms_sss__tower {
     ptrdiff_t stride; /* floats of one */
 } ms_sss__tower;
 
-/* Row buffers of a task: shares and changes of d of four rows of the picture; or the sums of a row, its shares and changes. TILE: columns that
-   are gathered together, so that what they gather from stays in the nearest cache. */
-enum { MS_SSS__TOWER_ROWS = 12, MS_SSS__TOWER_ALONE = 3 /* levels from here on are too small to share */, MS_SSS__TILE = 256 };
+/* Row buffers of a task: shares and changes of d of four rows of the picture; or the sums of a row, its shares and changes. */
+enum { MS_SSS__TOWER_ROWS = 12, MS_SSS__TOWER_ALONE = 3 /* levels from here on are too small to share */ };
 
 /* An odd number of cache lines, so that many rows side by side do not fall on the same few sets of the cache. */
 static ptrdiff_t ms_sss__tower_stride(int width)
@@ -5792,12 +5791,13 @@ static size_t ms_sss__tower_levels(ms_sss__tower *tower, int width, int height, 
     int l, i;
     for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
         const ptrdiff_t stride = MS_SSS__LEFT + ms_sss__round_up(width, width < 32 ? 16 : 32) + MS_SSS__RIGHT; /* as the job's */
-        const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2); /* an empty row above and below */
+        const int beyond = l ? 4 : 1; /* empty rows above and below, as far as a gather reaches */
+        const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2 * (size_t)beyond);
         for (i = l == 0 ? (int)MS_SSS__D : 0; i < (l == 0 ? (int)MS_SSS__D + 1 : (int)MS_SSS__TOWER_PLANES); ++i) {
             if (base) {
-                float *p = tower->level[l].plane[i] = base + at + stride + MS_SSS__LEFT;
-                memset(p - stride - MS_SSS__LEFT, 0, (size_t)stride * sizeof(float));
-                memset(p + stride * height - MS_SSS__LEFT, 0, (size_t)stride * sizeof(float));
+                float *p = tower->level[l].plane[i] = base + at + stride * beyond + MS_SSS__LEFT;
+                memset(p - stride * beyond - MS_SSS__LEFT, 0, (size_t)(stride * beyond) * sizeof(float));
+                memset(p + stride * height - MS_SSS__LEFT, 0, (size_t)(stride * beyond) * sizeof(float));
             }
             at = ms__size_add(at, plane);
         }
@@ -5865,7 +5865,7 @@ static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin
                 float *lie[3];
                 for (c = 0; c < 3; ++c) row[i][4 + c] = lie[c] = ms_sss__tower_row(tower, task, 3 * (at & 3) + c);
                 if (y > begin && i < 2) continue;
-                for (c = 0; c < 3; ++c) memset(lie[c] - MS_SSS__LEFT, 0, (size_t)(tower->stride) * sizeof(float));
+                for (c = 0; c < 3; ++c) memset(lie[c] - MS_SSS__LEFT, 0, (size_t)tower->stride * sizeof(float));
                 if (at >= 0 && at < fine->height && fine->first[at] < fine->last[at]) ms_sss__tower_lie(tower, task, at, fine->first[at], fine->last[at], lie);
             }
         }
@@ -5933,17 +5933,19 @@ static void ms_sss__tower_down(void *context, int task)
     ms_sss__tower_shrink(tower, task, begin, end < tower->job.end ? end : tower->job.end);
 }
 
-/* The sums of columns [from, to) of a band of level at from those of level at + 1; of the finest level the picture. */
-static void ms_sss__tower_tile(const ms_sss__tower *tower, int task, int begin, int end, int from, int to)
+/* The sums of a band of level at from those of level at + 1; of the finest level the picture. */
+static void ms_sss__tower_grow(void *context, int task)
 {
+    const ms_sss__tower *tower = (const ms_sss__tower *)context;
     const ms_sss__job *job = &tower->job;
     const ms_sss__level *v = &tower->level[tower->at], *coarse = v + 1;
-    const int tilted = tower->growth.upright > 0;
+    const int begin = job->begin + task * job->band, tilted = tower->growth.upright > 0;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
     int y, i, c;
     for (y = begin; y < end; ++y) {
-        const int low = v->first[y] > from ? v->first[y] : from, high = v->last[y] < to ? v->last[y] : to;
+        const int low = v->first[y], high = v->last[y];
         const int first = low / 32 * 32, last = ms_sss__round_up(high, 32); /* the gather works on 2 vectors at a time */
-        const float *own[3], *near_by[8];
+        const float *own[3];
         float *sum[6], *lie[3], *blur[3];
         if (low >= high) continue;
         for (i = 0; i < 6; ++i)
@@ -5961,8 +5963,7 @@ static void ms_sss__tower_tile(const ms_sss__tower *tower, int task, int begin, 
         if (tower->at + 1 == tower->levels) {
             for (i = 0; i < 6; ++i) memset(sum[i] + first, 0, (size_t)(last - first) * sizeof(float));
         } else {
-            for (i = 0; i < 8; ++i) near_by[i] = coarse->plane[0] + ms_sss__clamp(y / 2 - 4 + y % 2 + i, -1, coarse->height) * coarse->stride;
-            job->simd->gather(&tower->growth, own, near_by, first / 2, last / 2, y, sum);
+            job->simd->gather(&tower->growth, own, coarse->plane[0] + y / 2 * coarse->stride, first / 2, last / 2, y, sum);
         }
         if (tower->at == 0) {
             const float *row[3][4];
@@ -5977,25 +5978,15 @@ static void ms_sss__tower_tile(const ms_sss__tower *tower, int task, int begin, 
     }
 }
 
-static void ms_sss__tower_grow(void *context, int task)
-{
-    const ms_sss__tower *tower = (const ms_sss__tower *)context;
-    const int begin = tower->job.begin + task * tower->job.band, width = tower->level[tower->at].width;
-    const int end = begin + tower->job.band < tower->job.end ? begin + tower->job.band : tower->job.end;
-    int x;
-    for (x = 0; x < width; x += MS_SSS__TILE) ms_sss__tower_tile(tower, task, begin, end, x, x + MS_SSS__TILE);
-}
-
-/* The taps of all four kinds of pixels, the nearest first. */
-static void ms_sss__tower_order(ms_sss__growth *growth, ms_sss__tap tap[2][2][64])
+/* The taps of all four kinds of pixels at a level whose rows are stride floats apart, the nearest first. */
+static void ms_sss__tower_order(ms_sss__growth *growth, ms_sss__tap tap[2][2][64], ptrdiff_t stride)
 {
     int y, x, i, j, n = 0;
     for (y = 0; y < 2; ++y) {
         for (x = 0; x < 2; ++x) {
             for (n = 0, i = 0; i < 64; ++i) {
                 ms_sss__tap t;
-                t.row = i / 8;
-                t.column = i % 8 - 4 + x;
+                t.at = (i / 8 - 4 + y) * stride + i % 8 - 4 + x;
                 t.x = (x ? -3.25f : -3.75f) + (float)(i % 8);
                 t.y = (y ? -3.25f : -3.75f) + (float)(i / 8);
                 t.square = t.x * t.x + t.y * t.y;
@@ -6132,7 +6123,6 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
     ms_sss__set_term(job, 0);
     if (!(job->gain > 0)) job->idle = 1;
     ms_sss__tower_start(growth, job, pyramid, frame->depth.channel[0] != NULL, options->flat); /* the job's own is 1 */
-    ms_sss__tower_order(growth, tower->tap);
     ms_sss__run(job, 0, frame->height, ms_sss__tower_load);
     if (job->idle) return MS_OK;
     if (tower->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__tower_join);
@@ -6150,7 +6140,10 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
         tower->at = l;
         ms_sss__tower_taps(growth, l);
         growth->sums = l + 2 < tower->levels;
-        if (l + 1 < tower->levels) growth->plane = tower->level[l + 1].plane[1] - tower->level[l + 1].plane[0];
+        if (l + 1 < tower->levels) {
+            growth->plane = tower->level[l + 1].plane[1] - tower->level[l + 1].plane[0];
+            ms_sss__tower_order(growth, tower->tap, tower->level[l + 1].stride);
+        }
         if (l < MS_SSS__TOWER_ALONE) {
             ms_sss__run(job, 0, tower->level[l].height, ms_sss__tower_grow);
         } else {
@@ -9201,20 +9194,19 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(incline)(const ms_sss__growth *s, c
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f), one = MS_SSS__SET(1.0f);
     const MS_SSS__V a = MS_SSS__MUL(MS_SSS__SUB(at[2], at[1]), deep), b = MS_SSS__MUL(MS_SSS__SUB(at[3], at[2]), deep);
-    const MS_SSS__MASK is_a = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[1])), MS_SSS__LESS(MS_SSS__ABS(a), radius));
-    const MS_SSS__MASK is_b = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[3])), MS_SSS__LESS(MS_SSS__ABS(b), radius));
-    const MS_SSS__V a0 = MS_SSS__SELECT(is_a, a, zero), b0 = MS_SSS__SELECT(is_b, b, zero), sum = MS_SSS__ADD(a0, b0);
-    const MS_SSS__MASK both = MS_SSS__BOTH(is_a, is_b), even = MS_SSS__BOTH(both, MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MADD(MS_SSS__MUL(a, b), half, half)));
-    MS_SSS__V slope = MS_SSS__MUL(half, sum);
+    const MS_SSS__MASK near_a = MS_SSS__LESS(MS_SSS__ABS(a), radius), near_b = MS_SSS__LESS(MS_SSS__ABS(b), radius), both = MS_SSS__LESS(zero, MS_SSS__MUL(at[1], at[3]));
+    const MS_SSS__MASK even = MS_SSS__BOTH(MS_SSS__BOTH(near_a, near_b), MS_SSS__BOTH(both, MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MADD(MS_SSS__MUL(a, b), half, half))));
+    MS_SSS__V slope = MS_SSS__MUL(half, MS_SSS__ADD(a, b));
     if (MS_SSS__BITS(even) != ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES)) {
+        const MS_SSS__MASK is_a = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[1])), near_a), is_b = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[3])), near_b);
+        const MS_SSS__V sum = MS_SSS__ADD(MS_SSS__SELECT(is_a, a, zero), MS_SSS__SELECT(is_b, b, zero));
         const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
-        const MS_SSS__V less = MS_SSS__SELECT(both, MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, slope)), sum);
+        const MS_SSS__V less = MS_SSS__SELECT(MS_SSS__BOTH(is_a, is_b), MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, slope)), sum);
         const MS_SSS__MASK before = MS_SSS__LESS(half, MS_SSS__SELECT(is_b, MS_SSS__SELECT(is_a, MS_SSS__SELECT(first_a, one, zero), zero), one));
         const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), after_next = MS_SSS__SELECT(before, at[0], at[4]);
-        const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, after_next);
-        const MS_SSS__V beyond = MS_SSS__MIN(MS_SSS__ABS(inner), MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner)));
-        const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain), beyond);
-        MS_SSS__V more = MS_SSS__MIN(MS_SSS__DIV(excess, MS_SSS__ABS(inner)), MS_SSS__SET(0.85f));
+        const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, after_next), small = MS_SSS__ABS(inner);
+        const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain), MS_SSS__MIN(MS_SSS__SUB(MS_SSS__ABS(step), small), small));
+        MS_SSS__V more = MS_SSS__MIN(MS_SSS__DIV(excess, small), MS_SSS__SET(0.85f));
         more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(MS_SSS__MUL(step, deep), MS_SSS__MUL(inner, deep)))), more, zero);
         more = MS_SSS__MUL(more, MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
         slope = MS_SSS__SELECT(even, slope, MS_SSS__MADD(less, more, less));
@@ -9396,27 +9388,34 @@ static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const float *row[4][7]
     else MS_SSS__NAME(shrink_row)(s, 0, 0, row, first, count, out);
 }
 
-/* Weights of a level for kernels of these radii in pixels, linear between the table's sizes. part: lanes that count. */
-static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int level, int blurred, MS_SSS__V size, unsigned part, MS_SSS__V out[3])
+/* Weights of a level for kernels of these radii in pixels, linear between the table's sizes: of the blurred alone, or (both) of the own before.
+   part: lanes that count. */
+static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int level, const int both, MS_SSS__V size, unsigned part, MS_SSS__V out[])
 {
-    const float (*w)[MS_SSS_PYRAMID_LEVELS][2][3];
-    float sizes[MS_SSS__LANES];
-    MS_SSS__V from, to;
+    const int blurred = !both;
+    float sizes[MS_SSS__LANES], low, high;
     int c, k;
     MS_SSS__STORE(sizes, size);
-    w = s->table + ms_sss__size_index(sizes[ms_sss__lowest(part)]);
-    from = MS_SSS__SET(ms_sss__index_size((int)(w - s->table)));
-    to = MS_SSS__SET(ms_sss__index_size((int)(w - s->table) + 1));
-    if (!(MS_SSS__BITS(MS_SSS__LESS(size, from)) & part) && !(MS_SSS__BITS(MS_SSS__LESS(to, size)) & part)) {
-        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SUB(size, from), MS_SSS__SET(1 / (ms_sss__index_size((int)(w - s->table) + 1) - ms_sss__index_size((int)(w - s->table)))));
-        for (c = 0; c < 3; ++c) {
-            const float w0 = w[0][level][blurred][c], w1 = w[1][level][blurred][c];
-            out[c] = MS_SSS__MADD(t, MS_SSS__SET(w1 - w0), MS_SSS__SET(w0));
-        }
+    k = ms_sss__size_index(sizes[ms_sss__lowest(part)]);
+    low = ms_sss__index_size(k);
+    high = ms_sss__index_size(k + 1);
+    if (!((MS_SSS__BITS(MS_SSS__LESS(size, MS_SSS__SET(low))) | MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(high), size))) & part)) {
+        const float *w0 = s->table[k][level][blurred], *w1 = s->table[k + 1][level][blurred];
+        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SUB(size, MS_SSS__SET(low)), MS_SSS__SET(1 / (high - low)));
+        out[0] = MS_SSS__MADD(t, MS_SSS__SET(w1[0] - w0[0]), MS_SSS__SET(w0[0]));
+        out[1] = MS_SSS__MADD(t, MS_SSS__SET(w1[1] - w0[1]), MS_SSS__SET(w0[1]));
+        out[2] = MS_SSS__MADD(t, MS_SSS__SET(w1[2] - w0[2]), MS_SSS__SET(w0[2]));
+        if (!both) return;
+        out[3] = MS_SSS__MADD(t, MS_SSS__SET(w1[3] - w0[3]), MS_SSS__SET(w0[3]));
+        out[4] = MS_SSS__MADD(t, MS_SSS__SET(w1[4] - w0[4]), MS_SSS__SET(w0[4]));
+        out[5] = MS_SSS__MADD(t, MS_SSS__SET(w1[5] - w0[5]), MS_SSS__SET(w0[5]));
     } else {
-        float lerped[3][MS_SSS__LANES];
-        for (k = 0; k < MS_SSS__LANES; ++k) ms_sss__weights_at(s, sizes[k], level, blurred, &lerped[0][k], MS_SSS__LANES);
-        for (c = 0; c < 3; ++c) out[c] = MS_SSS__LOAD(lerped[c]);
+        float lerped[6][MS_SSS__LANES];
+        for (k = 0; k < MS_SSS__LANES; ++k) {
+            ms_sss__weights_at(s, sizes[k], level, blurred, &lerped[0][k], MS_SSS__LANES);
+            if (both) ms_sss__weights_at(s, sizes[k], level, 1, &lerped[3][k], MS_SSS__LANES);
+        }
+        for (c = 0; c < (both ? 6 : 3); ++c) out[c] = MS_SSS__LOAD(lerped[c]);
     }
 }
 
@@ -9442,6 +9441,17 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lifted)(const ms_sss__growth *s, in
     return MS_SSS__MUL(w, MS_SSS__MUL(u, u));
 }
 
+/* 1 / sqrt(a) within 2e-7 of itself */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(root)(MS_SSS__V a)
+{
+#if defined(MS_SSS__RSQRT)
+    const MS_SSS__V r = MS_SSS__RSQRT(a);
+    return MS_SSS__MUL(r, MS_SSS__LESSEN(MS_SSS__MUL(a, MS_SSS__SET(0.5f)), MS_SSS__MUL(r, r), MS_SSS__SET(1.5f)));
+#else
+    return MS_SSS__DIV(MS_SSS__SET(1.0f), MS_SSS__SQRT(a));
+#endif
+}
+
 /* What keeps the mean factor, lifted / n, at most at this. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(bounded)(MS_SSS__V n, MS_SSS__V lifted, float most)
 {
@@ -9451,7 +9461,7 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(bounded)(MS_SSS__V n, MS_SSS__V lif
 
 /* gather for the even or the odd columns of LANES pairs: at, their d and changes of d. */
 static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const int tilted, MS_SSS__V d, MS_SSS__V dx, MS_SSS__V dy,
-                                                    const float *const row[8], ptrdiff_t i, const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry, MS_SSS__V result[6])
+                                                    const float *coarse, const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry, MS_SSS__V result[6])
 {
     static const float nearness[4] = {0.5625f, 0.1875f, 0.1875f, 0.0625f};
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
@@ -9489,9 +9499,9 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
     if (s->sums) {
         const MS_SSS__V near_plane = MS_SSS__DIV(MS_SSS__SET(1 / s->reach), limit);
         for (k = 0; k < 4; ++k) {
-            const float *p = row[tap[k].row] + i + tap[k].column;
+            const float *p = coarse + tap[k].at;
             const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), deep);
-            const MS_SSS__V off = tilted ? MS_SSS__SUB(dz, MS_SSS__MADD(MS_SSS__SET(tap[k].x), sx, MS_SSS__MUL(MS_SSS__SET(tap[k].y), sy))) : dz;
+            const MS_SSS__V off = tilted ? MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, dz)) : dz;
             MS_SSS__V t = MS_SSS__MUL(MS_SSS__NAME(beside)(MS_SSS__MUL(off, near_plane)), MS_SSS__SET(nearness[k]));
             t = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__MUL(dz, dz), limit2), t, zero);
             s0 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 5 * plane), s0);
@@ -9503,16 +9513,16 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
         }
     }
     for (k = 0; k < count; ++k) {
-        const float *p = row[tap[k].row] + i + tap[k].column;
+        const float *p = coarse + tap[k].at;
         const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), deep), q = MS_SSS__MUL(dz, dz), away = MS_SSS__ADD(q, MS_SSS__SET(tap[k].square));
-        const MS_SSS__V off = tilted ? MS_SSS__SUB(dz, MS_SSS__MADD(MS_SSS__SET(tap[k].x), sx, MS_SSS__MUL(MS_SSS__SET(tap[k].y), sy))) : zero;
+        const MS_SSS__V off = tilted ? MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, dz)) : zero;
         const MS_SSS__V t = MS_SSS__MAX(MS_SSS__MADD(away, fall, one), zero);
         MS_SSS__V w = MS_SSS__MUL(t, t);
         if (wide) w = MS_SSS__MUL(w, t);
         w = MS_SSS__SELECT(MS_SSS__LESS(q, limit2), MS_SSS__MUL(w, MS_SSS__LOAD(p + 4 * plane)), zero);
         n = MS_SSS__ADD(n, w);
         if (wide && tilted) {
-            const MS_SSS__V sine = MS_SSS__DIV(MS_SSS__MUL(MS_SSS__NAME(beyond)(off, rough), rise), MS_SSS__SQRT(MS_SSS__ADD(away, MS_SSS__SET(s->blur))));
+            const MS_SSS__V sine = MS_SSS__MUL(MS_SSS__MUL(MS_SSS__NAME(beyond)(off, rough), rise), MS_SSS__NAME(root)(MS_SSS__ADD(away, MS_SSS__SET(s->blur))));
             MS_SSS__V f = MS_SSS__NAME(lifted)(s, 0, sine, w);
             mr = MS_SSS__ADD(mr, f);
             r = MS_SSS__MADD(f, MS_SSS__LOAD(p), r);
@@ -9547,7 +9557,7 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
         g = MS_SSS__NAME(raise)(s, 1, g, MS_SSS__MUL(mg, turn), v, grain);
         b = MS_SSS__NAME(raise)(s, 2, b, MS_SSS__MUL(mb, turn), v, grain);
     }
-    MS_SSS__NAME(weigh)(s, s->level + 1, 1, size, parts, weight);
+    MS_SSS__NAME(weigh)(s, s->level + 1, 0, size, parts, weight);
     n = MS_SSS__MUL(n, norm);
     result[0] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[0], norm), r, s0), zero);
     result[1] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[1], norm), g, s1), zero);
@@ -9559,10 +9569,10 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
 }
 
 /* Weighted sums of row y of a level: the light of the next coarser level, counted by its distance in space and lifted by how far
-   it lies below the tangent plane, and the sums of that level, bilinear. own: d and its changes; coarse: rows y/2 - 4 to y/2 + 3 (y odd: - 3
-   to + 4), each followed by planes of green, blue, d, share, three sums of light, three of weights; first, count: columns / 2; out: the two times
+   it lies below the tangent plane, and the sums of that level, bilinear. own: d and its changes; coarse: row y/2,
+   followed by planes of green, blue, d, share, three sums of light, three of weights; first, count: columns / 2; out: the two times
    three sums. Returns whether any kernel is under half a pixel. */
-static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, const int wide, const int tilted, const float *const own[3], const float *const coarse[8],
+static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, const int wide, const int tilted, const float *const own[3], const float *coarse,
                                                    int first, int count, int y, float *const out[6])
 {
     const float cells = (float)(1 << (s->level + 1));
@@ -9582,7 +9592,7 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, cons
             const MS_SSS__V rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(cells * s->tangent),
                                               MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
             tiny |= MS_SSS__NAME(gather_side)(s, wide, tilted, odd ? MS_SSS__ODD(d0, d1) : MS_SSS__EVEN(d0, d1), odd ? MS_SSS__ODD(x0, x1) : MS_SSS__EVEN(x0, x1),
-                                              odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1), coarse, i, s->tap[y & 1][odd], rx, ry, result[odd]);
+                                              odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, result[odd]);
         }
         for (c = 0; c < 6; ++c) {
             MS_SSS__STORE(out[c] + 2 * i, MS_SSS__ZIP_LOW(result[0][c], result[1][c]));
@@ -9592,8 +9602,7 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, cons
     return tiny;
 }
 
-static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[3], const float *const coarse[8], int first, int count, int y,
-                                float *const out[6])
+static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6])
 {
     if (s->upright > 0)
         return s->wide ? MS_SSS__NAME(gather_row)(s, 1, 1, own, coarse, first, count, y, out) : MS_SSS__NAME(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
@@ -9605,13 +9614,14 @@ static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[
 static MS_SSS__INLINE int MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *row[3][4], const float *const slope[3],
                                                    const float *const sum[6], int first, int count, float *const out[3])
 {
+    static const float root[2][2] = {{0.25f, 0.35355339f}, {0.35355339f, 0.5f}}; /* of (1, 2, 1) / 4 both ways */
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f);
     int i, j, k, c, tiny = 0;
     for (i = first; i < count; i += MS_SSS__LANES) {
         const MS_SSS__V d = MS_SSS__LOAD(row[1][3] + i);
         const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
         const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe), radius = MS_SSS__NAME(radius)(s, safe);
-        MS_SSS__V soft[3], n = zero, own[3], blurred[3], size = radius, dx = zero, dy = zero;
+        MS_SSS__V r = zero, g = zero, b = zero, n = zero, share[6], size = radius, dx = zero, dy = zero;
         const unsigned parts = MS_SSS__BITS(part);
         if (!parts) {
             for (c = 0; c < 3; ++c) MS_SSS__STORE(out[c] + i, zero);
@@ -9623,31 +9633,28 @@ static MS_SSS__INLINE int MS_SSS__NAME(settle_row)(const ms_sss__growth *s, cons
             dx = MS_SSS__LOAD(slope[1] + i);
             dy = MS_SSS__LOAD(slope[2] + i);
         }
-        MS_SSS__NAME(weigh)(s, 0, 0, size, parts, own);
-        MS_SSS__NAME(weigh)(s, 0, 1, size, parts, blurred);
-        soft[0] = soft[1] = soft[2] = zero;
-        if (MS_SSS__BITS(MS_SSS__LESS(zero, MS_SSS__MAX(blurred[0], MS_SSS__MAX(blurred[1], blurred[2])))) & parts) {
+        MS_SSS__NAME(weigh)(s, 0, 1, size, parts, share);
+        if (MS_SSS__BITS(MS_SSS__LESS(zero, MS_SSS__MAX(share[3], MS_SSS__MAX(share[4], share[5])))) & parts) {
             for (j = 0; j < 3; ++j) {
                 MS_SSS__UNROLL
                 for (k = 0; k < 3; ++k) {
                     const MS_SSS__V there = MS_SSS__LOAD(row[j][3] + i + k - 1);
                     MS_SSS__V f = MS_SSS__SUB(there, d);
                     if (tilted) f = MS_SSS__SUB(f, MS_SSS__MADD(MS_SSS__SET((float)(k - 1)), dx, MS_SSS__MUL(MS_SSS__SET((float)(j - 1)), dy)));
-                    f = MS_SSS__MUL(f, deep);
-                    f = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__MUL(f, f), MS_SSS__SET(-0.25f), one), zero); /* none 2 pixels away */
-                    f = MS_SSS__MUL(MS_SSS__MUL(f, f), MS_SSS__SET((j == 1 ? 0.5f : 0.25f) * (k == 1 ? 0.5f : 0.25f)));
-                    f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f, zero);
+                    f = MS_SSS__MUL(f, deep); /* none 2 pixels away */
+                    f = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__MUL(f, f), MS_SSS__SET(-0.25f * root[j == 1][k == 1]), MS_SSS__SET(root[j == 1][k == 1])), zero);
+                    f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), MS_SSS__MUL(f, f), zero);
                     n = MS_SSS__ADD(n, f);
-                    soft[0] = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][0] + i + k - 1), soft[0]);
-                    soft[1] = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][1] + i + k - 1), soft[1]);
-                    soft[2] = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][2] + i + k - 1), soft[2]);
+                    r = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][0] + i + k - 1), r);
+                    g = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][1] + i + k - 1), g);
+                    b = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][2] + i + k - 1), b);
                 }
             }
         }
         for (c = 0; c < 3; ++c) {
-            const MS_SSS__V e = MS_SSS__LOAD(row[1][c] + i);
-            const MS_SSS__V light = MS_SSS__ADD(MS_SSS__MADD(own[c], e, MS_SSS__MUL(blurred[c], soft[c])), MS_SSS__LOAD(sum[c] + i));
-            const MS_SSS__V all = MS_SSS__ADD(MS_SSS__MADD(blurred[c], n, own[c]), MS_SSS__LOAD(sum[c + 3] + i));
+            const MS_SSS__V e = MS_SSS__LOAD(row[1][c] + i), soft = c == 0 ? r : c == 1 ? g : b;
+            const MS_SSS__V light = MS_SSS__ADD(MS_SSS__MADD(share[c], e, MS_SSS__MUL(share[c + 3], soft)), MS_SSS__LOAD(sum[c] + i));
+            const MS_SSS__V all = MS_SSS__ADD(MS_SSS__MADD(share[c + 3], n, share[c]), MS_SSS__LOAD(sum[c + 3] + i));
             MS_SSS__STORE(out[c] + i, MS_SSS__SELECT(part, MS_SSS__NAME(restore)(light, all, e, 1.0f, 0), zero));
         }
     }
