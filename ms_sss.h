@@ -8053,9 +8053,9 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__ZIP_LOW(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
 #define MS_SSS__ZIP_HIGH(a, b) \
     _mm512_permutex2var_ps(a, _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31), b)
-#define MS_SSS__EVENS(a, b) _mm512_shuffle_ps(a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
-#define MS_SSS__ODDS(a, b) _mm512_shuffle_ps(a, b, 0xdd)
-#define MS_SSS__ORDER(a) _mm512_castpd_ps(_mm512_permutexvar_pd(_mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(a)))
+#define MS_SSS__EVENS(a, b) _mm512_maskz_shuffle_ps(0xffff, a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
+#define MS_SSS__ODDS(a, b) _mm512_maskz_shuffle_ps(0xffff, a, b, 0xdd)
+#define MS_SSS__ORDER(a) _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xff, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(a)))
 #elif MS_SSS__LANES == 8
 #define MS_SSS__V __m256
 #define MS_SSS__MASK __m256
