@@ -1,6 +1,6 @@
 /* ms_nn.h: the thesis's networks at full size, speed against error, beside the speed of memory, OpenBLAS, oneDNN and PyTorch.
-   Writes build/bench/nn.csv, nn.md (the renderer) and nn_more.md. Needs 9 GB of memory, without PyTorch 5; `bench_nn small` 500 MB
-   (pictures of 128 x 128). A word after it picks a part: shared, convolution, renderer, inversion, collapse.
+   Writes build/bench/nn.csv, nn.md (the renderer) and a table for each other part. Needs 9 GB of memory, without PyTorch 5;
+   `bench_nn small` 500 MB (pictures of 128 x 128). A word after it picks a part: shared, convolution, renderer, inversion, collapse.
    peer libraries: -lopenblas -ldnnl */
 #ifndef _DEFAULT_SOURCE
 #define _DEFAULT_SOURCE /* madvise */
@@ -28,6 +28,13 @@ void cblas_sgemv(int order, int trans, int m, int n, float alpha, const float *a
 
 static FILE *csv, *md, *more;
 static int side = 410;
+
+/* The table of a part. */
+static void begin_table(const char *name)
+{
+    more = bench_open(name);
+    fprintf(more, "%s, one thread unless said, thread CPU time, medians; random weights; `make bench FILTER=nn`.\n", bench_processor());
+}
 
 static void record(const char *what, const char *how, double seconds, double spread)
 {
@@ -108,35 +115,87 @@ static double wall(void (*run)(void *), void *context, int n)
 
 /* --- peers --- */
 
+/* Reading alone, the floor of what a matrix from memory can take: loads of 16, 32 and 64 bytes, with and without a request ahead. */
 typedef struct memory_job {
     const unsigned char *bytes;
-    size_t size;
+    size_t size, ahead; /* ahead: 0: none asked for */
+    int form;           /* log2 of the bytes of a load; 3: plain C */
     uint64_t sum;
 } memory_job;
 
-static void run_read(void *context)
+static void read_plain(memory_job *job)
 {
-    memory_job *job = (memory_job *)context;
-    size_t i;
-#if defined(__x86_64__)
-    __m128i s[4];
-    int k;
-    for (k = 0; k < 4; ++k) s[k] = _mm_setzero_si128();
-    for (i = 0; i + 64 <= job->size; i += 64) {
-        s[0] = _mm_xor_si128(s[0], _mm_loadu_si128((const __m128i *)(const void *)(job->bytes + i)));
-        s[1] = _mm_xor_si128(s[1], _mm_loadu_si128((const __m128i *)(const void *)(job->bytes + i + 16)));
-        s[2] = _mm_xor_si128(s[2], _mm_loadu_si128((const __m128i *)(const void *)(job->bytes + i + 32)));
-        s[3] = _mm_xor_si128(s[3], _mm_loadu_si128((const __m128i *)(const void *)(job->bytes + i + 48)));
-    }
-    job->sum += (uint64_t)_mm_cvtsi128_si64(_mm_xor_si128(_mm_xor_si128(s[0], s[1]), _mm_xor_si128(s[2], s[3])));
-#else
     uint64_t s[4] = {0, 0, 0, 0}, v[4];
+    size_t i;
     for (i = 0; i + 32 <= job->size; i += 32) {
         memcpy(v, job->bytes + i, 32);
         s[0] ^= v[0]; s[1] ^= v[1]; s[2] ^= v[2]; s[3] ^= v[3];
     }
     job->sum += s[0] ^ s[1] ^ s[2] ^ s[3];
+}
+
+#if defined(__x86_64__)
+#define READER(name, isa, vector, zero, xor_, load)                                                                  \
+    static __attribute__((target(isa))) void name(memory_job *job)                                                   \
+    {                                                                                                                \
+        vector s[4] = {zero(), zero(), zero(), zero()};                                                              \
+        uint64_t out[8];                                                                                             \
+        size_t i, k, step = 4 * sizeof(vector);                                                                      \
+        for (i = 0; i + step <= job->size; i += step) {                                                              \
+            const unsigned char *p = job->bytes + i;                                                                 \
+            for (k = 0; job->ahead && k < step; k += 64) _mm_prefetch((const char *)p + job->ahead + k, _MM_HINT_T1); \
+            s[0] = xor_(s[0], load((const void *)p));                                                                \
+            s[1] = xor_(s[1], load((const void *)(p + sizeof(vector))));                                             \
+            s[2] = xor_(s[2], load((const void *)(p + 2 * sizeof(vector))));                                         \
+            s[3] = xor_(s[3], load((const void *)(p + 3 * sizeof(vector))));                                         \
+        }                                                                                                            \
+        s[0] = xor_(xor_(s[0], s[1]), xor_(s[2], s[3]));                                                             \
+        memcpy(out, &s[0], sizeof s[0]);                                                                             \
+        job->sum += out[0] ^ out[1];                                                                                 \
+    }
+READER(read_16, "sse2", __m128i, _mm_setzero_si128, _mm_xor_si128, _mm_loadu_si128)
+READER(read_32, "avx2", __m256i, _mm256_setzero_si256, _mm256_xor_si256, _mm256_loadu_si256)
+READER(read_64, "avx512f", __m512i, _mm512_setzero_si512, _mm512_xor_si512, _mm512_loadu_si512)
 #endif
+
+static void run_read(void *context)
+{
+    memory_job *job = (memory_job *)context;
+#if defined(__x86_64__)
+    if (job->form == 4) read_16(job);
+    else if (job->form == 5) read_32(job);
+    else if (job->form == 6) read_64(job);
+    else
+#endif
+        read_plain(job);
+}
+
+/* The fastest way to read a file of this level: the best of three each. */
+static memory_job memory_floor(const nets_file *f, ms_simd level)
+{
+    memory_job job, best;
+    double least = 1e30;
+    memset(&job, 0, sizeof job);
+    job.bytes = f->bytes;
+    job.size = f->size;
+    job.form = 3;
+    best = job;
+#if defined(__x86_64__)
+    for (job.form = 4; job.form <= (level >= MS_SIMD_AVX512 ? 6 : level == MS_SIMD_AVX2 ? 5 : 4); ++job.form)
+        for (job.ahead = 0; job.ahead <= 8192; job.ahead = job.ahead ? 2 * job.ahead : 2048) {
+            int i;
+            for (i = 0; i < 3; ++i) {
+                double start = bench_cpu();
+                run_read(&job);
+                start = bench_cpu() - start;
+                if (start < least) best = job;
+                least = fmin(least, start);
+            }
+        }
+#else
+    (void)level;
+#endif
+    return best;
 }
 
 #if defined(HAVE_OPENBLAS)
@@ -306,7 +365,7 @@ static double psnr(const float *y, const float *reference, size_t n)
 }
 
 /* The last layer alone, a view of the network's, beside the general matrix-vector product of a BLAS. */
-static void bench_last_layer(const runner *r)
+static void bench_last_layer(const runner *r, const char *pages)
 {
 #if defined(HAVE_OPENBLAS)
     const ms_nn_tensor *w = ms_nn_file_find(ms_nn_tensors(r->nn), "fc2.weight");
@@ -335,36 +394,27 @@ static void bench_last_layer(const runner *r)
     record("last layer", "ms_nn f32", p.a.median, p.a.spread);
     record("last layer", "OpenBLAS sgemv", p.b.median, p.b.spread);
     fprintf(csv, "sgemv over ms_nn,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
-    fprintf(md, "| last layer: OpenBLAS sgemv | %.1f | | | | %.1f | |\n| last layer: ms_nn F32, %.2f +- %.2f x sgemv | %.1f | | | | %.1f | |\n", 1e3 * p.b.median,
-            (double)w->bytes / p.b.median * 1e-9, p.ratio.median, p.ratio.spread, 1e3 * p.a.median, (double)w->bytes / p.a.median * 1e-9);
+    fprintf(md, "| last layer, %s: OpenBLAS sgemv | %.1f | | | | %.1f | | |\n| last layer, %s: ms_nn, %.2f +- %.2f x sgemv | %.1f | | | | %.1f | | |\n", pages, 1e3 * p.b.median,
+            (double)w->bytes / p.b.median * 1e-9, pages, p.ratio.median, p.ratio.spread, 1e3 * p.a.median, (double)w->bytes / p.a.median * 1e-9);
     free(layer.x);
     free(blas.y);
 #else
     (void)r;
+    (void)pages;
     printf("OpenBLAS: not found, skipped\n");
 #endif
 }
 
-/* Beside the network in floats: the same bytes only read, sgemv, the scalar code, PyTorch. */
+/* Beside the network in floats: the scalar code, PyTorch. */
 static void renderer_peers(runner *r, torch_peer *torch)
 {
-    memory_job memory;
     runner scalar;
     bench_pair p;
     bench_time t;
-    memory.bytes = r->file->bytes;
-    memory.size = r->file->size;
-    memory.sum = 0;
-    p = bench_compare(run_read, &memory, run_forward, r, 9);
-    record("memory read", "one thread", p.a.median, p.a.spread);
-    fprintf(csv, "renderer over read,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
-    fprintf(md, "| reading the F32 file, nothing else (%.0f%% of ms_nn F32) | %.1f | | | %.0f | %.1f | |\n", 100 / p.ratio.median, 1e3 * p.a.median, (double)memory.size * 1e-6,
-            (double)memory.size / p.a.median * 1e-9);
-    bench_last_layer(r);
     scalar = runner_make(r->file, MS_SIMD_SCALAR, no_threads(), 0);
     t = bench_run(run_forward, &scalar, 3);
     record("renderer, scalar code", "F32", t.median, t.spread);
-    fprintf(md, "| ms_nn F32, scalar code | %.1f | | | | %.1f | |\n", 1e3 * t.median, (double)memory.size / t.median * 1e-9);
+    fprintf(md, "| ms_nn F32, scalar code | %.1f | | | | %.1f | | |\n", 1e3 * t.median, (double)r->file->size / t.median * 1e-9);
     runner_free(&scalar);
     if (torch->version[0] && side == 410) {
         double both;
@@ -372,7 +422,7 @@ static void renderer_peers(runner *r, torch_peer *torch)
         both = torch_wall(torch, "renderer", 2, 5);
         record("renderer", "PyTorch", p.b.median, p.b.spread);
         fprintf(csv, "PyTorch over ms_nn,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
-        fprintf(md, "| PyTorch %s F32: %.2f +- %.2f x ms_nn F32 | %.1f +- %.1f | | | | | %.1f |\n", torch->version, p.ratio.median, p.ratio.spread, 1e3 * p.b.median,
+        fprintf(md, "| PyTorch %s F32: %.2f +- %.2f x ms_nn F32 | %.1f +- %.1f | | | | | | %.1f |\n", torch->version, p.ratio.median, p.ratio.spread, 1e3 * p.b.median,
                 1e3 * p.b.spread, 1e3 * both);
     }
 }
@@ -385,14 +435,18 @@ static void bench_renderer(void)
     torch_peer torch = torch_start(0);
     double f32[2] = {0, 0};
     int k, huge;
-    fprintf(md, "\n| renderer %d x %d, one picture | ms | x F32 | PSNR against F32, dB | file, MB | GB/s | one and two threads by the wall, ms |\n|---|---:|---:|---:|---:|---:|---:|\n", side, side);
+    md = bench_open("nn.md");
+    fprintf(md, "%s, one thread unless said, thread CPU time, medians of 9 runs; random weights; `make bench FILTER=nn`.\n", bench_processor());
+    fprintf(md, "\n| renderer %d x %d, one picture | ms | x F32 | PSNR against F32, dB | file, MB | GB/s | of reading alone | one and two threads by the wall, ms |\n|---|---:|---:|---:|---:|---:|---:|---:|\n", side, side);
     for (k = 0; k < 4; ++k) {
         nets_file *f = (nets_file *)malloc(sizeof *f);
         if (nets_renderer(f, side, 64, 1000, types[k])) exit(1);
         for (huge = 0; huge < 2; ++huge) {
             runner r, two;
             bench_time t;
-            char label[64];
+            bench_pair p;
+            memory_job memory;
+            char label[64], form[64];
             double alone, both;
             pool threads;
             if (huge && nets_huge_pages(f)) break;
@@ -400,7 +454,12 @@ static void bench_renderer(void)
             r = runner_make(f, MS_SIMD_AUTO, no_threads(), 0);
             record("renderer load", label, r.load, 0);
             if (k == 0 && !huge) renderer_peers(&r, &torch);
-            t = bench_run(run_forward, &r, 9);
+            if (k == 0) bench_last_layer(&r, label);
+            memory = memory_floor(f, ms_nn_simd(r.nn));
+            p = bench_compare(run_read, &memory, run_forward, &r, 9);
+            snprintf(form, sizeof form, "%d-byte loads, %d ahead", 1 << memory.form, (int)memory.ahead);
+            record("reading the file", form, p.a.median, p.a.spread);
+            t = p.b;
             alone = wall(run_forward, &r, 5);
             pool_start(&threads, 2);
             two = runner_make(f, MS_SIMD_AUTO, pool_parallel(&threads), 0);
@@ -416,7 +475,8 @@ static void bench_renderer(void)
                 fprintf(csv, "renderer psnr,%s,%.4g,0\n", label, psnr(r.y, reference, outputs));
                 fprintf(md, "%.0f", psnr(r.y, reference, outputs));
             }
-            fprintf(md, " | %.0f | %.1f | %.1f, %.1f |\n", (double)f->size * 1e-6, (double)f->size / t.median * 1e-9, 1e3 * alone, 1e3 * both);
+            fprintf(md, " | %.0f | %.1f | %.0f%% (%.1f ms, %s) | %.1f, %.1f |\n", (double)f->size * 1e-6, (double)f->size / t.median * 1e-9, 100 / p.ratio.median, 1e3 * p.a.median, form,
+                    1e3 * alone, 1e3 * both);
             record("renderer, one thread (wall)", label, alone, 0);
             runner_free(&r);
         }
@@ -426,10 +486,11 @@ static void bench_renderer(void)
     torch_stop(&torch);
     if (side == 410 && torch.version[0]) {
         torch = torch_start(1);
-        fprintf(md, "| PyTorch %s F32, huge pages | %.1f | | | | | |\n", torch.version, 1e3 * torch_wall(&torch, "renderer", 1, 9));
+        fprintf(md, "| PyTorch %s F32, huge pages | %.1f | | | | | | |\n", torch.version, 1e3 * torch_wall(&torch, "renderer", 1, 9));
         torch_stop(&torch);
     }
     free(reference);
+    fclose(md);
 }
 
 static void bench_convolution(void)
@@ -443,6 +504,7 @@ static void bench_convolution(void)
     nets_begin(f, "[32,205,205]");
     nets_layer(f, "{\"type\":\"conv2d\",\"name\":\"c\",\"filters\":32,\"kernel\":3,\"padding\":\"same\"}", "c", MS_NN_F32, 4, 32, 32, 3, 3);
     nets_end(f);
+    begin_table("nn_convolution.md");
     fprintf(more, "\n| Conv2D 32 -> 32, 3 x 3, 205 x 205 | ms | G multiply-adds/s |\n|---|---:|---:|\n");
     for (level = MS_SIMD_AVX512; level >= MS_SIMD_SCALAR; --level) {
         bench_time t;
@@ -493,6 +555,7 @@ static void bench_convolution(void)
     runner_free(&r);
     free(f->bytes);
     free(f);
+    fclose(more);
 }
 
 /* 1 (by assumption), 2, 3, 6, 7 and 9 are one architecture: they differ by dropout and training; 4 and 5 are another, 8 a third. */
@@ -539,6 +602,7 @@ static void bench_inversion(void)
         free(f);
     }
     torch_stop(&torch);
+    begin_table("nn_inversion.md");
     fprintf(more, "\n| inversion networks of 4.3.1, %d x %d | parameters, M | multiply-adds, M | workspace, MB | F32 file, MB | F32, ms | I8 file, MB | I8, ms |\n", side, side);
     fprintf(more, "|---|---:|---:|---:|---:|---:|---:|---:|\n");
     for (number = 1; number <= 9; ++number)
@@ -551,12 +615,14 @@ static void bench_inversion(void)
         fprintf(csv, "PyTorch over ms_nn inversion 2,ratio,%.4g,%.2g\n", two.ratio.median, two.ratio.spread);
         fprintf(more, "| 2, PyTorch %s, %.2f +- %.2f x ms_nn | | | | | %.1f +- %.1f | | |\n", torch.version, two.ratio.median, two.ratio.spread, 1e3 * two.b.median, 1e3 * two.b.spread);
     }
+    fclose(more);
 }
 
 static void bench_shared(void)
 {
     static const ms_nn_dtype types[4] = {MS_NN_F32, MS_NN_BF16, MS_NN_F16, MS_NN_I8};
     int k, level;
+    begin_table("nn_shared.md");
     fprintf(more, "\n| shared-channel renderer, 64 x 64, three channels | file, MB | scalar, ms | base | avx2 | avx512 |\n|---|---:|---:|---:|---:|---:|\n");
     for (k = 0; k < 4; ++k) {
         nets_file *f = (nets_file *)malloc(sizeof *f);
@@ -579,6 +645,7 @@ static void bench_shared(void)
         free(f->bytes);
         free(f);
     }
+    fclose(more);
 }
 
 typedef struct collapse_job {
@@ -656,14 +723,14 @@ static void bench_collapse(const char *label, nets_file *f)
 static void bench_collapses(void)
 {
     nets_file *f = (nets_file *)malloc(sizeof *f);
-    char label[80];
+    begin_table("nn_collapse.md");
     fprintf(more, "\n| collapse | R, once a network, two threads, ms | target, ms | value, ms | residual and Jacobian, ms | the picture, ms |\n|---|---:|---:|---:|---:|---:|\n");
     if (nets_shared(f, 128, 256, MS_NN_F16)) exit(1);
     bench_collapse("shared channels, 3 x 256 features, 128 x 128, F16", f);
-    if (nets_renderer(f, side, 64, 1000, MS_NN_F16)) exit(1);
-    snprintf(label, sizeof label, "renderer, 1000 features, %d x %d, F16", side, side);
-    bench_collapse(label, f);
+    if (nets_renderer(f, 128, 64, 1000, MS_NN_F16)) exit(1); /* what R takes grows with the pixels */
+    bench_collapse("renderer, 1000 features, 128 x 128, F16", f);
     free(f);
+    fclose(more);
 }
 
 int main(int argc, char **argv)
@@ -676,18 +743,12 @@ int main(int argc, char **argv)
     if (argc > 1 && strcmp(argv[1], "small") == 0) side = 128;
     only = argc > 1 && (side == 410 || argc > 2) ? argv[argc - 1] : "";
     csv = bench_open("nn.csv");
-    md = bench_open("nn.md");
-    more = bench_open("nn_more.md");
     fprintf(csv, "what,how,seconds,spread\n");
-    fprintf(md, "%s, one thread unless said, thread CPU time, medians of 9 runs; random weights; `make bench FILTER=nn`.\n", bench_processor());
-    fprintf(more, "%s, one thread unless said, thread CPU time, medians; random weights; `make bench FILTER=nn`.\n", bench_processor());
     if (!*only || strcmp(only, "shared") == 0) bench_shared();
     if (!*only || strcmp(only, "convolution") == 0) bench_convolution();
     if (!*only || strcmp(only, "renderer") == 0) bench_renderer();
     if (!*only || strcmp(only, "inversion") == 0) bench_inversion();
     if (!*only || strcmp(only, "collapse") == 0) bench_collapses();
     fclose(csv);
-    fclose(md);
-    fclose(more);
     return 0;
 }
