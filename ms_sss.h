@@ -8534,11 +8534,11 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weights)(const float *deep, const p
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const ptrdiff_t *up = step + i, *down = step - i;
-    MS_SSS__V r = MS_SSS__SUB(t, MS_SSS__SET(ms_sss__whole[i])), share = MS_SSS__SUB(one, r), far = zero, up_sum, down_sum;
+    MS_SSS__V r = MS_SSS__SUB(t, MS_SSS__SET(ms_sss__whole[i])), share = MS_SSS__SUB(one, r), third = zero, up_sum, down_sum;
     if (two) {
         share = MS_SSS__MAX(share, zero);
-        far = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
-        r = MS_SSS__SUB(one, MS_SSS__ADD(share, far));
+        third = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
+        r = MS_SSS__SUB(one, MS_SSS__ADD(share, third));
     }
     q[0] = MS_SSS__MUL(share, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[0]))));
     q[1] = MS_SSS__MUL(r, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[1]))));
@@ -8547,8 +8547,8 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weights)(const float *deep, const p
     up_sum = MS_SSS__ADD(q[0], q[1]);
     down_sum = MS_SSS__ADD(q[3], q[4]);
     if (two) {
-        q[2] = MS_SSS__MUL(far, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[2]))));
-        q[5] = MS_SSS__MUL(far, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[-2]))));
+        q[2] = MS_SSS__MUL(third, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[2]))));
+        q[5] = MS_SSS__MUL(third, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[-2]))));
         up_sum = MS_SSS__ADD(up_sum, q[2]);
         down_sum = MS_SSS__ADD(down_sum, q[5]);
     }
