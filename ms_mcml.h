@@ -109,7 +109,8 @@
    ------
    Monte Carlo: 2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31 cells.
    Pencil beam at normal incidence; flat layers; unpolarised light; no fluence in clear layers.
-   Layers without noise: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear layers, transmission
+   Layers without noise: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear layers
+   (ms_mcml_layered_result takes their shape from photons), transmission
    within a mean free path of the axis where it has 1e-3 of its energy there. One thread.
 
    Sources
@@ -345,6 +346,7 @@ typedef struct ms_mcml_result {
     void *memory;
     size_t memory_size;
     ms_allocator allocator;
+    int layered;                             /* not 0: from ms_mcml_layered_result */
 } ms_mcml_result;
 
 /* Results so far. Errors of Rd and Tt come from the squares of single photons, those of A and phi from the spread of up
@@ -556,7 +558,8 @@ MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind);
 /* All zero: the defaults. */
 typedef struct ms_mcml_layered_options {
     int order;             /* Legendre moments of scattering that are solved for, 1 to 31; what is sharper counts as not
-                              scattered (delta-M). 0: the least odd order with |g|^(order + 1) below 0.13 in every layer, 0.015 in thin tissue */
+                              scattered (delta-M). 0: the least odd order with g^(order + 1) below 0.13 in every layer, 0.015 in thin tissue;
+                              |g|^(order + 1) below 0.003 where g is negative */
     double tolerance;      /* of the iteration, 1e-9 to 1e-2; 0: 1e-4, up to order 3 and in thin tissue 1e-6 */
     double frequency_step; /* log spacing of the spatial frequencies, 0.1 to 1; 0: 0.25, with a bottom 0.2 */
     int totals_only;       /* not 0: no rings, only what does not depend on r: one frequency instead of some 30 */
@@ -569,6 +572,7 @@ typedef struct ms_mcml_layered_options {
     ms_progress progress;  /* asked before every frequency */
     ms_allocator allocator;
     ms_simd simd;          /* a cap; levels round differently, to 1e-12 of the totals */
+    uint64_t photons;      /* of ms_mcml_layered_result, for rings that the solver cannot hold; 0: 1000000 */
 } ms_mcml_layered_options;
 
 /* Reflectance and transmittance of layers under a pencil beam at normal incidence, without noise. A plain value: copy it
@@ -610,8 +614,9 @@ MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *solution, int side, 
 MS_API double ms_mcml_layered_ring(const ms_mcml_layered *solution, int side, double r0_cm, double r1_cm, double *ring_error);
 MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *solution, int side, double x_cm);
 
-/* All of it over a grid, as from ms_mcml_simulate but without noise: photons is 0; totals, rings and what layers absorb with their
-   errors, A_z without (they add up to a). Angles only in a grid of one, times and A_rz not at all: those arrays are NULL. options may
+/* All of it over a grid, as from ms_mcml_simulate but without noise: layered is 1, photons 0; totals, rings and what layers absorb with their
+   errors, A_z without (they add up to a). Rings beside a clear layer, or with peak above 0.3, have the shape that photons give (seed 1,
+   with their standard errors; photons is their number) and the solver's totals, and are MS_OK. Angles only in a grid of one, times and A_rz not at all: those arrays are NULL. options may
    be NULL; its totals_only, dz_cm, nz, a_z and a_l are not read. Release with ms_mcml_result_destroy.
    MS_NOT_CONVERGED: as above, *result is filled and to be released. MS_UNSUPPORTED also for a grid with nt > 0. Else *result is
    untouched. */
@@ -1334,6 +1339,7 @@ struct ms_mcml {
     int64_t *sum;          /* [at.count] */
     int first_layer;       /* where photons start; layer_count: all is clear */
     double specular, entry_path_cm, mfp_max_cm;
+    float entry_sine, entry_cosine; /* of the beam in the first layer */
     uint64_t photons;
     ms_simd simd;
     int groups;            /* of a and phi: 1 or GROUPS */
@@ -1356,6 +1362,9 @@ typedef struct ms_mcml__tracer {
     uint32_t cell[MS_MCML__LANES_MAX];
     int layer[MS_MCML__LANES_MAX], group[MS_MCML__LANES_MAX];
     int64_t *bins_a[MS_MCML__LANES_MAX], *bins_phi[MS_MCML__LANES_MAX]; /* of the photon's group; NULL if not wanted */
+    uint32_t bit[MS_MCML__LANES_MAX];                                   /* 1 << lane */
+    uint32_t fresh[4][MS_MCML__LANES_MAX];                              /* states of photons to come, from fresh_at on */
+    int fresh_at;
     unsigned alive;
     int volume_a, volume_phi;
     float low_weight, inverse_dr, inverse_dz, last_r, last_z, phi_units;
@@ -1381,43 +1390,46 @@ static void ms_mcml__enter(ms_mcml__tracer *t, int i, int layer, int from_above)
     t->kept[i] = 0;
 }
 
-/* The next photon into lane i, or none. */
-static void ms_mcml__launch(ms_mcml__tracer *t, int i)
+/* The lowest lane of some. */
+static int ms_mcml__lowest(unsigned lanes)
 {
-    const unsigned bit = 1u << i;
-    const uint64_t photon = t->next;
-    const uint64_t seed = t->tally->options.seed;
-    uint32_t counter[4], key[2], state[4];
-    size_t group;
-    if (t->volume_a && t->bins_a[i]) t->bins_a[i][t->cell[i]] += (int64_t)t->units_a[i];
-    if (t->volume_phi && t->bins_phi[i]) t->bins_phi[i][t->cell[i]] += (int64_t)t->units_phi[i];
-    t->units_a[i] = t->units_phi[i] = 0;
-    t->cell[i] = 0;
-    t->x[i] = t->y[i] = t->ux[i] = t->uy[i] = 0;
-    t->uz[i] = 1;
-    t->events[i] = 0;
-    t->limit[i] = MS_MCML__HALVING_EVENTS;
-    t->path[i] = (float)t->tally->entry_path_cm;
-    ms_mcml__enter(t, i, t->tally->first_layer, 1);
-    t->w[i] = photon < t->end ? 1.0f : 0.0f;
-    t->alive = photon < t->end ? t->alive | bit : t->alive & ~bit;
-    t->group[i] = (int)(photon / MS_MCML__BLOCK % MS_MCML__GROUPS);
-    group = t->tally->groups > 1 ? (size_t)t->group[i] * (size_t)t->tally->grid.nr * t->nz : 0;
-    t->bins_a[i] = t->tally->options.no_absorption ? NULL : t->sum + t->tally->at.a + group;
-    t->bins_phi[i] = t->tally->options.fluence ? t->sum + t->tally->at.phi + group : NULL;
-    t->next += photon < t->end;
+#if defined(__GNUC__) || defined(__clang__)
+    return __builtin_ctz(lanes);
+#else
+    int i = 0;
+    while (!(lanes >> i & 1)) ++i;
+    return i;
+#endif
+}
 
-    counter[0] = (uint32_t)photon;
-    counter[1] = (uint32_t)(photon >> 32);
-    counter[2] = 0x4D434D4Cu; /* apart from streams of other uses of the same seed */
-    counter[3] = 0;
-    key[0] = (uint32_t)seed;
-    key[1] = (uint32_t)(seed >> 32);
-    ms__philox(counter, key, state);
-    t->s[0][i] = state[0];
-    t->s[1][i] = state[1];
-    t->s[2][i] = state[2];
-    t->s[3][i] = state[3] | (uint32_t)((state[0] | state[1] | state[2] | state[3]) == 0); /* all 0 is a fixed point */
+/* Absorption that is not yet in the bins of lane i. */
+static void ms_mcml__settle_bins(ms_mcml__tracer *t, int i)
+{
+    if (t->bins_a[i]) t->bins_a[i][t->cell[i]] += (int64_t)t->units_a[i];
+    if (t->bins_phi[i]) t->bins_phi[i][t->cell[i]] += (int64_t)t->units_phi[i];
+    t->units_a[i] = t->units_phi[i] = 0;
+}
+
+/* Lane i gets the next photon's state and bins; 0 if there is none. */
+static int ms_mcml__assign(ms_mcml__tracer *t, int i)
+{
+    const int k = t->fresh_at;
+    t->group[i] = (int)(t->next / MS_MCML__BLOCK % MS_MCML__GROUPS);
+    t->layer[i] = t->tally->first_layer;
+    if (t->tally->groups > 1) {
+        const size_t bins = (size_t)t->group[i] * (size_t)t->tally->grid.nr * t->nz;
+        ms_mcml__settle_bins(t, i);
+        if (t->volume_a) t->bins_a[i] = t->sum + t->tally->at.a + bins;
+        if (t->volume_phi) t->bins_phi[i] = t->sum + t->tally->at.phi + bins;
+    }
+    if (t->next >= t->end) return 0;
+    ++t->next;
+    ++t->fresh_at;
+    t->s[0][i] = t->fresh[0][k];
+    t->s[1][i] = t->fresh[1][k];
+    t->s[2][i] = t->fresh[2][k];
+    t->s[3][i] = t->fresh[3][k] | (uint32_t)((t->fresh[0][k] | t->fresh[1][k] | t->fresh[2][k] | t->fresh[3][k]) == 0); /* all 0 is a fixed point */
+    return 1;
 }
 
 /* What lane i left in its layer goes to the sums, rounded at random by bits that its other choices do not use. */
@@ -1465,31 +1477,21 @@ static void ms_mcml__leave(ms_mcml__tracer *t, int i, int down)
     if (!(t->ux[i] < 0 || t->ux[i] > 0 || t->uy[i] < 0 || t->uy[i] > 0)) t->sum[m->at.unscattered + (size_t)down] += s;
 }
 
-/* What happens seldom to lane i: it changes layers or leaves, has no weight left, or has had very many events. */
-static void ms_mcml__rare(ms_mcml__tracer *t, int i, unsigned crossing, unsigned halving)
+/* Lane i crosses a boundary; not 0: it leaves. */
+static int ms_mcml__cross(ms_mcml__tracer *t, int i)
 {
-    if (crossing) {
-        const int down = t->uz[i] > 0, layer = t->layer[i] + (down ? 1 : -1);
-        const float ratio = down ? t->ratio_down[i] : t->ratio_up[i];
-        ms_mcml__keep(t, i);
-        if (layer < 0 || layer == t->tally->tissue.layer_count) {
-            ms_mcml__leave(t, i, down);
-            ms_mcml__launch(t, i);
-            return;
-        }
-        t->ux[i] *= ratio; /* Snell */
-        t->uy[i] *= ratio;
-        t->uz[i] = down ? t->cos_t[i] : -t->cos_t[i];
-        ms_mcml__enter(t, i, layer, down);
+    const int down = t->uz[i] > 0, layer = t->layer[i] + (down ? 1 : -1);
+    const float ratio = down ? t->ratio_down[i] : t->ratio_up[i];
+    ms_mcml__keep(t, i);
+    if (layer < 0 || layer == t->tally->tissue.layer_count) {
+        ms_mcml__leave(t, i, down);
+        return 1;
     }
-    if (halving) {
-        t->limit[i] *= 4;
-        t->w[i] *= (t->word[i] & 128) ? 2.0f : 0.0f;
-    }
-    if (!(t->w[i] > 0)) {
-        ms_mcml__keep(t, i);
-        ms_mcml__launch(t, i);
-    }
+    t->ux[i] *= ratio; /* Snell */
+    t->uy[i] *= ratio;
+    t->uz[i] = down ? t->cos_t[i] : -t->cos_t[i];
+    ms_mcml__enter(t, i, layer, down);
+    return 0;
 }
 
 /* What is compiled for each level. */
@@ -1601,6 +1603,8 @@ static void ms_mcml__prepare(ms_mcml *m)
         if (i < m->first_layer) m->entry_path_cm += layer[i].n * layer[i].thickness_cm;
     }
     m->specular = ms_mcml__specular(&m->tissue, m->first_layer);
+    m->entry_sine = 0;
+    m->entry_cosine = 1;
     /* One collision in a dark layer must not make a photon that still matters play. */
     if (!(m->options.roulette_weight > 0)) m->options.roulette_weight = 0.01 * albedo > 1e-4 ? 0.01 * albedo : 1e-4;
 }
@@ -2679,7 +2683,10 @@ static void ms_mcml__head_out(ms_mcml__writer *w, const ms_mcml_run_spec *run, c
     ms_mcml__text_out(w, " sec = ");
     ms_mcml__time_out(w, seconds / 3600, 1);
     ms_mcml__text_out(w, " hr.   Simulation time of this run.\n");
-    if (result->photons == 0) ms_mcml__text_out(w, "# Layered solver, no photons: nan is what it does not compute (A_rz, angles).\n");
+    if (result->layered) {
+        ms_mcml__text_out(w, result->photons ? "# Layered solver, rings by photons" : "# Layered solver, no photons");
+        ms_mcml__text_out(w, ": nan is what it does not compute (A_rz, angles).\n");
+    }
     ms_mcml__text_out(w, "\nInParm \t\t\t# Input parameters. cm is used.\n");
     ms_mcml__text_out(w, run->output);
     ms_mcml__text_out(w, " \tA\t\t# output file name, ASCII.\n");
@@ -2717,7 +2724,7 @@ MS_API ms_status ms_mcml_mco_write(const ms_mcml_run_spec *run, const ms_mcml_re
     int i, nr, nz, na;
     if (run == NULL || result == NULL || write == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "run, result or write is NULL");
-    if (result->a_rz == NULL && result->photons) return ms__fail(error, MS_UNSUPPORTED, 0, "the result has no A_rz, which an .mco file must have");
+    if (result->a_rz == NULL && !result->layered) return ms__fail(error, MS_UNSUPPORTED, 0, "the result has no A_rz, which an .mco file must have");
     nr = result->grid.nr;
     nz = result->grid.nz;
     na = result->grid.na;
@@ -4608,7 +4615,7 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     ms_mcml_layered r;
     ms_mcml__flights *s;
     ms_status status;
-    double sharpest = 0, sharp = 0, transport = 0, before[2] = {0, 0}, total[3][3];
+    double sharpest = 0, backward = 0, sharp = 0, transport = 0, before[2] = {0, 0}, total[3][3];
     int i, l, order, high, isotropic = 1;
     memset(&o, 0, sizeof o);
     memset(&r, 0, sizeof r);
@@ -4635,14 +4642,14 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
                 return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1, "moment %d of a phase function is %g, expected -1 to 1, the first 1",
                                 l, moment[l]);
         if (moment ? fabs(moment[1]) + fabs(moment[2]) > 0 : layer->g < 1 && fabs(layer->g) > 0) isotropic = 0;
-        if (!moment && layer->g < 1 && fabs(layer->g) > sharpest) sharpest = fabs(layer->g);
+        if (!moment && layer->g < 1) sharpest = fmax(sharpest, layer->g), backward = fmax(backward, -layer->g);
         if (!moment && layer->g < 1) sharp = fmax(sharp, layer->g < 0 ? 0.15 - layer->g : layer->g);
         for (l = 12; moment && l < MS_MCML__ORDER_MAX + 3; ++l) sharp = fmax(sharp, pow(fabs(moment[l]), 1.0 / l) + (moment[1] < 0 ? 0.15 : 0));
     }
     order = o.order;
     if (order == 0 && o.moment && !isotropic) order = 15;
     for (l = 1; order == 0; l += 2)
-        if (isotropic || (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.015 : 0.13)) || l == MS_MCML__ORDER_MAX) order = l;
+        if (isotropic || (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.015 : 0.13) && pow(backward, l + 1) < 0.003) || l == MS_MCML__ORDER_MAX) order = l;
     r.order = order;
     if (!(o.tolerance > 0)) o.tolerance = order < 4 || transport < 2.5 ? 1e-6 : 1e-4; /* few moments or nodes: cheap */
     high = sharp > 0.81 ? MS_MCML__ORDER_MAX : sharp > 0.6 ? 23 : 15;
@@ -4733,7 +4740,7 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     if (!o.totals_only && r.peak > 0.3)
         return ms__fail(error, MS_NOT_CONVERGED, 0, "g is too close to 1 for order %d: %g of the scattering counts as forward", order, r.peak);
     if (!o.totals_only && r.clear)
-        return ms__fail(error, MS_NOT_CONVERGED, (size_t)r.clear, "layer %d is clear: rings are not known, totals are", r.clear);
+        return ms__fail(error, MS_NOT_CONVERGED, (size_t)r.clear, "layer %d is clear: the solver does not hold rings, only totals", r.clear);
     return MS_OK;
 }
 
@@ -4797,7 +4804,8 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
 {
     ms_mcml_layered_options o;
     ms_mcml_layered *s;
-    ms_mcml_result out;
+    ms_mcml_result out, photons;
+    ms_error failure;
     ms_status status;
     double *block, cosine, solid;
     size_t nr, nz, layers, one;
@@ -4814,6 +4822,7 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
     one = grid->na == 1;
     out.grid = *grid;
     out.layer_count = tissue->layer_count;
+    out.layered = 1;
     out.allocator = o.allocator;
     out.memory_size = ms__size_mul(ms__size_add(ms__size_mul(4 + 4 * one, nr + one), ms__size_add(nz, 2 * layers)), sizeof(double));
     out.memory = ms__alloc(&out.allocator, out.memory_size);
@@ -4828,11 +4837,29 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
     out.a_l_error = ms_mcml__take(&block, layers, 1);
     out.a_z = ms_mcml__take(&block, nz, 1);
     o.totals_only = 0;
+    for (i = 0; i < tissue->layer_count; ++i) /* then the solver has no rings */
+        if (tissue->layer_count > 1 && !(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0)) o.totals_only = 1;
     o.dz_cm = grid->dz_cm;
     o.nz = grid->nz;
     o.a_z = out.a_z;
     o.a_l = out.a_l;
-    status = ms_mcml_layered_solve(tissue, &o, s, error);
+    status = ms_mcml_layered_solve(tissue, &o, s, &failure);
+    memset(&photons, 0, sizeof photons);
+    if ((status == MS_OK || status == MS_NOT_CONVERGED) && (s->clear || s->peak > 0.3)) {
+        ms_mcml_options with = ms_mcml_defaults();
+        ms_mcml_grid rings = *grid;
+        rings.na = 1;
+        with.photons = o.photons;
+        with.seed = 1;
+        with.no_absorption = 1;
+        with.simd = o.simd;
+        with.progress = o.progress;
+        with.allocator = o.allocator;
+        if (s->residual <= 10 * (o.tolerance > 0 ? o.tolerance : 1e-4) && s->rd_error <= 5e-5 && s->tt_error <= 5e-5) status = MS_OK;
+        if (ms_mcml_simulate(tissue, &rings, &with, &photons, &failure) != MS_OK) status = failure.status;
+        out.photons = photons.photons;
+    }
+    if (status != MS_OK && error) *error = failure;
     if (status != MS_OK && status != MS_NOT_CONVERGED) {
         ms__release(&out.allocator, s, sizeof *s);
         ms__release(&out.allocator, out.memory, out.memory_size);
@@ -4853,13 +4880,18 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
         double *r = ms_mcml__take(&block, nr, 1), *r_error = ms_mcml__take(&block, nr, 1);
         double *a = ms_mcml__take(&block, 1, (int)one), *a_error = ms_mcml__take(&block, 1, (int)one);
         double *ra = ms_mcml__take(&block, nr, (int)one), *ra_error = ms_mcml__take(&block, nr, (int)one);
+        const double total = side ? s->tt : s->rd, traced = side ? photons.tt : photons.rd, scale = traced > 0 ? total / traced : 0;
         for (i = 0; i < grid->nr; ++i) {
             const double r0 = i * grid->dr_cm;
             r[i] = ms_mcml_layered_ring(s, side, r0, r0 + grid->dr_cm, &r_error[i]);
             if (i + 1 == grid->nr) r[i] = ms_mcml_layered_beyond(s, side, r0) / ms_mcml__ring_area(i, grid->dr_cm);
+            if (photons.memory) {
+                r[i] = scale * (side ? photons.tt_r : photons.rd_r)[i];
+                r_error[i] = scale * (side ? photons.tt_r_error : photons.rd_r_error)[i];
+            }
             if (one) ra[i] = r[i] / (solid * cosine), ra_error[i] = r_error[i] / (solid * cosine);
         }
-        if (one) a[0] = (side ? s->tt : s->rd) / solid, a_error[0] = (side ? s->tt_error : s->rd_error) / solid;
+        if (one) a[0] = total / solid, a_error[0] = (side ? s->tt_error : s->rd_error) / solid;
         *(side ? &out.tt_r : &out.rd_r) = r;
         *(side ? &out.tt_r_error : &out.rd_r_error) = r_error;
         *(side ? &out.tt_a : &out.rd_a) = a;
@@ -4868,6 +4900,7 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
         *(side ? &out.tt_ra_error : &out.rd_ra_error) = ra_error;
     }
     ms__release(&out.allocator, s, sizeof *s);
+    ms_mcml_result_destroy(&photons);
     *result = out;
     return status;
 }
@@ -5813,6 +5846,7 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_TO_INT(a) ((uint32_t)(int32_t)(a))
 #define MS_MCML__U_ROTATE(a, n) (((a) << (n)) | ((a) >> (32 - (n))))
 #define MS_MCML__U_MUL(a, b) ((a) * (b))
+#define MS_MCML__U_HIGH(a, b) ((uint32_t)((uint64_t)(a) * (b) >> 32))
 #define MS_MCML__M_BITS(m) ((unsigned)(m))
 
 #elif MS_MCML__ISA == 2 && defined(MS__X64)
@@ -5854,6 +5888,9 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__U_MUL(a, b) \
     _mm_unpacklo_epi32(_mm_shuffle_epi32(_mm_mul_epu32(a, b), 0x08), \
                        _mm_shuffle_epi32(_mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32)), 0x08))
+#define MS_MCML__U_HIGH(a, b) \
+    _mm_or_si128(_mm_srli_epi64(_mm_mul_epu32(a, b), 32), \
+                 _mm_and_si128(_mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32)), _mm_set1_epi64x((long long)0xffffffff00000000u)))
 #define MS_MCML__M_BITS(m) ((unsigned)_mm_movemask_ps(m))
 
 #elif MS_MCML__ISA == 2
@@ -5893,6 +5930,8 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_TO_INT(a) vreinterpretq_u32_s32(vcvtq_s32_f32(a))
 #define MS_MCML__U_ROTATE(a, n) vorrq_u32(vshlq_n_u32(a, n), vshrq_n_u32(a, 32 - (n)))
 #define MS_MCML__U_MUL(a, b) vmulq_u32(a, b)
+#define MS_MCML__U_HIGH(a, b) \
+    vuzp2q_u32(vreinterpretq_u32_u64(vmull_u32(vget_low_u32(a), vget_low_u32(b))), vreinterpretq_u32_u64(vmull_high_u32(a, b)))
 #define MS_MCML__M_BITS(m) ms_mcml__neon_bits(m)
 
 #elif MS_MCML__ISA == 3
@@ -5932,6 +5971,8 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_TO_INT(a) _mm256_cvttps_epi32(a)
 #define MS_MCML__U_ROTATE(a, n) _mm256_or_si256(_mm256_slli_epi32(a, n), _mm256_srli_epi32(a, 32 - (n)))
 #define MS_MCML__U_MUL(a, b) _mm256_mullo_epi32(a, b)
+#define MS_MCML__U_HIGH(a, b) \
+    _mm256_blend_epi32(_mm256_srli_epi64(_mm256_mul_epu32(a, b), 32), _mm256_mul_epu32(_mm256_srli_epi64(a, 32), _mm256_srli_epi64(b, 32)), 0xaa)
 #define MS_MCML__M_BITS(m) ((unsigned)_mm256_movemask_ps(m))
 
 #elif MS_MCML__ISA == 4
@@ -5973,6 +6014,9 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_TO_INT(a) _mm512_maskz_cvttps_epi32((__mmask16)-1, a)
 #define MS_MCML__U_ROTATE(a, n) _mm512_maskz_rol_epi32((__mmask16)-1, a, n)
 #define MS_MCML__U_MUL(a, b) _mm512_mullo_epi32(a, b)
+#define MS_MCML__U_HIGH(a, b) \
+    _mm512_mask_blend_epi32(0xaaaa, _mm512_maskz_srli_epi64(0xff, _mm512_maskz_mul_epu32(0xff, a, b), 32), \
+                            _mm512_maskz_mul_epu32(0xff, _mm512_maskz_srli_epi64(0xff, a, 32), _mm512_maskz_srli_epi64(0xff, b, 32)))
 #define MS_MCML__M_BITS(m) ((unsigned)(m))
 
 #endif
@@ -6014,18 +6058,164 @@ static inline MS_MCML__V MS_MCML__FN(uniform)(MS_MCML__U word)
         s3 = MS_MCML__U_ROTATE(s3, 11); \
     } while (0)
 
+/* States of the next L photons, by Philox as ms__philox has it. */
+static void MS_MCML__FN(seed)(ms_mcml__tracer *t)
+{
+    const uint64_t seed = t->tally->options.seed;
+    uint32_t low[MS_MCML__L], high[MS_MCML__L];
+    MS_MCML__U c0, c1, c2 = MS_MCML__U_SET(0x4D434D4Cu), c3 = MS_MCML__U_SET(0u); /* c2: apart from streams of other uses of the same seed */
+    MS_MCML__U k0 = MS_MCML__U_SET((uint32_t)seed), k1 = MS_MCML__U_SET((uint32_t)(seed >> 32));
+    int i;
+    for (i = 0; i < MS_MCML__L; ++i) low[i] = (uint32_t)(t->next + (uint64_t)i), high[i] = (uint32_t)((t->next + (uint64_t)i) >> 32);
+    c0 = MS_MCML__U_LOAD(low);
+    c1 = MS_MCML__U_LOAD(high);
+    for (i = 0; i < 10; ++i) {
+        const MS_MCML__U high0 = MS_MCML__U_HIGH(c0, MS_MCML__U_SET(0xD2511F53u)), low0 = MS_MCML__U_MUL(c0, MS_MCML__U_SET(0xD2511F53u));
+        const MS_MCML__U high1 = MS_MCML__U_HIGH(c2, MS_MCML__U_SET(0xCD9E8D57u)), low1 = MS_MCML__U_MUL(c2, MS_MCML__U_SET(0xCD9E8D57u));
+        c0 = MS_MCML__U_XOR(MS_MCML__U_XOR(high1, c1), k0);
+        c1 = low1;
+        c2 = MS_MCML__U_XOR(MS_MCML__U_XOR(high0, c3), k1);
+        c3 = low0;
+        k0 = MS_MCML__U_ADD(k0, MS_MCML__U_SET(0x9E3779B9u));
+        k1 = MS_MCML__U_ADD(k1, MS_MCML__U_SET(0xBB67AE85u));
+    }
+    MS_MCML__U_STORE(t->fresh[0], c0);
+    MS_MCML__U_STORE(t->fresh[1], c1);
+    MS_MCML__U_STORE(t->fresh[2], c2);
+    MS_MCML__U_STORE(t->fresh[3], c3);
+    t->fresh_at = 0;
+}
+
+/* The next photons into the lanes whose bits are set, or none. */
+static void MS_MCML__FN(launch)(ms_mcml__tracer *t, unsigned lanes)
+{
+    const ms_mcml__slab *slab = &t->tally->slab[t->tally->first_layer];
+    const MS_MCML__M stays = MS_MCML__U_IS_ZERO(MS_MCML__U_AND(MS_MCML__U_LOAD(t->bit), MS_MCML__U_SET(lanes)));
+    const MS_MCML__V zero = MS_MCML__V_SET(0.0f);
+    int i;
+#define MS_MCML__START(field, value) MS_MCML__V_STORE(t->field, MS_MCML__V_SELECT(stays, MS_MCML__V_LOAD(t->field), value))
+    MS_MCML__START(x, zero);
+    MS_MCML__START(y, zero);
+    MS_MCML__START(z, zero);
+    MS_MCML__START(ux, MS_MCML__V_SET(t->tally->entry_sine));
+    MS_MCML__START(uy, zero);
+    MS_MCML__START(uz, MS_MCML__V_SET(t->tally->entry_cosine));
+    MS_MCML__START(w, MS_MCML__V_SET(1.0f));
+    MS_MCML__START(kept, zero);
+    MS_MCML__START(path, MS_MCML__V_SET((float)t->tally->entry_path_cm));
+    MS_MCML__START(depth, MS_MCML__V_SET(slab->depth));
+    MS_MCML__START(top, MS_MCML__V_SET(slab->top));
+    MS_MCML__START(mfp, MS_MCML__V_SET(slab->mfp));
+    MS_MCML__START(absorbed, MS_MCML__V_SET(slab->absorbed));
+    MS_MCML__START(g, MS_MCML__V_SET(slab->g));
+    MS_MCML__START(n, MS_MCML__V_SET(slab->n));
+    MS_MCML__START(ratio_up, MS_MCML__V_SET(slab->ratio_up));
+    MS_MCML__START(ratio_down, MS_MCML__V_SET(slab->ratio_down));
+#undef MS_MCML__START
+    for (; lanes; lanes &= lanes - 1) {
+        i = ms_mcml__lowest(lanes);
+        t->events[i] = 0;
+        t->limit[i] = MS_MCML__HALVING_EVENTS;
+        if (t->fresh_at >= MS_MCML__L) MS_MCML__FN(seed)(t);
+        if (ms_mcml__assign(t, i)) continue;
+        t->w[i] = 0;
+        t->alive &= ~(1u << i);
+    }
+}
+
+/* Absorption at a collision, in units of 2^-30, rounded up with a chance equal to the remainder: into cells and units, for the bins;
+   the weight that is left after it and after roulette. */
+static inline MS_MCML__V MS_MCML__FN(absorb)(ms_mcml__tracer *t, MS_MCML__M hit, MS_MCML__V x, MS_MCML__V y, MS_MCML__V z, MS_MCML__V w, MS_MCML__V u)
+{
+    const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f);
+    const MS_MCML__V lost = MS_MCML__V_SELECT(hit, zero, MS_MCML__V_MUL(w, MS_MCML__V_LOAD(t->absorbed)));
+    if (t->volume_a || t->volume_phi) {
+        const MS_MCML__V r = MS_MCML__V_SQRT(MS_MCML__V_MADD(x, x, MS_MCML__V_MUL(y, y))), ring = MS_MCML__V_MIN(MS_MCML__V_MUL(r, MS_MCML__V_SET(t->inverse_dr)), MS_MCML__V_SET(t->last_r));
+        const MS_MCML__V slab = MS_MCML__V_MUL(MS_MCML__V_ADD(z, MS_MCML__V_LOAD(t->top)), MS_MCML__V_SET(t->inverse_dz));
+        const MS_MCML__U row = MS_MCML__U_MUL(MS_MCML__V_TO_INT(MS_MCML__V_MAX(ring, zero)), MS_MCML__U_SET(t->nz));
+        const MS_MCML__V column = MS_MCML__V_MAX(MS_MCML__V_MIN(slab, MS_MCML__V_SET(t->last_z)), zero);
+        MS_MCML__U_STORE(t->cell, MS_MCML__U_ADD(row, MS_MCML__V_TO_INT(column)));
+        MS_MCML__V_STORE(t->units_a, MS_MCML__V_MADD(lost, MS_MCML__V_SET(MS_MCML__UNITS), u));
+        MS_MCML__V_STORE(t->units_phi, MS_MCML__V_SELECT(hit, zero, MS_MCML__V_MADD(MS_MCML__V_MUL(w, MS_MCML__V_LOAD(t->mfp)), MS_MCML__V_SET(t->phi_units), u)));
+    }
+    w = MS_MCML__V_SUB(w, lost);
+    MS_MCML__V_STORE(t->kept, MS_MCML__V_ADD(lost, MS_MCML__V_LOAD(t->kept)));
+    return MS_MCML__V_SELECT(MS_MCML__V_LESS(MS_MCML__V_SELECT(hit, one, w), MS_MCML__V_SET(t->low_weight)),
+                             MS_MCML__V_SELECT(MS_MCML__V_LESS(u, MS_MCML__V_SET(MS_MCML__CHANCE)), MS_MCML__V_MUL(w, MS_MCML__V_SET(1 / MS_MCML__CHANCE)), zero), w);
+}
+
+/* A new direction where nothing was hit: Henyey-Greenstein, v = 2 xi - 1,
+   1 - cos = (1 - g)^2 (1 - v) (2 + g + g v) / (2 (1 + g v)^2), 1 + cos the same with -g and -v;
+   azimuth 2 pi tau, tau in [-1/2, 1/2), from sin and cos of pi tau; an orthonormal basis around u without a branch (Duff et al. 2017),
+   and one Newton step to length 1. */
+static inline void MS_MCML__FN(deflect)(MS_MCML__M hit, MS_MCML__V g, MS_MCML__U word_cosine, MS_MCML__U word_azimuth, MS_MCML__V *x, MS_MCML__V *y, MS_MCML__V *z)
+{
+    const MS_MCML__V one = MS_MCML__V_SET(1.0f), two = MS_MCML__V_SET(2.0f), half = MS_MCML__V_SET(0.5f), ux = *x, uy = *y, uz = *z;
+    const MS_MCML__V xi = MS_MCML__FN(uniform)(word_cosine), gv = MS_MCML__V_MUL(g, MS_MCML__V_MADD(two, xi, MS_MCML__V_SET(-1.0f)));
+    const MS_MCML__V q = MS_MCML__V_DIV(one, MS_MCML__V_ADD(one, gv)), middle = MS_MCML__V_ADD(two, gv);
+    const MS_MCML__V less = MS_MCML__V_MUL(MS_MCML__V_SUB(one, g), q), more = MS_MCML__V_MUL(MS_MCML__V_ADD(one, g), q);
+    const MS_MCML__V below = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(less, less), MS_MCML__V_SUB(one, xi)), MS_MCML__V_ADD(middle, g));
+    const MS_MCML__V above = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(more, more), xi), MS_MCML__V_SUB(middle, g));
+    const MS_MCML__V cosine = MS_MCML__V_SUB(one, below), sine = MS_MCML__V_SQRT(MS_MCML__V_MUL(below, above));
+    const MS_MCML__V tau = MS_MCML__V_SUB(MS_MCML__FN(uniform)(word_azimuth), half), square = MS_MCML__V_MUL(tau, tau);
+    MS_MCML__V sh = MS_MCML__V_SET(0.0776594074f), ch = MS_MCML__V_SET(0.219696795f), sc, ss, sign, a, b, vx, vy, vz, scale;
+    sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-0.598292159f));
+    sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(2.55007766f));
+    sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-5.16771009f));
+    sh = MS_MCML__V_MUL(MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(3.14159264f)), tau);
+    ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(-1.33188016f));
+    ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(4.05841191f));
+    ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(-4.93479286f));
+    ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(0.999999953f));
+    sc = MS_MCML__V_MUL(sine, MS_MCML__V_NMADD(MS_MCML__V_ADD(sh, sh), sh, one));
+    ss = MS_MCML__V_MUL(sine, MS_MCML__V_MUL(MS_MCML__V_ADD(sh, sh), ch));
+    sign = MS_MCML__V_SIGN(uz);
+    a = MS_MCML__V_DIV(MS_MCML__V_SET(-1.0f), MS_MCML__V_ADD(sign, uz));
+    b = MS_MCML__V_MUL(MS_MCML__V_MUL(ux, uy), a);
+    vx = MS_MCML__V_MADD(sc, MS_MCML__V_MADD(MS_MCML__V_MUL(sign, ux), MS_MCML__V_MUL(ux, a), one), MS_MCML__V_MADD(ss, b, MS_MCML__V_MUL(cosine, ux)));
+    vy = MS_MCML__V_MADD(sc, MS_MCML__V_MUL(sign, b), MS_MCML__V_MADD(ss, MS_MCML__V_MADD(MS_MCML__V_MUL(uy, uy), a, sign), MS_MCML__V_MUL(cosine, uy)));
+    vz = MS_MCML__V_NMADD(MS_MCML__V_MUL(sc, sign), ux, MS_MCML__V_NMADD(ss, uy, MS_MCML__V_MUL(cosine, uz)));
+    scale = MS_MCML__V_MADD(vx, vx, MS_MCML__V_MADD(vy, vy, MS_MCML__V_MUL(vz, vz)));
+    scale = MS_MCML__V_NMADD(half, scale, MS_MCML__V_SET(1.5f));
+    *x = MS_MCML__V_SELECT(hit, ux, MS_MCML__V_MUL(vx, scale));
+    *y = MS_MCML__V_SELECT(hit, uy, MS_MCML__V_MUL(vy, scale));
+    *z = MS_MCML__V_SELECT(hit, uz, MS_MCML__V_MUL(vz, scale));
+}
+
+/* Lanes that a boundary reflects, Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0 and so R = 1. u < R without
+   division, R = (rs^2 + rp^2) / 2. */
+static inline MS_MCML__M MS_MCML__FN(fresnel)(ms_mcml__tracer *t, MS_MCML__M up, MS_MCML__V steep, MS_MCML__V u)
+{
+    const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f);
+    const MS_MCML__V ratio = MS_MCML__V_SELECT(up, MS_MCML__V_LOAD(t->ratio_up), MS_MCML__V_LOAD(t->ratio_down));
+    const MS_MCML__V sin2_i = MS_MCML__V_MAX(MS_MCML__V_NMADD(steep, steep, one), zero);
+    const MS_MCML__V cos_t = MS_MCML__V_SQRT(MS_MCML__V_MAX(MS_MCML__V_NMADD(MS_MCML__V_MUL(ratio, ratio), sin2_i, one), zero));
+    const MS_MCML__V si = MS_MCML__V_MUL(ratio, steep), pt = MS_MCML__V_MUL(ratio, cos_t);
+    const MS_MCML__V s_sum = MS_MCML__V_ADD(si, cos_t), p_sum = MS_MCML__V_ADD(pt, steep), both = MS_MCML__V_MUL(s_sum, p_sum);
+    const MS_MCML__V rs = MS_MCML__V_MUL(MS_MCML__V_SUB(si, cos_t), p_sum), rp = MS_MCML__V_MUL(MS_MCML__V_SUB(pt, steep), s_sum);
+    MS_MCML__V_STORE(t->cos_t, cos_t);
+    return MS_MCML__V_LESS(MS_MCML__V_MUL(u, MS_MCML__V_MUL(both, both)), MS_MCML__V_MUL(MS_MCML__V_SET(0.5f), MS_MCML__V_ADD(MS_MCML__V_MUL(rs, rs), MS_MCML__V_MUL(rp, rp))));
+}
+
 /* Traces the photons of t. A turn of the loop is one event of every lane: a flight that ends in a collision or at a
-   boundary. Four words are drawn for each event, so that a photon's path does not depend on its neighbours. What is rare
-   goes lane by lane through ms_mcml__rare. Absorption is added to its bins one turn late, when the units and the cell
+   boundary. Four words are drawn for each event, so that a photon's path does not depend on its neighbours. Crossing a
+   boundary and ending go lane by lane. Absorption is added to its bins one turn late, when the units and the cell
    are long known: 25% faster than to wait for them. */
 static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 {
-    const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f), two = MS_MCML__V_SET(2.0f), half = MS_MCML__V_SET(0.5f);
+    const MS_MCML__V zero = MS_MCML__V_SET(0.0f);
     const unsigned all = (2u << (MS_MCML__L - 1)) - 1;
     MS_MCML__U s0, s1, s2, s3;
     int i;
 
-    for (i = 0; i < MS_MCML__L; ++i) ms_mcml__launch(t, i);
+    for (i = 0; i < MS_MCML__L; ++i) {
+        t->bit[i] = 1u << i;
+        t->bins_a[i] = t->volume_a ? t->sum + t->tally->at.a : NULL;
+        t->bins_phi[i] = t->volume_phi ? t->sum + t->tally->at.phi : NULL;
+    }
+    t->alive = all;
+    t->fresh_at = MS_MCML__L;
+    MS_MCML__FN(launch)(t, all);
     s0 = MS_MCML__U_LOAD(t->s[0]);
     s1 = MS_MCML__U_LOAD(t->s[1]);
     s2 = MS_MCML__U_LOAD(t->s[2]);
@@ -6035,8 +6225,8 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         MS_MCML__V x = MS_MCML__V_LOAD(t->x), y = MS_MCML__V_LOAD(t->y), z = MS_MCML__V_LOAD(t->z);
         MS_MCML__V ux = MS_MCML__V_LOAD(t->ux), uy = MS_MCML__V_LOAD(t->uy), uz = MS_MCML__V_LOAD(t->uz);
         MS_MCML__V w = MS_MCML__V_LOAD(t->w), u, flight, steep, gap, step;
-        const MS_MCML__V depth = MS_MCML__V_LOAD(t->depth), mfp = MS_MCML__V_LOAD(t->mfp), g = MS_MCML__V_LOAD(t->g);
-        unsigned boundary, crossing = 0, ended, halving;
+        const MS_MCML__V depth = MS_MCML__V_LOAD(t->depth), mfp = MS_MCML__V_LOAD(t->mfp);
+        unsigned boundary, crossing = 0, ended, halving, finished = 0;
         MS_MCML__M hit, up;
 
         if (t->volume_a)
@@ -6067,67 +6257,12 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
             MS_MCML__V_STORE(t->units_a, zero);
             MS_MCML__V_STORE(t->units_phi, zero);
         } else {
-            /* absorption at a collision, in units of 2^-30, rounded up with a chance equal to the remainder */
-            const MS_MCML__V lost = MS_MCML__V_SELECT(hit, zero, MS_MCML__V_MUL(w, MS_MCML__V_LOAD(t->absorbed)));
-            if (t->volume_a || t->volume_phi) {
-                const MS_MCML__V r = MS_MCML__V_SQRT(MS_MCML__V_MADD(x, x, MS_MCML__V_MUL(y, y))), ring = MS_MCML__V_MIN(MS_MCML__V_MUL(r, MS_MCML__V_SET(t->inverse_dr)), MS_MCML__V_SET(t->last_r));
-                const MS_MCML__V slab = MS_MCML__V_MUL(MS_MCML__V_ADD(z, MS_MCML__V_LOAD(t->top)), MS_MCML__V_SET(t->inverse_dz));
-                const MS_MCML__U row = MS_MCML__U_MUL(MS_MCML__V_TO_INT(MS_MCML__V_MAX(ring, zero)), MS_MCML__U_SET(t->nz));
-                const MS_MCML__V column = MS_MCML__V_MAX(MS_MCML__V_MIN(slab, MS_MCML__V_SET(t->last_z)), zero);
-                MS_MCML__U_STORE(t->cell, MS_MCML__U_ADD(row, MS_MCML__V_TO_INT(column)));
-                MS_MCML__V_STORE(t->units_a, MS_MCML__V_MADD(lost, MS_MCML__V_SET(MS_MCML__UNITS), u));
-                MS_MCML__V_STORE(t->units_phi, MS_MCML__V_SELECT(hit, zero, MS_MCML__V_MADD(MS_MCML__V_MUL(w, mfp), MS_MCML__V_SET(t->phi_units), u)));
-            }
-            w = MS_MCML__V_SUB(w, lost);
-            MS_MCML__V_STORE(t->kept, MS_MCML__V_ADD(lost, MS_MCML__V_LOAD(t->kept)));
-            w = MS_MCML__V_SELECT(MS_MCML__V_LESS(MS_MCML__V_SELECT(hit, one, w), MS_MCML__V_SET(t->low_weight)),
-                         MS_MCML__V_SELECT(MS_MCML__V_LESS(u, MS_MCML__V_SET(MS_MCML__CHANCE)), MS_MCML__V_MUL(w, MS_MCML__V_SET(1 / MS_MCML__CHANCE)), zero), w);
-
-            /* Henyey-Greenstein, v = 2 xi - 1:
-               1 - cos = (1 - g)^2 (1 - v) (2 + g + g v) / (2 (1 + g v)^2), 1 + cos the same with -g and -v */
-            const MS_MCML__V xi = MS_MCML__FN(uniform)(word_cosine), gv = MS_MCML__V_MUL(g, MS_MCML__V_MADD(two, xi, MS_MCML__V_SET(-1.0f)));
-            const MS_MCML__V q = MS_MCML__V_DIV(one, MS_MCML__V_ADD(one, gv)), middle = MS_MCML__V_ADD(two, gv);
-            const MS_MCML__V less = MS_MCML__V_MUL(MS_MCML__V_SUB(one, g), q), more = MS_MCML__V_MUL(MS_MCML__V_ADD(one, g), q);
-            const MS_MCML__V below = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(less, less), MS_MCML__V_SUB(one, xi)), MS_MCML__V_ADD(middle, g));
-            const MS_MCML__V above = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(more, more), xi), MS_MCML__V_SUB(middle, g));
-            const MS_MCML__V cosine = MS_MCML__V_SUB(one, below), sine = MS_MCML__V_SQRT(MS_MCML__V_MUL(below, above));
-            /* azimuth 2 pi tau, tau in [-1/2, 1/2), from sin and cos of pi tau */
-            const MS_MCML__V tau = MS_MCML__V_SUB(MS_MCML__FN(uniform)(word_azimuth), half), square = MS_MCML__V_MUL(tau, tau);
-            MS_MCML__V sh = MS_MCML__V_SET(0.0776594074f), ch = MS_MCML__V_SET(0.219696795f), sc, ss, sign, a, b, vx, vy, vz, scale;
-            sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-0.598292159f));
-            sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(2.55007766f));
-            sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-5.16771009f));
-            sh = MS_MCML__V_MUL(MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(3.14159264f)), tau);
-            ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(-1.33188016f));
-            ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(4.05841191f));
-            ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(-4.93479286f));
-            ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(0.999999953f));
-            sc = MS_MCML__V_MUL(sine, MS_MCML__V_NMADD(MS_MCML__V_ADD(sh, sh), sh, one));
-            ss = MS_MCML__V_MUL(sine, MS_MCML__V_MUL(MS_MCML__V_ADD(sh, sh), ch));
-            /* an orthonormal basis around u without a branch (Duff et al. 2017), and one Newton step to length 1 */
-            sign = MS_MCML__V_SIGN(uz);
-            a = MS_MCML__V_DIV(MS_MCML__V_SET(-1.0f), MS_MCML__V_ADD(sign, uz));
-            b = MS_MCML__V_MUL(MS_MCML__V_MUL(ux, uy), a);
-            vx = MS_MCML__V_MADD(sc, MS_MCML__V_MADD(MS_MCML__V_MUL(sign, ux), MS_MCML__V_MUL(ux, a), one), MS_MCML__V_MADD(ss, b, MS_MCML__V_MUL(cosine, ux)));
-            vy = MS_MCML__V_MADD(sc, MS_MCML__V_MUL(sign, b), MS_MCML__V_MADD(ss, MS_MCML__V_MADD(MS_MCML__V_MUL(uy, uy), a, sign), MS_MCML__V_MUL(cosine, uy)));
-            vz = MS_MCML__V_NMADD(MS_MCML__V_MUL(sc, sign), ux, MS_MCML__V_NMADD(ss, uy, MS_MCML__V_MUL(cosine, uz)));
-            scale = MS_MCML__V_MADD(vx, vx, MS_MCML__V_MADD(vy, vy, MS_MCML__V_MUL(vz, vz)));
-            scale = MS_MCML__V_NMADD(half, scale, MS_MCML__V_SET(1.5f));
-            ux = MS_MCML__V_SELECT(hit, ux, MS_MCML__V_MUL(vx, scale));
-            uy = MS_MCML__V_SELECT(hit, uy, MS_MCML__V_MUL(vy, scale));
-            uz = MS_MCML__V_SELECT(hit, uz, MS_MCML__V_MUL(vz, scale));
+            w = MS_MCML__FN(absorb)(t, hit, x, y, z, w, u);
+            MS_MCML__FN(deflect)(hit, MS_MCML__V_LOAD(t->g), word_cosine, word_azimuth, &ux, &uy, &uz);
         }
-
-        if (boundary) { /* Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0 and so R = 1 */
-            const MS_MCML__V ratio = MS_MCML__V_SELECT(up, MS_MCML__V_LOAD(t->ratio_up), MS_MCML__V_LOAD(t->ratio_down));
-            const MS_MCML__V sin2_i = MS_MCML__V_MAX(MS_MCML__V_NMADD(steep, steep, one), zero);
-            const MS_MCML__V cos_t = MS_MCML__V_SQRT(MS_MCML__V_MAX(MS_MCML__V_NMADD(MS_MCML__V_MUL(ratio, ratio), sin2_i, one), zero));
-            const MS_MCML__V si = MS_MCML__V_MUL(ratio, steep), pt = MS_MCML__V_MUL(ratio, cos_t); /* R = (rs^2 + rp^2) / 2, u < R without division */
-            const MS_MCML__V s_sum = MS_MCML__V_ADD(si, cos_t), p_sum = MS_MCML__V_ADD(pt, steep), both = MS_MCML__V_MUL(s_sum, p_sum);
-            const MS_MCML__V rs = MS_MCML__V_MUL(MS_MCML__V_SUB(si, cos_t), p_sum), rp = MS_MCML__V_MUL(MS_MCML__V_SUB(pt, steep), s_sum);
-            const MS_MCML__M back = MS_MCML__V_LESS(MS_MCML__V_MUL(u, MS_MCML__V_MUL(both, both)), MS_MCML__V_MUL(half, MS_MCML__V_ADD(MS_MCML__V_MUL(rs, rs), MS_MCML__V_MUL(rp, rp))));
+        if (boundary) {
+            const MS_MCML__M back = MS_MCML__FN(fresnel)(t, up, steep, u);
             uz = MS_MCML__V_SELECT(hit, MS_MCML__V_SELECT(back, MS_MCML__V_SUB(zero, uz), uz), uz);
-            MS_MCML__V_STORE(t->cos_t, cos_t);
             crossing = boundary & ~MS_MCML__M_BITS(back);
         }
 
@@ -6142,20 +6277,31 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         MS_MCML__U_STORE(t->events, events);
         ended = t->alive & ~(t->alive & MS_MCML__M_BITS(MS_MCML__V_LESS(zero, w)));
         halving = t->alive & MS_MCML__M_BITS(MS_MCML__U_IS_ZERO(MS_MCML__U_XOR(events, MS_MCML__U_LOAD(t->limit))));
-        if (crossing | ended | halving) {
-            MS_MCML__U_STORE(t->word, word_chance);
-            MS_MCML__U_STORE(t->s[0], s0);
-            MS_MCML__U_STORE(t->s[1], s1);
-            MS_MCML__U_STORE(t->s[2], s2);
-            MS_MCML__U_STORE(t->s[3], s3);
-            for (i = 0; (crossing | ended | halving) >> i; ++i)
-                if ((crossing | ended | halving) >> i & 1) ms_mcml__rare(t, i, crossing >> i & 1, halving >> i & 1);
-            s0 = MS_MCML__U_LOAD(t->s[0]);
-            s1 = MS_MCML__U_LOAD(t->s[1]);
-            s2 = MS_MCML__U_LOAD(t->s[2]);
-            s3 = MS_MCML__U_LOAD(t->s[3]);
+        if (!(crossing | ended | halving)) continue;
+        MS_MCML__U_STORE(t->word, word_chance);
+        for (; crossing; crossing &= crossing - 1) {
+            i = ms_mcml__lowest(crossing);
+            if (ms_mcml__cross(t, i)) finished |= 1u << i;
         }
+        for (halving &= ~finished; halving; halving &= halving - 1) {
+            i = ms_mcml__lowest(halving);
+            t->limit[i] *= 4;
+            t->w[i] *= (t->word[i] & 128) ? 2.0f : 0.0f;
+            if (!(t->w[i] > 0)) ended |= 1u << i;
+        }
+        for (ended &= ~finished, finished |= ended; ended; ended &= ended - 1) ms_mcml__keep(t, ms_mcml__lowest(ended));
+        if (!finished) continue;
+        MS_MCML__U_STORE(t->s[0], s0);
+        MS_MCML__U_STORE(t->s[1], s1);
+        MS_MCML__U_STORE(t->s[2], s2);
+        MS_MCML__U_STORE(t->s[3], s3);
+        MS_MCML__FN(launch)(t, finished);
+        s0 = MS_MCML__U_LOAD(t->s[0]);
+        s1 = MS_MCML__U_LOAD(t->s[1]);
+        s2 = MS_MCML__U_LOAD(t->s[2]);
+        s3 = MS_MCML__U_LOAD(t->s[3]);
     }
+    for (i = 0; i < MS_MCML__L; ++i) ms_mcml__settle_bins(t, i);
 }
 
 /* Eight doubles, the rays of a flight. */
@@ -6719,6 +6865,7 @@ static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCM
 #undef MS_MCML__U_ADD
 #undef MS_MCML__U_AND
 #undef MS_MCML__U_BITS
+#undef MS_MCML__U_HIGH
 #undef MS_MCML__U_IS_ZERO
 #undef MS_MCML__U_LEFT
 #undef MS_MCML__U_LOAD

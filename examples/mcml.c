@@ -2,7 +2,8 @@
    Every run of the file writes its .mco file, in the current folder unless its name says otherwise.
      build/mcml --exact FILE.mci
    the same without photons and without noise, by the layered solver: totals, A_l, A_z, Rd_r, Tt_r; nan stands for A_rz and for angles in
-   more than one bin, which it does not compute. A run that it cannot answer for is named with the reason and writes nothing (a file of
+   more than one bin, which it does not compute. Rings that the solver does not hold (beside a clear layer, g above 0.97 or so) have the
+   shape that the file's number of photons gives; the program says so. A run that it cannot answer for is named with the reason and writes nothing (a file of
    that name stays as it was), the others are written; the exit code is 1 then.
    Alone: cc -O2 -I. examples/mcml.c -o build/mcml -lm */
 #define MS_MCML_IMPLEMENTATION
@@ -93,11 +94,14 @@ int main(int argc, char **argv)
         memset(&layered, 0, sizeof layered);
         memset(&result, 0, sizeof result);
         layered.progress = options.progress;
+        layered.photons = options.photons;
         if (exact) status = ms_mcml_layered_result(&run->tissue, &run->grid, &layered, &result, &error);
         else status = ms_mcml_simulate(&run->tissue, &run->grid, &options, &result, &error);
         if (terminal) fprintf(stderr, "\r%78s\r", "");
         if (status == MS_OK)
             status = ms_mcml_mco_save(run->output, run, &result, (double)(clock() - begun) / CLOCKS_PER_SEC, &error);
+        if (status == MS_OK && exact && result.photons)
+            fprintf(stderr, "%s: run %d, %s: the solver gave the totals, %.0f photons the shape of the rings\n", path, i + 1, run->output, (double)result.photons);
         ms_mcml_result_destroy(&result);
         if (status != MS_OK) {
             fprintf(stderr, "%s: run %d, %s: %s\n", path, i + 1, run->output, error.message);

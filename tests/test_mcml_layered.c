@@ -562,16 +562,61 @@ static int numbers_of(const char *text, const char *name, double *out, int count
 }
 
 /* A file's run, solved and written, read back: every number in its place, energy adds up, Monte Carlo says the same. */
+/* Rings that the solver cannot hold have the shape of photons and its own totals; Monte Carlo with another seed says the same. */
+static void rings_of_photons(void)
+{
+    static const ms_mcml_layer glass[3] = {{1.5, 0, 0, 0, 0.1}, {1.37, 1, 100, 0.8, 0.1}, {1.5, 0, 0, 0, 0.1}}, sharp[1] = {{1.4, 1, 100, 0.99, 2}};
+    const ms_mcml_grid grid = {0.02, 0.02, 0, 20, 20, 1, 0};
+    double chi2 = 0;
+    int k, i, n = 0;
+    for (k = 0; k < 2; ++k) {
+        ms_mcml_tissue t;
+        ms_mcml_result r, mc;
+        ms_mcml_options o = ms_mcml_defaults();
+        ms_mcml_layered_options l;
+        ms_error error;
+        double sum = 0;
+        t.n_above = t.n_below = 1;
+        t.layer_count = k ? 1 : 3;
+        t.layers = k ? sharp : glass;
+        memset(&l, 0, sizeof l);
+        l.photons = 100000;
+        error.status = MS_OK;
+        CHECK_INT(ms_mcml_layered_result(&t, &grid, &l, &r, &error), MS_OK);
+        CHECK(error.status == MS_OK && r.layered == 1 && r.photons == 100000 && r.rd_error < 2e-5 && r.tt_error < 2e-5);
+        o.photons = 200000;
+        o.seed = test_seed + 11;
+        CHECK_INT(ms_mcml_simulate(&t, &grid, &o, &mc, &error), MS_OK);
+        for (i = 0; i < 20; ++i) {
+            const double rd = r.rd_r_error[i] * r.rd_r_error[i] + mc.rd_r_error[i] * mc.rd_r_error[i];
+            const double tt = r.tt_r_error[i] * r.tt_r_error[i] + mc.tt_r_error[i] * mc.tt_r_error[i];
+            sum += r.rd_r[i] * ms_mcml__ring_area(i, grid.dr_cm);
+            if (!(rd > 0 && tt > 0 && mc.rd_r[i] > 6 * mc.rd_r_error[i] && mc.tt_r[i] > 6 * mc.tt_r_error[i])) continue; /* enough photons for a normal law */
+            chi2 += (r.rd_r[i] - mc.rd_r[i]) * (r.rd_r[i] - mc.rd_r[i]) / rd + (r.tt_r[i] - mc.tt_r[i]) * (r.tt_r[i] - mc.tt_r[i]) / tt;
+            n += 2;
+        }
+        CHECK_NEAR(sum, r.rd, 1e-9); /* as in a tally the last ring has all that lies beyond */
+        ms_mcml_result_destroy(&mc);
+        ms_mcml_result_destroy(&r);
+    }
+    CHECK(n > 40 && test_chi2_p(chi2, n) > 1e-4);
+    TEST_NOTE("%d rings, chi2 %.1f", n, chi2);
+}
+
 static void a_file_without_noise(void)
 {
-    static const char text[] = "1.0\n2\nfive.mco A\n300000\n0.01 0.02\n8 12 5\n2\n1\n1.4 2 60 0.7 0.04\n1.5 1 40 0.5 0.1\n1.2\n"
-                               "one.mco A\n300000\n0.01 0.02\n8 12 1\n1\n1\n1.4 2 60 0.7 0.04\n1\n";
+    static const char text[] = "1.0\n3\nfive.mco A\n300000\n0.01 0.02\n8 12 5\n2\n1\n1.4 2 60 0.7 0.04\n1.5 1 40 0.5 0.1\n1.2\n"
+                               "one.mco A\n300000\n0.01 0.02\n8 12 1\n1\n1\n1.4 2 60 0.7 0.04\n1\n"
+                               "sixteen.mco A\n300000\n0.01 0.02\n8 12 1\n16\n1\n" /* as many layers as the solver takes */
+                               "1.4 2 60 0.7 0.005\n1.5 1 40 0.5 0.005\n1.35 3 50 0.6 0.005\n1.4 0.1 20 0 0.005\n1.4 2 60 0.7 0.005\n1.45 1 40 0.5 0.005\n"
+                               "1.33 3 50 -0.3 0.005\n1.4 0 20 0 0.005\n1.4 2 60 0.7 0.005\n1.5 1 40 0.5 0.005\n1.35 3 50 0.6 0.005\n1.4 0.1 20 0 0.005\n"
+                               "1.4 2 60 0.7 0.005\n1.45 1 40 0.5 0.005\n1.33 3 50 0.6 0.005\n1.4 9 20 0 0.01\n1.2\n";
     static page p;
     ms_mcml_mci f;
     ms_error error;
     int run, i, side, nans;
     CHECK_INT(ms_mcml_mci_read(text, sizeof text - 1, NULL, &f, &error), MS_OK);
-    for (run = 0; run < 2; ++run) {
+    for (run = 0; run < 3; ++run) {
         const ms_mcml_run_spec *spec = &f.runs[run];
         const int na = spec->grid.na;
         ms_mcml_result r, mc;
@@ -882,6 +927,7 @@ static const test_case cases[] = {
     {"identities", identities},
     {"refusals", refusals},
     {"memory_runs_out", memory_runs_out},
+    {"rings_of_photons", rings_of_photons},
     {"a_file_without_noise", a_file_without_noise},
     {"skin_is_made_of_its_laws", skin_is_made_of_its_laws},
     {"skin_of_people", skin_of_people},
