@@ -108,7 +108,7 @@
    Limits
    ------
    Monte Carlo: 2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31 cells.
-   Pencil beam at normal incidence; flat layers; unpolarised light; no fluence in clear layers.
+   Pencil beam (incidence_degrees: oblique, Monte Carlo only); flat layers; unpolarised light; no fluence in clear layers.
    Layers without noise: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear layers
    (ms_mcml_layered_result takes their shape from photons), transmission
    within a mean free path of the axis where it has 1e-3 of its energy there. One thread.
@@ -274,6 +274,8 @@ typedef struct ms_mcml_options {
     int no_absorption;         /* not 0: neither A_rz nor A_z: faster, and no memory for them; A_l remains */
     int absorption_error;      /* not 0: standard errors of A_rz, A_z and phi_rz: 64 times their memory */
     int fluence;               /* not 0: phi_rz by the collision estimator, which also works where mu_a = 0 */
+    double incidence_degrees;  /* of the beam to the normal, in the medium above, towards +x; 0 to 90; rings stay around the point where
+                                  it meets the surface */
     size_t memory_limit;       /* bytes that tallies may take; 0: 4 GiB */
     ms_simd simd;              /* a cap */
     ms_parallel parallel;      /* each of at most 16 tasks then has its own tally */
@@ -1339,7 +1341,7 @@ struct ms_mcml {
     int64_t *sum;          /* [at.count] */
     int first_layer;       /* where photons start; layer_count: all is clear */
     double specular, entry_path_cm, mfp_max_cm;
-    float entry_sine, entry_cosine; /* of the beam in the first layer */
+    float entry_x, entry_sine, entry_cosine; /* of the beam in the first layer */
     uint64_t photons;
     ms_simd simd;
     int groups;            /* of a and phi: 1 or GROUPS */
@@ -1474,7 +1476,7 @@ static void ms_mcml__leave(ms_mcml__tracer *t, int i, int down)
         bin[0] += s;
         bin[1] += q;
     }
-    if (!(t->ux[i] < 0 || t->ux[i] > 0 || t->uy[i] < 0 || t->uy[i] > 0)) t->sum[m->at.unscattered + (size_t)down] += s;
+    if (!(t->uy[i] < 0 || t->uy[i] > 0) && (m->entry_sine > 0 || !(t->ux[i] < 0 || t->ux[i] > 0))) t->sum[m->at.unscattered + (size_t)down] += s;
 }
 
 /* Lane i crosses a boundary; not 0: it leaves. */
@@ -1542,15 +1544,27 @@ static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint6
     ms_mcml__kernels_of(m->simd)->trace(&t);
 }
 
+/* Reflectance from n1 to n2 for nu = n sin(theta); 1 where nothing propagates beyond. */
+static double ms_mcml__fresnel_nu(double n1, double n2, double nu)
+{
+    double a, b, s, p;
+    if (!(nu < n1) || !(nu < n2)) return 1;
+    a = sqrt((n1 - nu) * (n1 + nu)) / n1;
+    b = sqrt((n2 - nu) * (n2 + nu)) / n2;
+    s = (n1 * a - n2 * b) / (n1 * a + n2 * b);
+    p = (n1 * b - n2 * a) / (n1 * b + n2 * a);
+    return 0.5 * (s * s + p * p);
+}
+
 /* Reflectance at normal incidence of the boundaries from above the tissue to the first layer that is not clear, light that
    runs to and fro between them added up: R = (r + s - 2 r s) / (1 - r s), boundary by boundary. */
-static double ms_mcml__specular(const ms_mcml_tissue *tissue, int first_layer)
+static double ms_mcml__specular(const ms_mcml_tissue *tissue, int first_layer, double nu)
 {
     double reflectance = 0, n = tissue->n_above;
     int i;
     for (i = 0; i <= first_layer; ++i) {
         const double below = i < tissue->layer_count ? tissue->layers[i].n : tissue->n_below;
-        const double amplitude = (n - below) / (n + below), s = amplitude * amplitude;
+        const double s = ms_mcml__fresnel_nu(n, below, nu);
         reflectance = (reflectance + s - 2 * reflectance * s) / (1 - reflectance * s);
         n = below;
     }
@@ -1576,6 +1590,7 @@ static size_t ms_mcml__layout_make(ms_mcml__layout *at, const ms_mcml_grid *grid
 static void ms_mcml__prepare(ms_mcml *m)
 {
     const ms_mcml_layer *layer = m->tissue.layers;
+    const double nu = m->tissue.n_above * sin(m->options.incidence_degrees * (3.14159265358979324 / 180));
     double top = 0, albedo = 1;
     int i;
     m->first_layer = m->tissue.layer_count;
@@ -1600,11 +1615,15 @@ static void ms_mcml__prepare(ms_mcml *m)
     for (i = 0; i < m->tissue.layer_count; ++i) {
         m->slab[i].top = (float)top;
         top += layer[i].thickness_cm;
-        if (i < m->first_layer) m->entry_path_cm += layer[i].n * layer[i].thickness_cm;
+        if (i <= m->first_layer) { /* through clear layers on top; nu = n sin(theta) is the same in all */
+            const double sine = nu / layer[i].n, cosine = sqrt((1 - sine) * (1 + sine)), d = i < m->first_layer ? layer[i].thickness_cm / cosine : 0;
+            m->entry_path_cm += layer[i].n * d;
+            m->entry_x += (float)(sine * d);
+            m->entry_sine = (float)sine;
+            m->entry_cosine = (float)cosine;
+        }
     }
-    m->specular = ms_mcml__specular(&m->tissue, m->first_layer);
-    m->entry_sine = 0;
-    m->entry_cosine = 1;
+    m->specular = ms_mcml__specular(&m->tissue, m->first_layer, nu);
     /* One collision in a dark layer must not make a photon that still matters play. */
     if (!(m->options.roulette_weight > 0)) m->options.roulette_weight = 0.01 * albedo > 1e-4 ? 0.01 * albedo : 1e-4;
 }
@@ -1630,6 +1649,15 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "target_error is %g, expected 0 or more", o.target_error);
     if (o.photons > MS_MCML__PHOTONS_MAX)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons");
+    if (!ms_mcml__between(o.incidence_degrees, 0, 89.999))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "incidence_degrees is %g, expected 0 to less than 90", o.incidence_degrees);
+    for (groups = 0; o.incidence_degrees > 0; ++groups) { /* down to the first layer that is not clear */
+        const double nu = tissue->n_above * sin(o.incidence_degrees * (3.14159265358979324 / 180));
+        if (groups == tissue->layer_count) return ms__fail(error, MS_UNSUPPORTED, 0, "a tissue that is clear takes light at the normal only");
+        if (!(nu < tissue->layers[groups].n))
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)groups + 1, "light at %g degrees does not enter layer %d", o.incidence_degrees, groups + 1);
+        if (tissue->layers[groups].mu_a_per_cm > 0 || (tissue->layers[groups].mu_s_per_cm > 0 && tissue->layers[groups].g < 1)) break;
+    }
 
     groups = o.absorption_error ? MS_MCML__GROUPS : 1;
     sums = ms_mcml__layout_make(&at, grid, tissue->layer_count, groups, !o.no_absorption, o.fluence);
@@ -1733,7 +1761,7 @@ MS_API ms_status ms_mcml_run(ms_mcml *tally, uint64_t first, uint64_t count, ms_
 }
 
 /* The head of a saved tally: what must be equal for a merge, then the layers. */
-#define MS_MCML__HEAD (16 + 8 * 12)
+#define MS_MCML__HEAD (16 + 8 * 13)
 #define MS_MCML__LAYER_BYTES (5 * 8)
 
 static uint8_t *ms_mcml__put(uint8_t *p, uint64_t value)
@@ -1771,7 +1799,7 @@ static uint8_t *ms_mcml__put_head(const ms_mcml *m, uint8_t *p)
 {
     const ms_mcml_options *o = &m->options;
     int i;
-    memcpy(p, "ms_mcml tally 1\n", 16);
+    memcpy(p, "ms_mcml tally 2\n", 16);
     p = ms_mcml__put(p + 16, m->photons);
     p = ms_mcml__put(p, o->seed);
     p = ms_mcml__put_real(p, o->roulette_weight);
@@ -1785,6 +1813,7 @@ static uint8_t *ms_mcml__put_head(const ms_mcml *m, uint8_t *p)
     p = ms_mcml__put_real(p, m->tissue.n_above);
     p = ms_mcml__put_real(p, m->tissue.n_below);
     p = ms_mcml__put(p, (uint64_t)m->tissue.layer_count);
+    p = ms_mcml__put_real(p, o->incidence_degrees);
     for (i = 0; i < m->tissue.layer_count; ++i) {
         const ms_mcml_layer *l = &m->tissue.layers[i];
         p = ms_mcml__put_real(p, l->n);
@@ -1812,7 +1841,8 @@ MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *e
     if (memcmp(&tally->at, &other->at, sizeof tally->at) != 0 ||
         memcmp(&tally->grid.dr_cm, &other->grid.dr_cm, 3 * sizeof(double)) != 0 || tally->grid.nr != other->grid.nr ||
         tally->grid.nz != other->grid.nz ||
-        memcmp(&tally->options.roulette_weight, &other->options.roulette_weight, sizeof(double)) != 0)
+        memcmp(&tally->options.roulette_weight, &other->options.roulette_weight, sizeof(double)) != 0 ||
+        memcmp(&tally->options.incidence_degrees, &other->options.incidence_degrees, sizeof(double)) != 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different grids or options");
     ms_mcml__add(tally->sum, other->sum, tally->at.count);
     tally->photons += other->photons;
@@ -1848,7 +1878,7 @@ MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_opti
     size_t layer_size, i;
     if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
     *out = NULL;
-    if (p == NULL || size < MS_MCML__HEAD || memcmp(p, "ms_mcml tally 1\n", 16) != 0)
+    if (p == NULL || size < MS_MCML__HEAD || memcmp(p, "ms_mcml tally 2\n", 16) != 0)
         return ms__fail(error, MS_BAD_DATA, 0, "these bytes are not a saved tally");
     for (i = 0; i < 12; ++i) word[i] = ms_mcml__get(p + 16 + 8 * i);
     for (i = 7; i <= 8; ++i)
@@ -1859,6 +1889,7 @@ MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_opti
     o.target_error = 0;
     o.seed = word[1];
     o.roulette_weight = ms_mcml__get_real(p + 32);
+    o.incidence_degrees = ms_mcml__get_real(p + 112);
     o.no_absorption = (int)(word[3] & 1);
     o.absorption_error = (int)(word[3] >> 1 & 1);
     o.fluence = (int)(word[3] >> 2 & 1);
@@ -3488,18 +3519,6 @@ static void ms_mcml__legendre_nodes(int n, double *x, double *w) /* Gauss on [0,
     }
 }
 
-/* Reflectance from n1 to n2 for nu = n sin(theta), and the far cosine. 1 where nothing propagates beyond. */
-static double ms_mcml__fresnel_nu(double n1, double n2, double nu)
-{
-    double a, b, s, p;
-    if (!(nu < n1) || !(nu < n2)) return 1;
-    a = sqrt((n1 - nu) * (n1 + nu)) / n1;
-    b = sqrt((n2 - nu) * (n2 + nu)) / n2;
-    s = (n1 * a - n2 * b) / (n1 * a + n2 * b);
-    p = (n1 * b - n2 * a) / (n1 * b + n2 * a);
-    return 0.5 * (s * s + p * p);
-}
-
 /* Theta_lm(mu) with integral of squares over (-1, 1) equal 1, no sign; out[terms][stride] */
 static void ms_mcml__theta(int order, int most, double mu, double *out, int stride)
 {
@@ -4546,7 +4565,7 @@ static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_lay
     ms_status status = ms_mcml__flights_make(&s, tissue, o, order, order > 15 ? 3 : 2, 0, error);
     if (status) return status;
     for (first = 0; first < tissue->layer_count && s->layer[first < s->layers ? first : s->layers - 1].clear; ++first) {}
-    out->specular = ms_mcml__specular(tissue, first);
+    out->specular = ms_mcml__specular(tissue, first, 0);
     ms_mcml__tune(s, 0);
     residual = ms_mcml__settle(s, s->x, 1e-8, leave);
     if (residual > out->residual && residual > 1e-6) out->residual = residual;
@@ -6094,7 +6113,7 @@ static void MS_MCML__FN(launch)(ms_mcml__tracer *t, unsigned lanes)
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f);
     int i;
 #define MS_MCML__START(field, value) MS_MCML__V_STORE(t->field, MS_MCML__V_SELECT(stays, MS_MCML__V_LOAD(t->field), value))
-    MS_MCML__START(x, zero);
+    MS_MCML__START(x, MS_MCML__V_SET(t->tally->entry_x));
     MS_MCML__START(y, zero);
     MS_MCML__START(z, zero);
     MS_MCML__START(ux, MS_MCML__V_SET(t->tally->entry_sine));

@@ -400,6 +400,117 @@ static void largest_grid(void)
 
 /* --- absorption, fluence, time --- */
 
+/* Unpolarised Fresnel reflectance by the angles. */
+static double fresnel_of(double n1, double n2, double angle)
+{
+    const double beyond = asin(n1 * sin(angle) / n2), s = sin(angle - beyond) / sin(angle + beyond), p = tan(angle - beyond) / tan(angle + beyond);
+    return 0.5 * (s * s + p * p);
+}
+
+/* Oblique light: a slab that only absorbs against the sum of its reflections, a half-space against Chandrasekhar's H, the parallel
+   shift of a clear layer; what cannot be. */
+static void oblique(void)
+{
+    const double pi = 3.14159265358979, outside = 50 * pi / 180, inside = asin(sin(outside) / 1.5);
+    ms_mcml_layer layers[2] = {{1.5, 3, 0, 0, 0.2}, {1.5, 3, 0, 0, 0.2}};
+    ms_mcml_tissue t = {1, 1.3, 1, layers};
+    ms_mcml_grid g = {0.01, 0.01, 0, 200, 40, 30, 0};
+    ms_mcml_options o = ms_mcml_defaults();
+    ms_mcml_result r;
+    ms_mcml *a, *b;
+    ms_error error;
+    int i, k;
+    o.photons = 200000;
+    o.seed = test_seed;
+    o.incidence_degrees = 50;
+    CHECK_INT(ms_mcml_simulate(&t, &g, &o, &r, &error), MS_OK);
+    {
+        const double r1 = fresnel_of(1, 1.5, outside), r2 = fresnel_of(1.5, 1.3, inside), e = exp(-3 * 0.2 / cos(inside)), once = 1 / (1 - r1 * r2 * e * e);
+        const double first = (1 - r1) * (1 - r2) * e, shift = 0.2 * tan(inside);
+        CHECK_NEAR(r.specular, r1, 1e-12);
+        CHECK_NEAR(r.tt, first * once, 5 * r.tt_error);
+        CHECK_NEAR(r.rd, (1 - r1) * (1 - r1) * r2 * e * e * once, 5 * r.rd_error);
+        CHECK_NEAR(r.tt_unscattered, r.tt, 1e-9);
+        CHECK_NEAR(r.rd_unscattered, r.rd, 1e-9);
+        for (k = 0; k < 2; ++k) { /* what leaves below: after one crossing, and after three */
+            const int ring = (int)(shift * (1 + 2 * k) / 0.01);
+            CHECK_NEAR(r.tt_r[ring] * ms_mcml__ring_area(ring, 0.01), first * (k ? r1 * r2 * e * e : 1), 5 * r.tt_error);
+        }
+        i = (int)(asin(1.5 * sin(inside) / 1.3) / (pi / 2) * 30);
+        for (k = 0; k < 30; ++k) CHECK(k == i ? r.tt_a[k] > 0 : !(r.tt_a[k] > 0));
+    }
+    ms_mcml_result_destroy(&r);
+    { /* H of isotropic scattering by its integral equation, midpoints */
+        enum { N = 400 };
+        static double h[N];
+        const double albedo = 0.9, mu = cos(70 * pi / 180);
+        double sum = 0, at = 1;
+        for (i = 0; i < N; ++i) h[i] = 1;
+        for (k = 0; k < 60; ++k)
+            for (i = 0; i <= N; ++i) {
+                const double x = i < N ? (i + 0.5) / N : mu;
+                int j;
+                for (sum = 0, j = 0; j < N; ++j) sum += (j + 0.5) / N * h[j] / (x + (j + 0.5) / N) / N;
+                at = 1 / (sqrt(1 - albedo) + 0.5 * albedo * sum);
+                if (i < N) h[i] = at;
+            }
+        layers[0].n = 1;
+        layers[0].mu_a_per_cm = 10;
+        layers[0].mu_s_per_cm = 90;
+        layers[0].thickness_cm = 1e8;
+        t.n_below = 1;
+        o.incidence_degrees = 70;
+        CHECK_INT(ms_mcml_simulate(&t, &g, &o, &r, &error), MS_OK);
+        CHECK_NEAR(r.rd, 1 - at * sqrt(1 - albedo), 4.5 * r.rd_error + 1e-4); /* midpoints: 1e-5 */
+        CHECK_NEAR(r.specular, 0, 1e-15);
+        TEST_NOTE("half-space at 70 degrees %.4f +- %.4f, H %.4f", r.rd, r.rd_error, 1 - at * sqrt(1 - albedo));
+        ms_mcml_result_destroy(&r);
+    }
+    { /* glass on top of what does not scatter: beside the beam by both layers' shifts */
+        layers[0].n = 1.6;
+        layers[0].mu_a_per_cm = layers[0].mu_s_per_cm = 0;
+        layers[0].thickness_cm = 0.3;
+        t.layer_count = 2;
+        o.incidence_degrees = 40;
+        CHECK_INT(ms_mcml_simulate(&t, &g, &o, &r, &error), MS_OK);
+        i = (int)((0.3 * tan(asin(sin(40 * pi / 180) / 1.6)) + 0.2 * tan(asin(sin(40 * pi / 180) / 1.5))) / 0.01);
+        CHECK(r.tt_r[i] * ms_mcml__ring_area(i, 0.01) > 0.9 * r.tt);
+        ms_mcml_result_destroy(&r);
+    }
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &a, &error), MS_OK); /* saved with the tally, and no other angle is added to it */
+    CHECK_INT(ms_mcml_run(a, 0, 1000, &error), MS_OK);
+    {
+        const size_t size = ms_mcml_save_size(a);
+        void *bytes = malloc(size), *again = malloc(size);
+        ms_mcml_save(a, bytes);
+        CHECK_INT(ms_mcml_load(bytes, size, NULL, &b, &error), MS_OK);
+        CHECK_INT(ms_mcml_run(a, 1000, 1000, &error), MS_OK);
+        CHECK_INT(ms_mcml_run(b, 1000, 1000, &error), MS_OK);
+        ms_mcml_save(a, bytes);
+        ms_mcml_save(b, again);
+        CHECK(memcmp(bytes, again, size) == 0);
+        free(bytes);
+        free(again);
+        ms_mcml_destroy(b);
+    }
+    o.incidence_degrees = 41;
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &b, &error), MS_OK);
+    CHECK_INT(ms_mcml_merge(a, b, &error), MS_INVALID_ARGUMENT);
+    ms_mcml_destroy(a);
+    ms_mcml_destroy(b);
+    o.incidence_degrees = 90;
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &a, &error), MS_INVALID_ARGUMENT);
+    o.incidence_degrees = -1;
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &a, &error), MS_INVALID_ARGUMENT);
+    t.n_above = 1.8; /* total reflection at the second layer */
+    o.incidence_degrees = 60;
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &a, &error), MS_INVALID_ARGUMENT);
+    CHECK(error.position == 2 && strstr(error.message, "60 degrees") != NULL);
+    t.n_above = 1;
+    t.layer_count = 1;
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &a, &error), MS_UNSUPPORTED);
+}
+
 static void absorption_adds_up(void)
 {
     ms_mcml_layer l[2];
@@ -1158,6 +1269,7 @@ static const test_case cases[] = {
     {"absorber_alone", absorber_alone},
     {"clear_stacks", clear_stacks},
     {"largest_grid", largest_grid},
+    {"oblique", oblique},
     {"absorption_adds_up", absorption_adds_up},
     {"fluence_without_absorption", fluence_without_absorption},
     {"time_resolved", time_resolved},
