@@ -68,7 +68,8 @@
    each spatial frequency the moments of the source on panels in depth, exact flights between them along rays through every
    layer and back (Fresnel at each boundary), GMRES; single scattering of the top layer in space with the whole phase
    function. Time grows with the order, which g asks for (3 moments at 0.3, 9 at 0.8, 19 at 0.9), and with the
-   panels, which follow optical depth. Each ring has an error beside it; what cannot be held is MS_NOT_CONVERGED.
+   panels, which follow optical depth; totals are the limit of three orders. Each ring has an error beside it; what cannot be held is
+   MS_NOT_CONVERGED. ms_mcml_layered_result takes rings beside clear layers, and of g near 1, from photons, to the exact totals.
 
    Diffusion profiles
    ------------------
@@ -586,7 +587,7 @@ typedef struct ms_mcml_layered_options {
    and what positive terms do not give as beyond[] at radius_cm exp(0.1 i). Index [order][side]: order 0 is the result, 1 half the
    order, for errors.
 
-   rd_error, tt_error: from the last two orders of the totals. */
+   rd_error, tt_error: of the limit of three orders, whose errors alternate. */
 typedef struct ms_mcml_layered {
     double specular, rd, rd_error, tt, tt_error, a, rd_unscattered, tt_unscattered;
     double residual, peak; /* of the iteration; largest part of scattering taken as forward */
@@ -1413,7 +1414,7 @@ static void ms_mcml__settle_bins(ms_mcml__tracer *t, int i)
 }
 
 /* Lane i gets the next photon's state and bins; 0 if there is none. */
-static int ms_mcml__assign(ms_mcml__tracer *t, int i)
+static inline int ms_mcml__assign(ms_mcml__tracer *t, int i)
 {
     const int k = t->fresh_at;
     t->group[i] = (int)(t->next / MS_MCML__BLOCK % MS_MCML__GROUPS);
@@ -1435,7 +1436,7 @@ static int ms_mcml__assign(ms_mcml__tracer *t, int i)
 }
 
 /* What lane i left in its layer goes to the sums, rounded at random by bits that its other choices do not use. */
-static void ms_mcml__keep(ms_mcml__tracer *t, int i)
+static inline void ms_mcml__keep(ms_mcml__tracer *t, int i)
 {
     size_t at = t->tally->at.layers + (size_t)t->group[i] * (size_t)t->tally->tissue.layer_count + (size_t)t->layer[i];
     t->sum[at] += (int64_t)(t->kept[i] * MS_MCML__UNITS + (float)(t->word[i] & 127) * (1.0f / 128));
@@ -2582,53 +2583,35 @@ static int ms_mcml__whole(char *out, uint64_t value)
     return n;
 }
 
-/* C's %.{digits - 1}E (general 0) or %.{digits}G (general 1), digits <= 9, with '.' in every locale; 32 bytes. */
+/* C's %.{digits - 1}E (general 0) or %.{digits}G (general 1), digits <= 6, with '.' in every locale; 32 bytes. Rounds, and leaves the
+   text to ms__format_number. */
 static int ms_mcml__format(char *out, double x, int digits, int general)
 {
-    char digit[12];
-    uint64_t mantissa, top = 1;
-    int n = 0, exponent = 0, i, last = digits - 1, point;
+    const double top = pow(10, digits - 1);
+    double mantissa = 0;
+    int n = 0, exponent = 0, i;
     if (!ms__finite(x)) return ms__format_number(out, x);
     if (x < 0) {
         out[n++] = '-';
         x = -x;
     }
-    for (i = 1; i < digits; ++i) top *= 10;
-    mantissa = 0;
     if (x > 0) {
         exponent = (int)floor(log10(x));
         for (i = 0; i < 2; ++i) { /* again where log10 or rounding was one off */
             const int shift = digits - 1 - exponent;
-            const double scaled = shift > 300  ? x * 1e300 * pow(10, shift - 300)
-                                  : shift >= 0 ? x * pow(10, shift)
-                                               : x / pow(10, -shift);
-            mantissa = (uint64_t)(scaled + 0.5);
+            mantissa = floor((shift > 300 ? x * 1e300 * pow(10, shift - 300) : shift >= 0 ? x * pow(10, shift) : x / pow(10, -shift)) + 0.5);
             if (mantissa >= 10 * top) ++exponent;
             else if (mantissa < top) --exponent;
             else break;
         }
     }
-    for (i = digits - 1; i >= 0; --i, mantissa /= 10) digit[i] = (char)('0' + (int)(mantissa % 10));
-    while (general && last > 0 && digit[last] == '0') --last;
-    if (general && exponent >= -4 && exponent < digits) { /* %f */
-        if (exponent < 0) {
-            out[n++] = '0';
-            out[n++] = '.';
-            for (i = -1; i > exponent; --i) out[n++] = '0';
-            for (i = 0; i <= last; ++i) out[n++] = digit[i];
-        } else {
-            for (i = 0; i <= last || i <= exponent; ++i) {
-                if (i == exponent + 1) out[n++] = '.';
-                out[n++] = digit[i];
-            }
-        }
-        out[n] = 0;
-        return n;
-    }
-    for (i = 0, point = 0; i <= last; ++i) {
-        if (i == 1 && !point++) out[n++] = '.';
-        out[n++] = digit[i];
-    }
+    mantissa /= top;
+    if (general && exponent >= -4 && exponent < digits) /* %f */
+        return n + ms__format_number(out + n, exponent < 0 ? mantissa / pow(10, -exponent) : mantissa * pow(10, exponent));
+    i = n + 1;
+    n += ms__format_number(out + n, mantissa);
+    if (!general && n == i) out[n++] = '.';
+    while (!general && n < i + digits) out[n++] = '0';
     out[n++] = 'E';
     out[n++] = exponent < 0 ? '-' : '+';
     if (exponent < 0) exponent = -exponent;
