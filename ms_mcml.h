@@ -6304,6 +6304,9 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         s3 = MS_MCML__U_LOAD(t->s[3]);
     }
     for (i = 0; i < MS_MCML__L; ++i) ms_mcml__settle_bins(t, i);
+#if MS_MCML__ISA >= 3
+    _mm256_zeroupper(); /* GCC leaves it out here, and code of other levels then takes twice its time */
+#endif
 }
 
 /* Eight doubles, the rays of a flight. */

@@ -230,7 +230,7 @@ static void reference(const ms_mcml_tissue *tissue, int per, int order, double *
     }
     i = 0;
     while (i < tissue->layer_count && !(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0)) ++i;
-    *rd -= ms_mcml__specular(tissue, i);
+    *rd -= ms_mcml__specular(tissue, i, 0);
     free(all.r);
 }
 
