@@ -9204,9 +9204,9 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(incline)(const ms_sss__growth *s, c
         const MS_SSS__V less = MS_SSS__SELECT(MS_SSS__BOTH(is_a, is_b), MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, slope)), sum);
         const MS_SSS__MASK before = MS_SSS__LESS(half, MS_SSS__SELECT(is_b, MS_SSS__SELECT(is_a, MS_SSS__SELECT(first_a, one, zero), zero), one));
         const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), after_next = MS_SSS__SELECT(before, at[0], at[4]);
-        const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, after_next), small = MS_SSS__ABS(inner);
-        const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain), MS_SSS__MIN(MS_SSS__SUB(MS_SSS__ABS(step), small), small));
-        MS_SSS__V more = MS_SSS__MIN(MS_SSS__DIV(excess, small), MS_SSS__SET(0.85f));
+        const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, after_next), least = MS_SSS__ABS(inner);
+        const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain), MS_SSS__MIN(MS_SSS__SUB(MS_SSS__ABS(step), least), least));
+        MS_SSS__V more = MS_SSS__MIN(MS_SSS__DIV(excess, least), MS_SSS__SET(0.85f));
         more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(MS_SSS__MUL(step, deep), MS_SSS__MUL(inner, deep)))), more, zero);
         more = MS_SSS__MUL(more, MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
         slope = MS_SSS__SELECT(even, slope, MS_SSS__MADD(less, more, less));
