@@ -1692,6 +1692,59 @@ static void case_curved(void)
     test_scene_free(&s);
 }
 
+/* Waves of every size against the plain filter, for reaches in depth and parts of the law; and a strip that rises out of a
+   plane: what is filtered changes little from step to step, also where the strip gets out of reach. */
+static void case_shape_law(void)
+{
+    static const float flat[4] = {0, 0.3f, 0.9f, 0}, sigma[4] = {0, 0, 0.9f, 2.5f};
+    const int w = 70, h = 50;
+    test_scene s = test_scene_make(w, h, test_seed + 4);
+    ms_sss_kernel kernel[2];
+    float *out = test_floats(SHAPE_N), *before = test_floats(SHAPE_N);
+    double worst = 0, step[2] = {0, 0};
+    int kind, v, i, t;
+    kernel[0] = test_kernel(7, 5.0, 0.0);
+    kernel[1] = test_kernel(19, 4.0, 0.1); /* more than eight pairs */
+    for (i = 0; i < w * h; ++i) {
+        const int x = i % w, y = i / w;
+        s.depth[i] = (float)(100 + 2 * sin(x * 0.21 + y * 0.1) + 1.5 * sin(y * 0.43) + 0.8 * sin(x * 0.9 - y * 0.7) + (x > 50 ? 6 : 0));
+        if (i % 41 == 0) s.depth[i] = NAN;
+    }
+    for (kind = 1; kind < 3; ++kind)
+        for (v = 0; v < 4; ++v) {
+            ms_sss_filter_options o = test_options(kind);
+            double e;
+            o.flat = flat[v];
+            o.depth_sigma_mm = sigma[v];
+            if (v == 1) o.rotation = 0.5f;
+            e = test_against_plain(&s, &kernel[(v + kind) % 2], 1, &o, WITH_DEPTH);
+            if (!(e <= PLAIN_TOLERANCE_SHAPED)) TEST_FAIL("kind %d, variant %d: %g", kind, v, e);
+            worst = fmax(worst, e);
+        }
+    test_scene_free(&s);
+    s = test_scene_make(SHAPE_W, SHAPE_H, test_seed);
+    for (i = 0; i < 3; ++i) s.normal[i] = test_floats(SHAPE_N);
+    for (i = 0; i < SHAPE_N; ++i) {
+        s.normal[0][i] = s.normal[1][i] = 0;
+        s.normal[2][i] = 1;
+        shape_light(&s, i, i % SHAPE_W / 7 % 2);
+    }
+    for (v = 0; v < 2; ++v) /* to 10 mm by steps of 0.05 mm, and about D = 7.5 mm by 0.005 mm */
+        for (t = 0; t <= (v ? 50 : 200); ++t) {
+            ms_sss_filter_options o = test_options(2);
+            for (i = 0; i < SHAPE_N; ++i) s.depth[i] = (float)(100 - (i % SHAPE_W % 40 > 30 || i / SHAPE_W % 30 > 24 ? (v ? 7.3 + t * 0.005 : t * 0.05) : 0));
+            shape_run(&s, &kernel[0], &o, WITH_NORMAL, out);
+            for (i = 0; i < SHAPE_N && t; ++i) step[v] = fmax(step[v], fabs((double)out[i] - (double)before[i]));
+            memcpy(before, out, SHAPE_N * sizeof(float));
+        }
+    CHECK_LE(step[1], 0.4 * step[0]); /* a tenth where it goes straight; a jump would stay */
+    CHECK(step[0] > 0.01);
+    TEST_NOTE("within %.1e of the plain filter; 0.05 mm change it by at most %.3f, 0.005 by %.3f", worst, step[0], step[1]);
+    free(out);
+    free(before);
+    test_scene_free(&s);
+}
+
 /* Light through thin parts: the larger of both, before albedo and specular. */
 static void case_through(void)
 {
@@ -1852,6 +1905,7 @@ static const test_case cases[] = {
     {"planes", case_planes},
     {"curved surfaces", case_curved},
     {"bounded", case_bounded},
+    {"the law of taps", case_shape_law},
     {"light through thin parts", case_through},
     {"the same bits as ever", case_golden},
 };
