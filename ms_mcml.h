@@ -4321,13 +4321,13 @@ static double ms_mcml__between_samples(const double *y, int logarithms, int coun
 /* beyond[i]: energy farther out than r_first exp(0.1 i), the Hankel transform of a spectrum: f(0) - r integral f(k) J1(k r) dk,
    out to 40 / low; where waves are many a window ends them smoothly, which changes nothing as far out. What has little fall between
    its first and last frequency is smoothest in logarithms, what falls like a bell is not. */
-static void ms_mcml__hankel(const double *value, int side, int count, double low, double step, double r_first, double *beyond)
+static void ms_mcml__hankel(const double *value, int side, int count, double low, double step, double r_first, double *f, double *beyond)
 {
     static const double gauss[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
     static const double weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
     const double last = low * sinh(step * (count - 1) + 2.5);
     const int logarithms = side && count > 0 && value[count - 1] > 1e-3 * value[0];
-    double y[MS_MCML_LAYERED_RATES], f[8 * (MS_MCML_LAYERED_RATES + 25) + 3]; /* f: eight times as fine, from -1 on */
+    double y[MS_MCML_LAYERED_RATES]; /* f: room for the same eight times as fine, from -1 on */
     const int most = (int)((count - 1 + 2.5 / step) * 8) + 3;
     int i, q;
     memset(beyond, 0, MS_MCML_LAYERED_RADII * sizeof *beyond);
@@ -4494,7 +4494,7 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
             for (j = 0; j < out->rates; ++j) v[i] -= energy[j] / (1 + k[i] / out->rate_per_cm[j] * (k[i] / out->rate_per_cm[j]));
         for (i = 0; i < count && side == 0 && fits; ++i) v[i] /= 1 + pow(k[i] / (2 * mu_t), 4); /* there the fit is better than rays */
         for (i = side ? 2 : count; i < count && k[i] < most && v[i] > 1e-7 * v[0]; ++i) {} /* as far as it is known */
-        ms_mcml__hankel(v, side, i, low, step, out->radius_cm, out->beyond[coarse][side]);
+        ms_mcml__hankel(v, side, i, low, step, out->radius_cm, a, out->beyond[coarse][side]);
         out->rest[coarse][side] = v[0];
     }
     ms__release(&o->allocator, a, size);
