@@ -110,7 +110,7 @@
    MS_NN_NO_STDIO    no <stdio.h>, no files by name
    MS_NN_NO_COLLAPSE no collapse and no low rank: what matching needs, a fifth of the code
    MS_NO_SIMD        plain C only
-   MS_DEF            linkage of the functions, e.g. static
+   MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
    MS_ASSERT(x)      nothing; checks of the library's own invariants
 
@@ -1109,10 +1109,8 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 /* The implementation, in the order of the data:
    bytes, sorting, JSON, file, writer, layer list, plan, run, products, queries, GPU text, stdio, collapse, low rank, levels, kernels */
 
-/* Reading, writing and planning are compiled for size, and by GCC with less effort, which saves a tenth of its time. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-#define MS_NN__COLD __attribute__((cold, optimize("O1")))
-#elif defined(__GNUC__) || defined(__clang__)
+/* Reading, writing and planning are compiled for size. */
+#if defined(__GNUC__) || defined(__clang__)
 #define MS_NN__COLD __attribute__((cold))
 #else
 #define MS_NN__COLD

@@ -80,7 +80,7 @@
    Configuration (define before the implementation)
    ------------------------------------------------
    MS_PME_NO_CLOCK   no <time.h>, <sys/time.h>; max_seconds then needs options.clock. The header never uses stdio.
-   MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport)
+   MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
 
    Limits
    ------
