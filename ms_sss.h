@@ -8929,10 +8929,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
             const int n = (l->last - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (l->last - x) / MS_SSS__LANES : MS_SSS__CHUNK;
             const int plan_size = s->plan_size, axis = l->axis, stream = l->stream;
             const ptrdiff_t group = l->group, to_group = l->to_group;
-            const float *deep = l->from + x / MS_SSS__LANES * group + l->step[0] + 3 * l->plane;
+            const float *deep;
             float *to[3];
             MS_SSS__V out[MS_SSS__CHUNK][3];
             if (x < l->first || x >= l->last) continue;
+            deep = l->from + x / MS_SSS__LANES * group + l->step[0] + 3 * l->plane;
             for (c = 0; c < 4; ++c) {
                 const char *ahead = l->ahead[c] + x * l->ahead_step[c];
                 ptrdiff_t b;
