@@ -1,5 +1,6 @@
 /* The filter of ms_sss.h at 1920 x 1080: 7 taps beside a plain loop and a memory copy of the same run, masks, layouts,
-   two threads, the pyramid. Build: see Makefile (make bench). */
+   two threads, the pyramid. Build: see Makefile (make bench).
+   peer source: opencv.cpp -lopencv_imgproc -lopencv_core */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "bench.h"
@@ -107,6 +108,43 @@ static void copies(void *unused) /* what two passes must read and write at least
     for (c = 0; c < 3; ++c) memcpy(between[c], in[c], (size_t)N * sizeof(float));
     for (c = 0; c < 3; ++c) memcpy(out[c], between[c], (size_t)N * sizeof(float));
 }
+
+#ifdef HAVE_OPENCV
+void opencv_offsets(float *const in_[3], float *const out_[3], int width, int height, int reach, const float *const taps[3]);
+void opencv_gaussian(const float *in_, float *out_, int width, int height, int size, double sigma);
+
+/* The taps at whole pixels as rows of 49 coefficients; difference: to the filter's result in `expected`, away from the borders. */
+static void opencv(double ms[2], double *difference)
+{
+    float rows[3][49] = {{0}};
+    const float *taps[3];
+    double t[2][RUNS];
+    int c, i, x, y;
+    *difference = 0;
+    for (c = 0; c < 3; ++c) {
+        double sum = 0;
+        taps[c] = rows[c];
+        for (i = 0; i < whole.tap_count; ++i) sum += (double)whole.weight[0][i][c];
+        for (i = 0; i < whole.tap_count; ++i)
+            rows[c][24 + (int)floorf(whole.offset_mm[i] * 24 / whole.radius_mm + 0.5f)] += whole.weight[0][i][c] / (float)sum;
+    }
+    for (i = 0; i < RUNS; ++i) {
+        t[0][i] = bench_cpu();
+        opencv_offsets(in, out, W, H, 24, taps);
+        t[0][i] = bench_cpu() - t[0][i];
+        t[1][i] = bench_cpu();
+        opencv_gaussian(packed, packed_out, W, H, 49, 8);
+        t[1][i] = bench_cpu() - t[1][i];
+    }
+    for (c = 0; c < 3; ++c)
+        for (y = 24; y < H - 24; ++y)
+            for (x = 24; x < W - 24; ++x) {
+                const double d = fabs((double)out[c][y * W + x] - (double)expected[c][y * W + x]);
+                if (!(d <= *difference)) *difference = d;
+            }
+    for (i = 0; i < 2; ++i) ms[i] = 1e3 * bench_median(t[i], RUNS);
+}
+#endif
 
 /* --- the filter --- */
 
@@ -365,6 +403,18 @@ int main(void)
     }
     fprintf(md, "\nTwo threads against one, wall clock: depth-aware x %.2f, half resolution x %.2f, fixed x %.2f, pyramid x %.2f.\n", wall_of(DEPTH, 1) / wall_of(DEPTH, 2),
             wall_of(DEPTH | COARSE, 1) / wall_of(DEPTH | COARSE, 2), wall_of(0, 1) / wall_of(0, 2), wall_of(PYRAMID | DEPTH, 1) / wall_of(PYRAMID | DEPTH, 2));
+#ifdef HAVE_OPENCV
+    {
+        setup same = prepare(0, MS_SIMD_AUTO);
+        double ms[2], difference;
+        same.frame.output = ms_sss_planar(expected[0], expected[1], expected[2], 0);
+        filter(&same);
+        free(same.workspace);
+        opencv(ms, &difference);
+        fprintf(md, "\nOpenCV's sepFilter2D with the same 7 whole-pixel offsets (rows of 49 coefficients): %.1f ms, largest difference %.0e; its\n"
+                       "Gaussian of 49 x 49, one width for all channels: %.1f ms (thread CPU time).\n", ms[0], difference, ms[1]);
+    }
+#endif
     plot_begin(&p, "Filter, 1920 x 1080, 7 taps", "level (0 plain loop, 1 scalar ... 4 AVX-512)", "megapixels a second", PLOT_LOG_Y);
     for (r = 0; r < ROWS; ++r) {
         double x[5], y[5];
