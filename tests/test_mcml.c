@@ -442,15 +442,16 @@ static void oblique(void)
     ms_mcml_result_destroy(&r);
     { /* H of isotropic scattering by its integral equation, midpoints */
         enum { N = 400 };
+        const double n = N;
         static double h[N];
         const double albedo = 0.9, mu = cos(70 * pi / 180);
         double sum = 0, at = 1;
         for (i = 0; i < N; ++i) h[i] = 1;
         for (k = 0; k < 60; ++k)
             for (i = 0; i <= N; ++i) {
-                const double x = i < N ? (i + 0.5) / N : mu;
+                const double x = i < N ? (i + 0.5) / n : mu;
                 int j;
-                for (sum = 0, j = 0; j < N; ++j) sum += (j + 0.5) / N * h[j] / (x + (j + 0.5) / N) / N;
+                for (sum = 0, j = 0; j < N; ++j) sum += (j + 0.5) / n * h[j] / (x + (j + 0.5) / n) / n;
                 at = 1 / (sqrt(1 - albedo) + 0.5 * albedo * sum);
                 if (i < N) h[i] = at;
             }

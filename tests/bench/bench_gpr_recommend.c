@@ -107,7 +107,7 @@ static void table_of_shares(void)
                     start = bench_cpu();
                     if (ms_gpr_recommend(w.gp, &w.options, COUNT, x, NULL, NULL, NULL, NULL) != MS_OK) exit(1);
                     ms[seed] = 1e3 * (bench_cpu() - start);
-                    sum += modes_error2(&w, x, COUNT) / SEEDS;
+                    sum += modes_error2(&w, x, COUNT) / (double)SEEDS;
                 }
                 fprintf(md, " %.1f / %.0f |", 100 * sqrt(sum), bench_median(ms, SEEDS));
                 fprintf(csv, "shares,%d,%d,%g,%g,%g\n", m, modes, modes_tau[t], sqrt(sum), bench_median(ms, SEEDS));

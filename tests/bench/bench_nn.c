@@ -144,10 +144,10 @@ static void read_plain(memory_job *job)
         for (i = 0; i + step <= job->size; i += step) {                                                              \
             const unsigned char *p = job->bytes + i;                                                                 \
             for (k = 0; job->ahead && k < step; k += 64) _mm_prefetch((const char *)p + job->ahead + k, _MM_HINT_T1); \
-            s[0] = xor_(s[0], load((const void *)p));                                                                \
-            s[1] = xor_(s[1], load((const void *)(p + sizeof(vector))));                                             \
-            s[2] = xor_(s[2], load((const void *)(p + 2 * sizeof(vector))));                                         \
-            s[3] = xor_(s[3], load((const void *)(p + 3 * sizeof(vector))));                                         \
+            s[0] = xor_(s[0], load((const vector *)(const void *)p));                                                \
+            s[1] = xor_(s[1], load((const vector *)(const void *)(p + sizeof(vector))));                             \
+            s[2] = xor_(s[2], load((const vector *)(const void *)(p + 2 * sizeof(vector))));                         \
+            s[3] = xor_(s[3], load((const vector *)(const void *)(p + 3 * sizeof(vector))));                         \
         }                                                                                                            \
         s[0] = xor_(xor_(s[0], s[1]), xor_(s[2], s[3]));                                                             \
         memcpy(out, &s[0], sizeof s[0]);                                                                             \
@@ -686,7 +686,7 @@ static void bench_collapse(const char *label, nets_file *f)
     picture = bench_run(run_forward, &r, 9);
     features = ms_nn_collapse_features(c);
     {
-        ms_nn_collapse one = *c; /* the same R, run on this thread */
+        ms_nn_collapse one = *c; /* the same R, run on this thread: a look inside (ms_nn__ types) */
         one.nn = r.nn;
         one.m = &r.nn->op[r.nn->ops - 1].matrix;
         one.trunk.options = r.nn->options;
