@@ -257,13 +257,13 @@ static double half_error(int kind)
         for (i = 0; i < N; ++i) {
             const double d = (double)out[c][i] - (double)between[c][i];
             error += d * d;
-            mean += (double)between[c][i] / (3.0 * N);
+            mean += (double)between[c][i] / (3.0 * (double)N);
             square += (double)between[c][i] * (double)between[c][i];
         }
         free(in[c]);
         in[c] = keep[c];
     }
-    return 100 * sqrt(error / (square - 3.0 * N * mean * mean));
+    return 100 * sqrt(error / (square - 3.0 * (double)N * mean * mean));
 }
 
 static void make_inputs(void)
