@@ -4428,14 +4428,24 @@ static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int 
     }
 }
 
+/* Goes t along the line that the walker faces, if that stays in the region. */
+static int ms_gpr__walker_try(const ms_gpr__hunt *h, ms_gpr__walker *w, double t)
+{
+    double mean = h->gp->mean + h->lines->mean(w->d2, w->slope, t, w->curvature, h->weight, ms_gpr__padded(h->gp->n));
+    w->slices += 1;
+    if (!(mean >= h->level) || !((mean -= ms_gpr__walker_doubt(h, h->lines, w, t)) >= h->level)) return 0;
+    ms_gpr__walker_step(h, h->lines, w, t);
+    w->value = mean;
+    return 1;
+}
+
 /* Neal's slice step along the line that the walker faces: a uniform point of the chord; while it lies outside the region, the chord
    shrinks towards the walker. The uniform distribution over the region is left as it is. A column k that comes in steps is a row of
    cells, and the walker somewhere in its own. k < 0: across several. */
 static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, int k, ms__rng *rng)
 {
-    const ms_gpr *gp = h->gp;
     double cells = k < 0 ? 0 : h->s.cells[k], step = cells > 0 ? h->s.step[k] / h->s.width[k] : 0, t0, t1, offset = 0;
-    int tries, n = ms_gpr__padded(gp->n);
+    int tries;
     if (w->axis < 0) {
         ms_gpr__space_chord(&h->s, w->place, w->direction, &t0, &t1);
     } else {
@@ -4448,15 +4458,8 @@ static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, int k
         t1 += 1;
     }
     for (tries = 0; tries < 60; ++tries) {
-        double at = t0 + ms_gpr__uniform(rng) * (t1 - t0), t = at, mean;
-        if (cells > 0) t = floor(at) * step;
-        mean = gp->mean + h->lines->mean(w->d2, w->slope, t, w->curvature, h->weight, n);
-        w->slices += 1;
-        if (mean >= h->level && (mean -= ms_gpr__walker_doubt(h, h->lines, w, t)) >= h->level) {
-            ms_gpr__walker_step(h, h->lines, w, t);
-            w->value = mean;
-            return;
-        }
+        double at = t0 + ms_gpr__uniform(rng) * (t1 - t0);
+        if (ms_gpr__walker_try(h, w, cells > 0 ? floor(at) * step : at)) return;
         if (at < offset) t0 = at;
         else t1 = at;
     }
@@ -4465,24 +4468,17 @@ static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, int k
 /* A slice over the rows of a list: as over the cells of a column in steps. */
 static void ms_gpr__walker_list(const ms_gpr__hunt *h, ms_gpr__walker *w, const ms_gpr__group *g, ms__rng *rng)
 {
-    const ms_gpr *gp = h->gp;
-    int own = ms_gpr__group_nearest(&h->s, g, w->place), row, n = ms_gpr__padded(gp->n);
+    int own = ms_gpr__group_nearest(&h->s, g, w->place), row;
     double offset = own + ms_gpr__uniform(rng), t0 = 0, t1 = g->count, back, ahead;
     for (;;) {
-        double at = t0 + ms_gpr__uniform(rng) * (t1 - t0), mean;
+        double at = t0 + ms_gpr__uniform(rng) * (t1 - t0);
         row = (int)at < g->count ? (int)at : g->count - 1;
         if (row == own) return;
         ms_gpr__space_swap(&h->s, g, own, row, w->direction);
         ms_gpr__space_chord(&h->s, w->place, w->direction, &back, &ahead);
         if (ahead >= 1 - 1e-12) {
             ms_gpr__walker_face(h, h->lines, h->points, w);
-            mean = gp->mean + h->lines->mean(w->d2, w->slope, 1, w->curvature, h->weight, n);
-            w->slices += 1;
-            if (mean >= h->level && (mean -= ms_gpr__walker_doubt(h, h->lines, w, 1)) >= h->level) {
-                ms_gpr__walker_step(h, h->lines, w, 1);
-                w->value = mean;
-                return;
-            }
+            if (ms_gpr__walker_try(h, w, 1)) return;
         }
         if (at < offset) t0 = at;
         else t1 = at;
@@ -4553,25 +4549,17 @@ static void ms_gpr__walker_across(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__
 /* What the mean hardly depends on, all at once: a uniform point of a hyperrectangle, at first the box, which shrinks towards the walker. */
 static void ms_gpr__walker_shake(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
 {
-    const ms_gpr *gp = h->gp;
-    int tries, i, k, n = ms_gpr__padded(gp->n);
-    double mean;
+    int tries, i, k;
     if (h->looses == 0) return;
     for (i = 0; i < h->looses; ++i) w->low[i] = 0, w->high[i] = 1;
-    memset(w->direction, 0, (size_t)gp->m * sizeof *w->direction);
+    memset(w->direction, 0, (size_t)h->gp->m * sizeof *w->direction);
     for (tries = 0; tries < 60; ++tries) {
         for (i = 0; i < h->looses; ++i) {
             k = h->loose[i];
             w->direction[k] = w->low[i] + ms_gpr__uniform(rng) * (w->high[i] - w->low[i]) - w->place[k];
         }
         ms_gpr__walker_face(h, h->lines, h->points, w);
-        mean = gp->mean + h->lines->mean(w->d2, w->slope, 1, w->curvature, h->weight, n);
-        w->slices += 1;
-        if (mean >= h->level && (mean -= ms_gpr__walker_doubt(h, h->lines, w, 1)) >= h->level) {
-            ms_gpr__walker_step(h, h->lines, w, 1);
-            w->value = mean;
-            return;
-        }
+        if (ms_gpr__walker_try(h, w, 1)) return;
         for (i = 0; i < h->looses; ++i) {
             k = h->loose[i];
             if (w->direction[k] < 0) w->low[i] = w->place[k] + w->direction[k];
@@ -4967,7 +4955,7 @@ static void ms_gpr__hunt_enrich(ms_gpr__hunt *h, int c)
         if (h->ranked[i].index == c && have++ == 0) memcpy(w->place, h->place + (size_t)i * m, m * sizeof *w->place);
     if (have >= MS_GPR__LEAST) return;
     ms_gpr__walker_arrive(h, h->lines, h->points, w);
-    for (i = 0; have < MS_GPR__LEAST && i < 8 * MS_GPR__LEAST; ++i) {
+    for (i = 0; have < MS_GPR__LEAST && i < 8 * MS_GPR__LEAST && h->population < MS_GPR__PILOT * MS_GPR__BATCH; ++i) {
         ms_gpr__walker_stir(h, w, i, &rng);
         if (i % 4 < 3 || i < MS_GPR__LEAST) continue;
         h->ranked[h->population].index = ms_gpr__hunt_mode_of(h, w->place);
@@ -5134,8 +5122,9 @@ static void ms_gpr__hunt_balance(ms_gpr__hunt *h, int levels)
         }
         h->mode[c].share = worth[c] + stays > 0 ? exp(bridge[c] / (worth[c] + stays)) : climbed > 0 ? 0 : 1;
     }
-    for (c = 0; c < h->modes; ++c) sum += h->mode[c].share;
-    for (c = 0; c < h->modes; ++c) h->mode[c].share /= sum;
+    for (c = 0, i = 0; c < h->modes; ++c) /* those that have places to begin at */
+        if (h->mode[c].share > 0 && h->mode[c].count > 0) sum += (h->mode[i++] = h->mode[c]).share;
+    for (h->modes = i, c = 0; c < h->modes; ++c) h->mode[c].share /= sum;
 }
 
 /* The population of the region: that of the box, whose level rises step by step. Each time one in SURVIVE is above the next level,

@@ -580,6 +580,41 @@ static void test_shares(void)
     free(cube), free(mean);
 }
 
+/* More modes than the shares are measured of, wide and narrow, joined and apart: all that comes back reaches the threshold. */
+static void test_many_modes(void)
+{
+    enum { COUNT = 300, M = 5, MODES = 24, N = 5 * MODES };
+    static double x[COUNT * M], mean[COUNT], score_x[N * M], score[N];
+    static const double tau[4] = {0.2, 0.4, 0.7, 0.95}, length[3] = {0.12, 0.25, 0.5}, low[M] = {0}, high[M] = {1, 1, 1, 1, 1};
+    double theta[M + 2];
+    int seed, step, wide, i, k;
+    uint64_t state = 11 + test_seed;
+    for (i = 0; i < N; ++i) {
+        for (k = 0; k < M; ++k) score_x[i * M + k] = test_uniform(&state);
+        score[i] = i < MODES ? 10 - 0.01 * i : 0;
+    }
+    for (wide = 0; wide < 3; ++wide) {
+        ms_gpr_recommend_options o;
+        ms_gpr *gp;
+        for (k = 0; k < M + 2; ++k) theta[k] = log(k < M ? length[wide] : k == M ? 5 : 0.05);
+        CHECK_INT(ms_gpr_create(score_x, score, N, M, theta, NULL, &gp, NULL), MS_OK);
+        memset(&o, 0, sizeof o);
+        o.search = MS_GPR_SEARCH_SUBSET;
+        o.space.low = low;
+        o.space.high = high;
+        for (step = 0; step < 4; ++step)
+            for (seed = 0; seed < 3; ++seed) {
+                ms_gpr_recommend_report report;
+                o.tau = tau[step];
+                o.seed = (uint64_t)seed + 100 * test_seed;
+                CHECK_INT(ms_gpr_recommend(gp, &o, COUNT, x, mean, NULL, &report, NULL), MS_OK);
+                for (i = 0; i < COUNT; ++i) CHECK(mean[i] >= report.threshold);
+                for (i = 0; i < COUNT * M; ++i) CHECK(x[i] >= 0 && x[i] <= 1);
+            }
+        ms_gpr_destroy(gp);
+    }
+}
+
 /* Modes keep their shares where one place in 1e3 to 1e9 is left, however many levels lie between. */
 static void test_rare_shares(void)
 {
@@ -1940,6 +1975,7 @@ static const test_case cases[] = {
     {"recommend steps", test_steps},
     {"recommend shares", test_shares},
     {"recommend rare shares", test_rare_shares},
+    {"recommend many modes", test_many_modes},
     {"kept shares", test_kept_shares},
     {"kept everywhere", test_kept_everywhere},
     {"kept refusals", test_kept_refusals},
