@@ -4887,7 +4887,7 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
             const double r0 = i * grid->dr_cm;
             r[i] = ms_mcml_layered_ring(s, side, r0, r0 + grid->dr_cm, &r_error[i]);
             if (i + 1 == grid->nr) r[i] = ms_mcml_layered_beyond(s, side, r0) / ms_mcml__ring_area(i, grid->dr_cm);
-            if (photons.memory) {
+            if (traced > 0) {
                 r[i] = scale * (side ? photons.tt_r : photons.rd_r)[i];
                 r_error[i] = scale * (side ? photons.tt_r_error : photons.rd_r_error)[i];
             }
