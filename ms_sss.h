@@ -3744,9 +3744,10 @@ typedef struct ms_sss__line {
 typedef struct ms_sss__halving {
     const ms_sss_kernel *kernel;
     int perspective;
-    float size, size_max, size_min, aspect[2]; /* as in ms_sss__pass, in pixels of the picture */
-    float apart;    /* size from which on the centre alone stands within a pixel of itself: the share is then */
+    float size, size_max, aspect[2]; /* as in ms_sss__pass, in pixels of the picture */
+    float beyond;   /* depth up to which the centre alone stands within a pixel of itself: the share is then */
     float share[3];
+    float tiny;     /* depth from which on kernels are under half a pixel */
     float within;   /* 1 / dz from which on nothing counts */
     float scale;    /* of depths of the scene */
 } ms_sss__halving;
@@ -4276,7 +4277,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
 }
 
 /* What is left to do for columns [x, x + count) of row y once blur holds the filtered light: fades it to own (NULL: there is
-   nothing to fade), multiplies by the albedo, adds the specular light, and writes the pixels that take part. */
+   nothing to fade), multiplies by the albedo, adds the specular light, and writes the pixels that take part: depth NULL: the row's longest run. */
 static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], const float *const *own, const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
@@ -4294,7 +4295,7 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
         strength_buffer[0] = ms_sss__buffer(job, task, 12);
         ms_sss__load(&f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
     }
-    for (c = 0; c < 3 && own; ++c) job->simd->fade(&job->pass, strength, job->gain, depth, own[c], count, blur[c]);
+    for (c = 0; c < 3 && own; ++c) job->simd->fade(&job->pass, strength, job->gain, depth ? depth : job->fresh + x, own[c], count, blur[c]);
     if (f->through.channel[0]) {
         ms_sss__load(&f->through, 3, f->width, y, x, count, specular_buffer, specular);
         for (c = 0; c < 3; ++c)
@@ -4309,9 +4310,9 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
         for (c = 0; c < 3; ++c) job->simd->combine(1.0f, blur[c], 1.0f, specular[c], count, blur[c]);
     }
     if (solid_first >= solid_last) solid_first = solid_last = count;
-    ms_sss__store(&f->output, f->width, y, x, 0, solid_first, result, depth);
+    if (depth) ms_sss__store(&f->output, f->width, y, x, 0, solid_first, result, depth);
     ms_sss__store(&f->output, f->width, y, x, solid_first, solid_last, result, NULL);
-    ms_sss__store(&f->output, f->width, y, x, solid_last, count, result, depth);
+    if (depth) ms_sss__store(&f->output, f->width, y, x, solid_last, count, result, depth);
 }
 
 /* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E and
@@ -5393,7 +5394,7 @@ typedef struct ms_sss__half {
     ms_sss__halving halving;
     float *light[3], *blur[3], *depth, *mask, *normal[3];
     ptrdiff_t stride;
-    int bold; /* nothing but a colour or depth can keep a pixel from taking part */
+    int plain, bold; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or depth can keep a pixel from taking part */
 } ms_sss__half;
 
 static size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count, const ms_sss_filter_options *options)
@@ -5404,8 +5405,8 @@ static size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kern
                         ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, MS_SSS__PASSES).total, sizeof(ms_sss__half) + 192));
 }
 
-/* The normal of the nearest of four pixels. */
-static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, const float *const depth[2])
+/* The normal of the nearest of four pixels, for columns [first, last) of row y of the half. */
+static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, int first, int last, const float *const depth[2])
 {
     const ms_sss__job *job = &half->job;
     const int width = job->frame.width;
@@ -5416,7 +5417,7 @@ static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, cons
         for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, 18 + 3 * r + c);
         ms_sss__load(&job->frame.normal, 3, width, 2 * y + r < job->frame.height ? 2 * y + r : 2 * y, 0, width, buffer, normal[r]);
     }
-    for (x = 0; 2 * x < width; ++x) {
+    for (x = first; x < last && 2 * x < width; ++x) {
         int best = 0;
         for (i = 1; i < 4; ++i)
             if (depth[i / 2][2 * x + i % 2] < depth[best / 2][2 * x + best % 2]) best = i;
@@ -5424,11 +5425,22 @@ static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, cons
     }
 }
 
-/* Colour and depth of a row of the picture as they are. */
-static void ms_sss__half_rows(const ms_sss__job *job, int y, float *const buffer[4], const float *row[4])
+/* Colour and depth of columns [first, last) of a row of the picture as they are. */
+static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last, float *const buffer[4], const float *row[4])
 {
-    ms_sss__load(&job->frame.input, 3, job->frame.width, y, 0, job->padded, buffer, row);
-    ms_sss__load(&job->frame.depth, 1, job->frame.width, y, 0, job->padded, buffer + 3, row + 3);
+    ms_sss__load(&job->frame.input, 3, job->frame.width, y, first, last - first, buffer, row);
+    if (job->frame.depth.channel[0]) ms_sss__load(&job->frame.depth, 1, job->frame.width, y, first, last - first, buffer + 3, row + 3);
+    else row[3] = job->fresh;
+}
+
+/* Whether all pixels of a row that take part are the longest run of them; if not, that is forgotten. */
+static int ms_sss__half_run(const ms_sss__job *job, int y, const float *depth)
+{
+    int x, others = 0;
+    for (x = job->first[y]; x < job->solid_first[y]; ++x) others |= depth[x] < INFINITY;
+    for (x = job->solid_last[y]; x < job->last[y]; ++x) others |= depth[x] < INFINITY;
+    if (others) job->solid_first[y] = job->solid_last[y] = 0;
+    return !others;
 }
 
 /* The picture at half its size. Pixels that take no part are copied. */
@@ -5436,40 +5448,55 @@ static void ms_sss__half_down(void *context, int task)
 {
     const ms_sss__half *half = (const ms_sss__half *)context;
     const ms_sss__job *job = &half->job;
-    const int begin = job->begin + task * job->band, count = (int)half->stride;
+    const int begin = job->begin + task * job->band, width = job->frame.width, stride = (int)half->stride;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
     float *row[2][4], *to[4];
     const float *in[2][4];
     int x, y, r, c;
-    for (r = 0; r < 8; ++r) row[r / 4][r % 4] = ms_sss__buffer(job, task, 10 + r);
+    for (r = 0; r < 8; ++r) {
+        row[r / 4][r % 4] = ms_sss__buffer(job, task, 10 + r);
+        ms_sss__clear(job, row[r / 4][r % 4], 0.0f);
+    }
     for (y = begin; y < end; ++y) {
-        int all = half->bold && 2 * y + 1 < job->frame.height;
-        for (c = 0; c < 3; ++c) to[c] = half->light[c] + y * half->stride;
-        to[3] = half->depth + y * half->stride;
+        int all = half->bold && 2 * y + 1 < job->frame.height, first = stride, last = 0; /* columns of the half that hold anything */
+        for (c = 0; c < 4; ++c) to[c] = (c < 3 ? half->light[c] : half->depth) + y * half->stride;
         if (all) { /* as if all pixels took part */
-            for (r = 0; r < 2; ++r) ms_sss__half_rows(job, 2 * y + r, row[r], in[r]);
-            all = job->simd->halve(&half->halving, in[0], in[1], job->depth_scale, count, to);
+            for (r = 0; r < 2; ++r) ms_sss__half_rows(job, 2 * y + r, 0, width, row[r], in[r]);
+            all = job->simd->halve(&half->halving, in[0], in[1], job->depth_scale, stride, to);
         }
         for (r = 0; r < 2; ++r) {
             const int at = 2 * y + r;
             if (all) {
-                job->first[at] = job->solid_first[at] = 0;
-                job->last[at] = job->solid_last[at] = job->padded;
+                job->first[at] = job->solid_first[at] = first = 0;
+                job->last[at] = job->solid_last[at] = width;
                 job->whole[at] = 1;
+                last = stride;
             } else if (at < job->frame.height) {
                 ms_sss__prepare(job, at, task, row[r], row[r][3]);
+                ms_sss__half_run(job, at, row[r][3]);
+                if (job->first[at] == job->last[at]) continue;
+                if (job->first[at] / 2 < first) first = job->first[at] / 2;
+                if (ms_sss__round_up(job->last[at] / 2, 16) > last) last = ms_sss__round_up(job->last[at] / 2, 16);
             } else {
-                for (c = 0; c < 4; ++c) ms_sss__clear(job, row[r][c], c == 3 ? INFINITY : 0.0f);
+                ms_sss__clear(job, row[r][3], INFINITY);
             }
         }
         if (job->idle) continue;
-        if (!all) job->simd->halve(&half->halving, (const float *const *)row[0], (const float *const *)row[1], 1, count, to);
+        if (first > last) first = last;
+        for (x = 0; x < first; ++x) to[3][x] = INFINITY;
+        for (x = last; x < stride; ++x) to[3][x] = INFINITY;
+        if (!all) {
+            for (r = 0; r < 2; ++r)
+                for (c = 0; c < 4; ++c) in[r][c] = row[r][c] + 2 * first;
+            for (c = 0; c < 4; ++c) to[c] += first;
+            job->simd->halve(&half->halving, in[0], in[1], 1, last - first, to);
+        }
         if (half->mask)
-            for (x = 0; x < count; ++x) half->mask[y * half->stride + x] = to[3][x] < INFINITY ? 1.0f : 0.0f;
+            for (x = 0; x < stride; ++x) half->mask[y * half->stride + x] = half->depth[y * half->stride + x] < INFINITY ? 1.0f : 0.0f;
         if (half->normal[0]) {
             const float *depth[2];
             for (r = 0; r < 2; ++r) depth[r] = all ? in[r][3] : row[r][3];
-            ms_sss__half_normals(half, task, y, depth);
+            ms_sss__half_normals(half, task, y, first, last, depth);
         }
     }
 }
@@ -5479,12 +5506,12 @@ static void ms_sss__half_up(void *context, int task)
 {
     const ms_sss__half *half = (const ms_sss__half *)context;
     ms_sss__job again = half->job; /* what takes no part is written already */
+    const ms_sss__job *inner = &half->inner;
     const ms_sss_image *image = &again.frame.output;
-    const int begin = again.begin + task * again.band, coarse_height = (again.frame.height + 1) / 2;
+    const int begin = again.begin + task * again.band, fade = again.gain < 1;
     const int end = begin + again.band < again.end ? begin + again.band : again.end;
-    const int fade = again.gain < 1;
     float *own[4], *soft[2][4];
-    int have[2] = {-1, -1}, y, r, c;
+    int have[2] = {-1, -1}, held[2][2] = {{0, 0}, {0, 0}}, y, r, c, x;
     again.unwritten = 0;
     for (c = 0; c < 4; ++c) {
         own[c] = ms_sss__buffer(&again, task, 17 + c);
@@ -5494,36 +5521,41 @@ static void ms_sss__half_up(void *context, int task)
         }
     }
     for (y = begin; y < end; ++y) {
-        const float *beside[2][4], *coarse[2][4];
-        float *blur[3];
-        const float *mine[4];
-        const int all = half->bold && again.whole[y] && again.padded == again.frame.width && ms_sss__solid(&again, y, 0, again.padded);
-        const int direct = again.direct && all;
+        const float *beside[2][4], *coarse[2][4], *mine[4];
+        float *blur[3], *to[4];
+        const int first = again.first[y], last = again.last[y], run = half->plain && again.solid_first[y] < again.solid_last[y];
+        const int direct = again.direct && run && again.whole[y] && last <= again.frame.width && ms_sss__solid(&again, y, first, last);
         int stream = direct;
-        if (all) {
-            ms_sss__half_rows(&again, y, own, mine);
+        if (first == last) continue;
+        if (run) {
+            ms_sss__half_rows(&again, y, first, last, own, mine);
         } else {
             ms_sss__prepare(&again, y, task, own, own[3]);
-            for (c = 0; c < 4; ++c) mine[c] = own[c];
+            for (c = 0; c < 4; ++c) mine[c] = own[c] + first;
         }
-        if (again.first[y] == again.last[y]) continue;
         for (r = 0; r < 2; ++r) {
-            const int at = ms_sss__clamp((y + 1) / 2 - 1 + r, 0, coarse_height - 1);
-            const ptrdiff_t row = at * half->stride;
-            for (c = 0; c < 3; ++c) {
-                beside[0][c] = half->light[c] + row;
-                beside[1][c] = half->blur[c] + row;
+            const int at = ms_sss__clamp((y + 1) / 2 - 1 + r, 0, inner->frame.height - 1), slot = at % 2;
+            const int from = inner->idle ? 0 : inner->first[at], until = inner->idle || inner->last[at] > (int)half->stride ? (int)half->stride : inner->last[at];
+            for (c = 0; c < 4; ++c) coarse[r][c] = soft[slot][c] + first / 2;
+            if (have[slot] == at) continue;
+            have[slot] = at;
+            for (x = held[slot][0]; x < held[slot][1]; ++x) /* of the row before */
+                if (x < from || x >= until) soft[slot][3][x] = MS_SSS__AWAY;
+            held[slot][0] = from;
+            held[slot][1] = until;
+            for (c = 0; c < 4; ++c) {
+                to[c] = soft[slot][c] + from;
+                beside[0][c] = (c < 3 ? half->light[c] : half->depth) + at * half->stride + from;
+                beside[1][c] = c < 3 ? half->blur[c] + at * half->stride + from : NULL;
             }
-            if (have[at % 2] != at) again.simd->soften(&half->halving, beside[0], beside[1], half->depth + row, (int)half->stride, soft[at % 2]);
-            have[at % 2] = at;
-            for (c = 0; c < 4; ++c) coarse[r][c] = soft[at % 2][c];
+            again.simd->soften(&half->halving, beside[0], beside[1], beside[0][3], until - from, to);
         }
         for (c = 0; c < 3; ++c) {
-            blur[c] = direct ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(&again, task, 29 + c);
+            blur[c] = direct ? (float *)image->channel[c] + y * image->row_stride + first : ms_sss__buffer(&again, task, 29 + c);
             if ((uintptr_t)blur[c] % 64) stream = 0;
         }
-        again.simd->refine(&half->halving, mine, all ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2, stream, again.padded, blur);
-        if (!direct) ms_sss__compose(&again, task, y, 0, again.padded, blur, fade || !again.whole[y] ? mine : NULL, all ? again.fresh : own[3]);
+        again.simd->refine(&half->halving, mine, run ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2, stream, last - first, blur);
+        if (!direct) ms_sss__compose(&again, task, y, first, last - first, blur, fade || !again.whole[y] ? mine : NULL, run ? NULL : own[3] + first);
     }
 }
 
@@ -5537,7 +5569,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     ms_sss_filter_options inner_options = *options;
     ms_sss_frame inner;
     ms_status status;
-    float *at, *end;
+    float *at, *end, apart = 0, size_min; /* apart: size from which on the centre alone stands within a pixel of itself */
     size_t plane, left = workspace_size - (size_t)((char *)(half + 1) - (char *)workspace);
     int i, c, t;
     status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__BARE, &at, error);
@@ -5558,8 +5590,8 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     at += MS_SSS__HALF_PLANES * plane;
     left = workspace_size - (size_t)((char *)at - (char *)workspace);
 
-    half->job.whole_first = 1; /* colours are 0 where nothing takes part */
     ms_sss__set_kernel(&half->job, k, profile);
+    size_min = half->job.pass.size_min;
     half->job.direct = ms_sss__plain(&half->job);
     if (!(half->job.gain > 0)) half->job.idle = 1;
     memset(h, 0, sizeof *h);
@@ -5567,20 +5599,21 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     h->perspective = half->job.pass.perspective;
     h->size = half->job.pass.size;
     h->size_max = half->job.pass.size_max;
-    h->size_min = half->job.pass.size_min;
     h->within = 1 / half->job.pass.apart;
     h->scale = half->job.depth_scale;
     for (c = 0; c < 2; ++c) h->aspect[c] = half->job.pass.aspect[c];
     for (i = 1; i < k->tap_count; ++i)
         for (c = 0; c < 2; ++c)
-            if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * h->apart >= 1)) h->apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
+            if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * apart >= 1)) apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
+    h->beyond = !((h->perspective ? h->size_max : h->size) >= apart) ? -1 : h->perspective && apart > 0 ? h->size / apart : INFINITY;
+    h->tiny = !(size_min < (h->perspective ? h->size_max : h->size)) ? -1 : h->perspective ? h->size / size_min : INFINITY;
     for (c = 0; c < 3; ++c) {
         double share = (double)k->delta[c];
         for (t = 0; t < k->term_count; ++t) share += (double)k->scale[t][c] * (double)k->weight[t][0][c] * (double)k->weight[t][0][c];
         h->share[c] = (float)(share < 0 ? 0 : share > 0.999 ? 0.999 : share);
     }
-    half->bold = !half->job.idle && frame->depth.channel[0] && !frame->strength.channel[0] && !frame->profile && half->job.padded == frame->width &&
-                (!frame->albedo.channel[0] || options->albedo_mode == MS_SSS_ALBEDO_POST);
+    half->plain = half->job.block == MS_SSS__BLOCK && (!frame->albedo.channel[0] || options->albedo_mode == MS_SSS_ALBEDO_POST);
+    half->bold = half->plain && !half->job.idle && frame->depth.channel[0] && !frame->strength.channel[0] && !frame->profile && half->job.padded == frame->width;
     ms_sss__run(&half->job, 0, inner.height, ms_sss__half_down);
     if (half->job.idle) return MS_OK;
 
@@ -9038,12 +9071,14 @@ static int MS_SSS__NAME(halve)(const ms_sss__halving *h, const float *const abov
     return all_part == every;
 }
 
-/* The share of a pixel's own light in the result where taps stand on it: each tap's bilinear part. */
-static MS_SSS__APART void MS_SSS__NAME(share)(const ms_sss__halving *h, const float *size, float *share)
+/* The share of a pixel's own light in the result where taps stand on it: each tap's bilinear part. depth, share: of LANES pixels. */
+static MS_SSS__APART void MS_SSS__NAME(share)(const ms_sss__halving *h, const float *depth, float *share)
 {
     const ms_sss_kernel *k = h->kernel;
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), pixels = MS_SSS__LOAD(size);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
+    MS_SSS__V pixels = MS_SSS__SET(h->size);
     int t, i, c, axis;
+    if (h->perspective) pixels = MS_SSS__MIN(MS_SSS__DIV(pixels, MS_SSS__LOAD(depth)), MS_SSS__SET(h->size_max));
     for (c = 0; c < 3; ++c) {
         MS_SSS__V all = MS_SSS__SET(k->delta[c]);
         for (t = 0; t < k->term_count; ++t) {
@@ -9057,23 +9092,20 @@ static MS_SSS__APART void MS_SSS__NAME(share)(const ms_sss__halving *h, const fl
     }
 }
 
-/* The same of pixels at depth z; the mask: whose kernels are not under half a pixel. */
-static MS_SSS__INLINE MS_SSS__MASK MS_SSS__NAME(keep)(const ms_sss__halving *h, MS_SSS__V z, MS_SSS__V share[3])
+/* The same of pixels at depth z; what takes no part, AWAY, may get any. */
+static MS_SSS__INLINE void MS_SSS__NAME(keep)(const ms_sss__halving *h, MS_SSS__V z, MS_SSS__V share[3])
 {
-    MS_SSS__V size = MS_SSS__SET(h->size);
     int c;
-    if (h->perspective) size = MS_SSS__MIN(MS_SSS__DIV(size, z), MS_SSS__SET(h->size_max));
-    if (MS_SSS__BITS(MS_SSS__LESS(size, MS_SSS__SET(h->apart)))) {
-        float pixels[MS_SSS__LANES], to[3 * MS_SSS__LANES];
-        MS_SSS__STORE(pixels, size);
-        MS_SSS__NAME(share)(h, pixels, to);
+    if (MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(h->beyond), z), MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2))))) {
+        float depth[MS_SSS__LANES], to[3 * MS_SSS__LANES];
+        MS_SSS__STORE(depth, z);
+        MS_SSS__NAME(share)(h, depth, to);
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) share[c] = MS_SSS__LOAD(to + c * MS_SSS__LANES);
     } else {
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) share[c] = MS_SSS__SET(h->share[c]);
     }
-    return MS_SSS__LESS(MS_SSS__SET(h->size_min), size);
 }
 
 /* A coarse row of light and what became of it, without what pixels keep of their own; depth in units of the falloff, AWAY
@@ -9115,7 +9147,8 @@ static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const ow
                 const MS_SSS__V a = MS_SSS__LOAD(own[3] + 2 * x), b = MS_SSS__LOAD(own[3] + 2 * x + MS_SSS__LANES);
                 z = MS_SSS__MIN(MS_SSS__MUL(side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b), MS_SSS__SET(unit)), MS_SSS__SET(MS_SSS__AWAY));
             }
-            large = MS_SSS__NAME(keep)(h, z, share);
+            MS_SSS__NAME(keep)(h, z, share);
+            large = MS_SSS__LESS(z, MS_SSS__SET(h->tiny));
             z = MS_SSS__MUL(z, MS_SSS__SET(h->within));
             sum[0] = sum[1] = sum[2] = zero;
             MS_SSS__UNROLL

@@ -1153,6 +1153,76 @@ static void case_half_size(void)
     test_scene_free(&s);
 }
 
+/* Masks at half resolution: runs of rows, holes in them, empty rows, islands far apart; in bands of rows, in place. */
+static void case_half_masks(void)
+{
+    static const int heights[] = {2, 4, 10, 32, 40, 82}; /* bands: 32 rows of the half and more */
+    int z, kind, shape, c, i, wrong = 0;
+    double worst = 0;
+    ms_sss_kernel k = test_kernel(7, 9.0, 0.05);
+    for (z = 0; z < (int)(sizeof heights / sizeof heights[0]); ++z) {
+        for (shape = 0; shape < 5; ++shape) {
+            const int w = z % 2 ? 128 : 122, h = heights[z], n = w * h;
+            test_scene s = test_scene_make(w, h, test_seed + (uint64_t)z);
+            double *expected[3];
+            float *out[3], *other[3];
+            for (i = 0; i < n; ++i) {
+                const int x = i % w, y = i / w;
+                const double u = x - 0.4 * w, v = (y - 0.5 * h) * 60 / h, square = u * u + v * v;
+                if (!(s.depth[i] > 0)) s.depth[i] = 40;
+                s.strength[i] = shape == 0 ? square < 700 : shape == 1 ? square < 700 && square > 100 : shape == 2 ? y % 9 < 3 && x > w / 2 : shape == 3 ? i == 0 || i == n - 1 || i == w - 1 : x == 70;
+                if (shape == 1 && s.strength[i] > 0) s.strength[i] = 0.25f + (float)(x % 5);
+            }
+            if (shape == 4) s.rgb[1][70] = NAN;
+            for (c = 0; c < 3; ++c) {
+                expected[c] = (double *)malloc((size_t)n * sizeof(double));
+                out[c] = test_floats(n);
+                other[c] = test_floats(n);
+            }
+            for (kind = 0; kind < 3; ++kind) {
+                plain p;
+                ms_sss_frame f;
+                test_pool pool;
+                memset(&p, 0, sizeof p);
+                p.s = &s;
+                p.kernels = &k;
+                p.count = 1;
+                p.with = (kind ? WITH_DEPTH : 0) | WITH_STRENGTH;
+                p.o = test_options(kind);
+                p.o.method = MS_SSS_METHOD_HALF;
+                p.o.simd = (ms_simd)(z % 5); /* all levels */
+                p.o.flat = 1;
+                for (c = 0; c < 3; ++c)
+                    for (i = 0; i < n; ++i) expected[c][i] = (double)s.rgb[c][i];
+                plain_half(&p, 0, expected);
+                f = test_frame(&s, p.with, out);
+                if (test_run(&f, &k, 1, &p.o) != MS_OK) return;
+                for (c = 0; c < 3; ++c)
+                    for (i = 0; i < n; ++i) {
+                        if (isnan(expected[c][i])) wrong += !isnan(out[c][i]);
+                        else if (!(s.strength[i] > 0)) wrong += !test_same(&out[c][i], &s.rgb[c][i], 1);
+                        else if (!(fabs((double)out[c][i] - expected[c][i]) <= worst)) worst = fabs((double)out[c][i] - expected[c][i]);
+                    }
+                for (c = 0; c < 3; ++c) memcpy(other[c], s.rgb[c], (size_t)n * sizeof(float));
+                f = test_frame(&s, p.with, other);
+                f.input = f.output;
+                p.o.parallel = test_parallel(&pool, 3);
+                test_run(&f, &k, 1, &p.o);
+                for (c = 0; c < 3; ++c) CHECK(test_same(out[c], other[c], n));
+            }
+            for (c = 0; c < 3; ++c) {
+                free(expected[c]);
+                free(out[c]);
+                free(other[c]);
+            }
+            test_scene_free(&s);
+        }
+    }
+    CHECK_INT(wrong, 0);
+    CHECK(worst < 1e-4); /* of values to 2.4: depths of the larger pixels, rounded, move weights */
+    TEST_NOTE("largest difference %.1e", worst);
+}
+
 /* What is the same at half resolution: layouts, threads, odd sides, in place; what takes no part; a constant. */
 static void case_half_promises(void)
 {
@@ -1898,6 +1968,7 @@ static const test_case cases[] = {
     {"threads", case_threads},
     {"masks and profiles", case_mask},
     {"half resolution in double", case_half_size},
+    {"half resolution: masks", case_half_masks},
     {"half resolution: promises", case_half_promises},
     {"methods", case_methods},
     {"refused", case_refused},
