@@ -3799,6 +3799,10 @@ typedef struct ms_sss__kernels {
     void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size, int first, int last, unsigned char *plan);
     void (*sweep[2])(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first, int last); /* [with slopes] */
     float (*least)(const float *depth, int count);
+    int (*unpack)(const void *from, int half, int count, float *const to[3]);
+    void (*widen)(const uint16_t *from, int count, float *to);
+    void (*narrow)(const float *from, int count, uint16_t *to);
+    void (*deliver)(const float *from, int count, float *to);
     int lanes;
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
@@ -3983,51 +3987,63 @@ static void ms_sss__put(const ms_sss_image *image, int c, int x, int y, float va
 
 /* out[c] points at the values of pixels [x, x + count) of row y: in the image where they lie side by side, else in
    buffer[c], with 0 from column width on. */
-static void ms_sss__load(const ms_sss_image *image, int channels, int width, int y, int x, int count,
+static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image, int channels, int width, int y, int x, int count,
                          float *const *buffer, const float **out)
 {
-    int n = width - x < count ? width - x : count, c, i;
+    const ptrdiff_t at = y * image->row_stride + x * image->pixel_stride, step = image->pixel_stride;
+    const ptrdiff_t size = image->half ? (ptrdiff_t)sizeof(uint16_t) : (ptrdiff_t)sizeof(float);
+    const char *const red = (const char *)image->channel[0] + at * size;
+    const int n = width - x < count ? width - x : count;
+    int c, i, done = 0;
+    if (channels == 3 && step == 4 && (const char *)image->channel[1] == (const char *)image->channel[0] + size &&
+        (const char *)image->channel[2] == (const char *)image->channel[1] + size)
+        done = simd->unpack(red, image->half, n, buffer);
     for (c = 0; c < channels; ++c) {
-        const ptrdiff_t at = y * image->row_stride + x * image->pixel_stride, step = image->pixel_stride;
         float *to = buffer[c];
         out[c] = to;
         if (image->half) {
             const uint16_t *from = (const uint16_t *)image->channel[c] + at;
-            for (i = 0; i < n; ++i) to[i] = ms__half_to_float(from[i * step]);
+            if (step == 1) simd->widen(from, n, to);
+            else
+                for (i = done; i < n; ++i) to[i] = ms__half_to_float(from[i * step]);
         } else {
             const float *from = (const float *)image->channel[c] + at;
             if (step == 1 && n == count) {
                 out[c] = from;
                 continue;
             }
-            for (i = 0; i < n; ++i) to[i] = from[i * step];
+            for (i = done; i < n; ++i) to[i] = from[i * step];
         }
         for (i = n; i < count; ++i) to[i] = 0;
     }
 }
 
 /* Writes values [begin, end) of a row that starts at pixel (x, y), where depth is finite or NULL. */
-static void ms_sss__store(const ms_sss_image *image, int width, int y, int x, int begin, int end, const float *const in[3],
-                          const float *depth)
+static void ms_sss__store(const ms_sss__kernels *simd, const ms_sss_image *image, int width, int y, int x, int begin, int end,
+                          const float *const in[3], const float *depth)
 {
     const ptrdiff_t step = image->pixel_stride;
-    int c, i;
+    int c, i, j;
     if (end > width - x) end = width - x;
     if (begin >= end) return;
     for (c = 0; c < 3; ++c) {
         const ptrdiff_t at = y * image->row_stride + x * step;
         const float *from = in[c];
         if (image->half) {
-            uint16_t *to = (uint16_t *)image->channel[c] + at;
-            for (i = begin; i < end; ++i)
-                if (!depth || depth[i] < INFINITY) to[i * step] = ms__half_from_float(from[i]);
+            uint16_t *to = (uint16_t *)image->channel[c] + at, narrow[32];
+            for (i = begin; i < end; i += 32) {
+                const int some = end - i < 32 ? end - i : 32;
+                simd->narrow(from + i, some, narrow);
+                for (j = 0; j < some; ++j)
+                    if (!depth || depth[i + j] < INFINITY) to[(i + j) * step] = narrow[j];
+            }
         } else {
             float *to = (float *)image->channel[c] + at;
             if (depth) {
                 for (i = begin; i < end; ++i)
                     if (depth[i] < INFINITY) to[i * step] = from[i];
             } else if (step == 1) {
-                memcpy(to + begin, from + begin, (size_t)(end - begin) * sizeof(float));
+                simd->deliver(from + begin, end - begin, to + begin);
             } else {
                 for (i = begin; i < end; ++i) to[i * step] = from[i];
             }
@@ -4052,6 +4068,7 @@ static void ms_sss__calm(void *context, int index)
     const unsigned host = _mm_getcsr();
     _mm_setcsr((host & ~0x3fu) | 0x1f80u);
     task->run(task->context, index);
+    _mm_sfence(); /* what was streamed is written before the task counts as done */
     _mm_setcsr(host);
 }
 #endif
@@ -4116,7 +4133,7 @@ static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int 
     const ms_sss_albedo_mode mode = job->options.albedo_mode;
     int c, i;
     if (!job->frame.albedo.channel[0] || mode == (side ? MS_SSS_ALBEDO_PRE : MS_SSS_ALBEDO_POST)) return NULL;
-    ms_sss__load(&job->frame.albedo, 3, job->frame.width, y, x, count, buffer, out);
+    ms_sss__load(job->simd, &job->frame.albedo, 3, job->frame.width, y, x, count, buffer, out);
     if (mode == MS_SSS_ALBEDO_BOTH) {
         for (c = 0; c < 3; ++c) {
             for (i = 0; i < count; ++i) buffer[c][i] = sqrtf(out[c][i]);
@@ -4230,7 +4247,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
     }
     job->whole[y] = 1;
     if (f->strength.channel[0] && last > 0) {
-        ms_sss__load(&f->strength, 1, width, y, 0, last, in_buffer, &map);
+        ms_sss__load(job->simd, &f->strength, 1, width, y, 0, last, in_buffer, &map);
         job->whole[y] = job->simd->gate(map, 0.0f, last, before, depth, span);
         before = depth;
         begin = span[0];
@@ -4239,7 +4256,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
         last = ms_sss__round_up(end, job->block);
     }
     if (f->depth.channel[0] && first < last) {
-        ms_sss__load(&f->depth, 1, width, y, first, last - first, in_buffer, &map);
+        ms_sss__load(job->simd, &f->depth, 1, width, y, first, last - first, in_buffer, &map);
         job->simd->gate(map, job->depth_scale, last - first, before + first, depth + first, span);
         before = depth;
         begin = first + span[0];
@@ -4264,7 +4281,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
         to[c] = colour[c] + first;
     }
     if (first < last) {
-        ms_sss__load(&f->input, 3, width, y, first, last - first, in_buffer, in);
+        ms_sss__load(job->simd, &f->input, 3, width, y, first, last - first, in_buffer, in);
         factor = ms_sss__albedo(job, 0, y, first, last - first, albedo_buffer, albedo);
         if (job->simd->admit(in, factor, begin - first, end - first, last - first, before + first, depth + first, to)) {
             job->solid_first[y] = begin;
@@ -4293,11 +4310,11 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
     }
     if (own && !job->whole[y]) {
         strength_buffer[0] = ms_sss__buffer(job, task, 12);
-        ms_sss__load(&f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
+        ms_sss__load(job->simd, &f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
     }
     for (c = 0; c < 3 && own; ++c) job->simd->fade(&job->pass, strength, job->gain, depth ? depth : job->fresh + x, own[c], count, blur[c]);
     if (f->through.channel[0]) {
-        ms_sss__load(&f->through, 3, f->width, y, x, count, specular_buffer, specular);
+        ms_sss__load(job->simd, &f->through, 3, f->width, y, x, count, specular_buffer, specular);
         for (c = 0; c < 3; ++c)
             for (i = 0; i < count; ++i)
                 if (specular[c][i] > blur[c][i]) blur[c][i] = specular[c][i];
@@ -4306,13 +4323,13 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
     for (c = 0; factor && c < 3; ++c)
         for (i = 0; i < count; ++i) blur[c][i] *= factor[c][i];
     if (f->specular.channel[0]) {
-        ms_sss__load(&f->specular, 3, f->width, y, x, count, specular_buffer, specular);
+        ms_sss__load(job->simd, &f->specular, 3, f->width, y, x, count, specular_buffer, specular);
         for (c = 0; c < 3; ++c) job->simd->combine(1.0f, blur[c], 1.0f, specular[c], count, blur[c]);
     }
     if (solid_first >= solid_last) solid_first = solid_last = count;
-    if (depth) ms_sss__store(&f->output, f->width, y, x, 0, solid_first, result, depth);
-    ms_sss__store(&f->output, f->width, y, x, solid_first, solid_last, result, NULL);
-    if (depth) ms_sss__store(&f->output, f->width, y, x, solid_last, count, result, depth);
+    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, 0, solid_first, result, depth);
+    ms_sss__store(job->simd, &f->output, f->width, y, x, solid_first, solid_last, result, NULL);
+    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, solid_last, count, result, depth);
 }
 
 /* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E and
@@ -4338,7 +4355,7 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
     }
     if (!last_term) return;
     if (need_own) {
-        ms_sss__load(&f->input, 3, f->width, y, x, count, in_buffer, in);
+        ms_sss__load(job->simd, &f->input, 3, f->width, y, x, count, in_buffer, in);
         factor = ms_sss__albedo(job, 0, y, x, count, albedo_buffer, albedo);
         for (c = 0; c < 3; ++c) {
             if (factor) {
@@ -4363,7 +4380,7 @@ static void ms_sss__least_band(void *context, int task)
     buffer[0] = ms_sss__buffer(job, task, 0);
     for (y = begin; y < end; ++y) {
         float row;
-        ms_sss__load(&job->frame.depth, 1, width, y, 0, width, buffer, &depth);
+        ms_sss__load(job->simd, &job->frame.depth, 1, width, y, 0, width, buffer, &depth);
         row = job->simd->least(depth, width);
         if (row < least) least = row;
     }
@@ -4511,7 +4528,7 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
     const ms_sss__job *job = s->job;
     const ms_sss_image *image = &job->frame.output;
     ms_sss__line line[MS_SSS__STEP];
-    int direct[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0;
+    int direct[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0; /* direct: 2: by way of a row that streams */
     memset(line, 0, sizeof line);
     for (y = begin; y < end; ++y) {
         const int first = job->first[y], last = job->last[y];
@@ -4527,13 +4544,15 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
         l->group = 4 * s->lanes;
         l->plane = l->to_group = s->lanes;
         l->plan = s->plan + s->slot[y] * s->plan_row;
-        l->stream = direct[y - begin] = job->direct && job->whole[y] && last <= job->frame.width && ms_sss__solid(job, y, first, last);
+        direct[y - begin] = job->direct && job->whole[y] && last <= job->frame.width && ms_sss__solid(job, y, first, last);
+        l->stream = direct[y - begin];
+        for (c = 0; c < 3; ++c)
+            if ((uintptr_t)((float *)image->channel[c] + y * image->row_stride) % 64) l->stream = 0;
+        if (direct[y - begin] && !l->stream && s->lanes > 1) direct[y - begin] = 2;
         for (c = 0; c < 3; ++c) {
             l->own[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded;
-            l->to[c] = l->stream ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
+            l->to[c] = direct[y - begin] == 1 ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
         }
-        for (c = 0; c < 3; ++c)
-            if ((uintptr_t)l->to[c] % 64) l->stream = 0;
         from = first < from ? first : from;
         to = last > to ? last : to;
         if (job->fixed) ms_sss__fixed_second(s, y, l->to);
@@ -4554,6 +4573,9 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
             for (c = 0; c < 3; ++c) blur[c] = l->to[c] + first;
             ms_sss__finish(job, task, y, first, last - first, blur, depth + first, 0);
         }
+        if (first < last && direct[y - begin] == 2)
+            for (c = 0; c < 3; ++c)
+                job->simd->deliver(l->to[c] + first, last - first, (float *)image->channel[c] + y * image->row_stride + first);
         ms_sss__copy_row(job, y, depth);
     }
 }
@@ -4588,7 +4610,7 @@ static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float 
     int c;
     if (job->frame.normal.channel[0]) {
         for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, c);
-        ms_sss__load(&job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
+        ms_sss__load(job->simd, &job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
         for (c = 0; c < 3; ++c) normal[c] -= first;
     }
     job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
@@ -5415,7 +5437,7 @@ static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, int 
     int r, c, x, i;
     for (r = 0; r < 2; ++r) {
         for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, 18 + 3 * r + c);
-        ms_sss__load(&job->frame.normal, 3, width, 2 * y + r < job->frame.height ? 2 * y + r : 2 * y, 0, width, buffer, normal[r]);
+        ms_sss__load(job->simd, &job->frame.normal, 3, width, 2 * y + r < job->frame.height ? 2 * y + r : 2 * y, 0, width, buffer, normal[r]);
     }
     for (x = first; x < last && 2 * x < width; ++x) {
         int best = 0;
@@ -5428,8 +5450,8 @@ static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, int 
 /* Colour and depth of columns [first, last) of a row of the picture as they are. */
 static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last, float *const buffer[4], const float *row[4])
 {
-    ms_sss__load(&job->frame.input, 3, job->frame.width, y, first, last - first, buffer, row);
-    if (job->frame.depth.channel[0]) ms_sss__load(&job->frame.depth, 1, job->frame.width, y, first, last - first, buffer + 3, row + 3);
+    ms_sss__load(job->simd, &job->frame.input, 3, job->frame.width, y, first, last - first, buffer, row);
+    if (job->frame.depth.channel[0]) ms_sss__load(job->simd, &job->frame.depth, 1, job->frame.width, y, first, last - first, buffer + 3, row + 3);
     else row[3] = job->fresh;
 }
 
@@ -5863,7 +5885,7 @@ static void ms_sss__tower_lie(const ms_sss__tower *tower, int task, int y, int f
     for (i = 0; i < 3; ++i) {
         buffer[i] = ms_sss__buffer(job, task, i);
     }
-    if (given) ms_sss__load(&job->frame.normal, 3, v->width, y, first, last - first, buffer, normal);
+    if (given) ms_sss__load(job->simd, &job->frame.normal, 3, v->width, y, first, last - first, buffer, normal);
     for (i = 0; i < 3 && given; ++i) normal[i] -= first;
     job->simd->lie(&tower->growth, d, given ? normal : NULL, y, first, last, out);
 }
@@ -8070,6 +8092,8 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
 #define MS_SSS__LESSEN(a, b, c) _mm512_fnmadd_ps(a, b, c) /* c - a b */
 #define MS_SSS__STREAM(p, a) _mm512_stream_ps(p, a)
+#define MS_SSS__WIDEN(p) _mm512_maskz_cvtph_ps(0xffff, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
+#define MS_SSS__NARROW(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), _mm512_maskz_cvtps_ph(0xffff, a, _MM_FROUND_TO_NEAREST_INT))
 #define MS_SSS__MIN(a, b) _mm512_maskz_min_ps(0xffff, a, b) /* maskz: GCC 12 warns about the plain ones in C++ */
 #define MS_SSS__MAX(a, b) _mm512_maskz_max_ps(0xffff, a, b)
 #define MS_SSS__SQRT(a) _mm512_maskz_sqrt_ps(0xffff, a)
@@ -8102,6 +8126,8 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #define MS_SSS__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
 #define MS_SSS__LESSEN(a, b, c) _mm256_fnmadd_ps(a, b, c)
 #define MS_SSS__STREAM(p, a) _mm256_stream_ps(p, a)
+#define MS_SSS__WIDEN(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
+#define MS_SSS__NARROW(p, a) _mm_storeu_si128((__m128i *)(void *)(p), _mm256_cvtps_ph(a, _MM_FROUND_TO_NEAREST_INT))
 #define MS_SSS__MIN(a, b) _mm256_min_ps(a, b)
 #define MS_SSS__MAX(a, b) _mm256_max_ps(a, b)
 #define MS_SSS__SQRT(a) _mm256_sqrt_ps(a)
@@ -8539,6 +8565,75 @@ static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, in
             plan[k + 1] = (unsigned char)((int)least + two);
         }
     }
+}
+
+/* Colour of pixels of four elements each, as many as can be had without an element behind the last colour; returns how many. */
+static int MS_SSS__NAME(unpack)(const void *from, int half, int count, float *const to[3])
+{
+    int i = 0;
+#if MS_SSS__LANES > 1
+    for (; i + MS_SSS__LANES < count; i += MS_SSS__LANES) {
+        MS_SSS__V v[4], even[2], odd[2];
+        int k;
+        if (half) {
+#ifdef MS_SSS__WIDEN
+            for (k = 0; k < 4; ++k) v[k] = MS_SSS__WIDEN((const uint16_t *)from + 4 * i + k * MS_SSS__LANES);
+#else
+            break;
+#endif
+        } else {
+            for (k = 0; k < 4; ++k) v[k] = MS_SSS__LOAD((const float *)from + 4 * i + k * MS_SSS__LANES);
+        }
+        for (k = 0; k < 2; ++k) {
+            even[k] = MS_SSS__EVEN(v[2 * k], v[2 * k + 1]);
+            odd[k] = MS_SSS__ODD(v[2 * k], v[2 * k + 1]);
+        }
+        MS_SSS__STORE(to[0] + i, MS_SSS__EVEN(even[0], even[1]));
+        MS_SSS__STORE(to[1] + i, MS_SSS__EVEN(odd[0], odd[1]));
+        MS_SSS__STORE(to[2] + i, MS_SSS__ODD(even[0], even[1]));
+    }
+#else
+    (void)from;
+    (void)half;
+    (void)count;
+    (void)to;
+#endif
+    return i;
+}
+
+/* Halves to floats, and back as ms__half_from_float does it: finite values stay finite. */
+static void MS_SSS__NAME(widen)(const uint16_t *from, int count, float *to)
+{
+    int i = 0;
+#ifdef MS_SSS__WIDEN
+    for (; i + MS_SSS__LANES <= count; i += MS_SSS__LANES) MS_SSS__STORE(to + i, MS_SSS__WIDEN(from + i));
+#endif
+    for (; i < count; ++i) to[i] = ms__half_to_float(from[i]);
+}
+
+static void MS_SSS__NAME(narrow)(const float *from, int count, uint16_t *to)
+{
+    int i = 0;
+#ifdef MS_SSS__NARROW
+    const MS_SSS__V infinity = MS_SSS__SET(INFINITY), most = MS_SSS__SET(65504.0f), least = MS_SSS__SET(-65504.0f);
+    for (; i + MS_SSS__LANES <= count; i += MS_SSS__LANES) {
+        const MS_SSS__V v = MS_SSS__LOAD(from + i);
+        MS_SSS__NARROW(to + i, MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(v), infinity), MS_SSS__MAX(MS_SSS__MIN(v, most), least), v));
+    }
+#endif
+    for (; i < count; ++i) to[i] = ms__half_from_float(from[i]);
+}
+
+/* Copies a row to the caller's memory, around the cache where it is as long as a line. */
+static void MS_SSS__NAME(deliver)(const float *from, int count, float *to)
+{
+    int i = 0;
+    if (MS_SSS__LANES > 1 && (uintptr_t)to % sizeof(float) == 0) {
+        const int head = (int)((64 - (uintptr_t)to % 64) % 64 / sizeof(float));
+        for (; i < head && i < count; ++i) to[i] = from[i];
+        for (; i + MS_SSS__LANES <= count; i += MS_SSS__LANES) MS_SSS__STREAM(to + i, MS_SSS__LOAD(from + i));
+    }
+    if (i < count) memcpy(to + i, from + i, (size_t)(count - i) * sizeof(float));
 }
 
 /* The least positive depth, or AWAY. */
@@ -9705,7 +9800,7 @@ static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *row[3][4],
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
     MS_SSS__NAME(gate),    MS_SSS__NAME(admit),  MS_SSS__NAME(convolve),    MS_SSS__NAME(convolve_valid),
     MS_SSS__NAME(shape),   MS_SSS__NAME(tangents), MS_SSS__NAME(limit),   MS_SSS__NAME(plan),
-    {MS_SSS__NAME(sweep_flat), MS_SSS__NAME(sweep_shaped)}, MS_SSS__NAME(least), MS_SSS__LANES, MS_SSS__NAME(combine),
+    {MS_SSS__NAME(sweep_flat), MS_SSS__NAME(sweep_shaped)}, MS_SSS__NAME(least), MS_SSS__NAME(unpack), MS_SSS__NAME(widen), MS_SSS__NAME(narrow), MS_SSS__NAME(deliver), MS_SSS__LANES, MS_SSS__NAME(combine),
     MS_SSS__NAME(fade),    MS_SSS__NAME(lie),    MS_SSS__NAME(shrink),
     MS_SSS__NAME(gather),  MS_SSS__NAME(settle), MS_SSS__NAME(invert),
     MS_SSS__NAME(halve),   MS_SSS__NAME(soften), MS_SSS__NAME(refine)};
@@ -9727,6 +9822,8 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__MADD
 #undef MS_SSS__LESSEN
 #undef MS_SSS__STREAM
+#undef MS_SSS__WIDEN
+#undef MS_SSS__NARROW
 #undef MS_SSS__MIN
 #undef MS_SSS__MAX
 #undef MS_SSS__SQRT
