@@ -4738,7 +4738,7 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
     const int pairs = k->tap_count / 2;
     float inner = 0;
     int i, c;
-    if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS) || p->exact || p->follow || s->lanes == 1) return 0;
+    if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS) || p->follow || (s->shaped && (p->exact || s->lanes == 1))) return 0;
     for (c = 0; c < 3; ++c) ms_sss__splat(s->weight[0][c], (double)p->weight[0][c]);
     for (i = 0; i < pairs; ++i) {
         const double x = (double)k->offset_mm[2 * i + 2];
@@ -4910,9 +4910,11 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     const size_t lanes = (size_t)ms_sss__pick(options->simd)->lanes, rows = (size_t)height;
     ms_sss__layout l;
     size_t floats;
-    int i, terms = 1;
-    for (i = 0; i < kernel_count; ++i)
+    int i, terms = 1, pairs = 0;
+    for (i = 0; i < kernel_count; ++i) {
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
+        if (kernels[i].tap_count / 2 > pairs && kernels[i].tap_count / 2 <= MS_SSS__PAIRS) pairs = kernels[i].tap_count / 2;
+    }
     l.block = width < MS_SSS__BLOCK ? ms_sss__round_up(width, 16) : MS_SSS__BLOCK;
     l.padded = ms_sss__round_up(width, l.block);
     l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
@@ -4921,7 +4923,7 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
     l.ring = l.sweep = 0;
     if (kind == MS_SSS__PASSES && !ms_sss__turns(options)) {
         l.ring = ms__size_mul(rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
-        l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (lanes > 1 ? (MS_SSS__PAIRS + 4) / 4 * 4 : 4), (size_t)l.padded / lanes);
+        l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (size_t)((pairs + 4) / 4 * 4), (size_t)l.padded / lanes);
         l.sweep = ms__size_add(l.sweep, sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
                                             (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (3 * rows + 2) * sizeof(int) + 2 * sizeof(ms_sss__fixed));
     }
@@ -8655,12 +8657,21 @@ static float MS_SSS__NAME(least)(const float *depth, int count)
     return lane[0];
 }
 
-#if MS_SSS__LANES > 1
-/* What the pixels of a pair at distance t weigh by their depths, q: i, i + 1 (and i + 2, two: where lanes of a group differ), -i, -i - 1 (-i - 2).
+/* What depth leaves of a pixel dz away: (1 - dz^2)^4, exact: 2^-dz^2 within p->cut. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(nearness)(const ms_sss__pass *p, const int exact, MS_SSS__V dz)
+{
+    MS_SSS__V q;
+    if (!exact) return MS_SSS__NAME(falloff)(dz);
+    q = MS_SSS__MUL(dz, dz);
+    return MS_SSS__SELECT(MS_SSS__LESS(q, MS_SSS__SET(p->cut)), MS_SSS__NAME(exp2_minus)(MS_SSS__MIN(q, MS_SSS__SET(120.0f))), MS_SSS__SET(0.0f));
+}
+
+/* What the pixels of a pair at distance t weigh by their depths, q: i, i + 1 (and i + 2 where lanes of a group differ), -i, -i - 1 (-i - 2).
    Returns their sum. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weights)(const float *deep, const ptrdiff_t *step, int i, const int two, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, const int exact, const float *deep, const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
+    const int two = MS_SSS__LANES > 1 ? place & MS_SSS__BESIDE : 0, i = place - two;
     const ptrdiff_t *up = step + i, *down = step - i;
     MS_SSS__V r = MS_SSS__SUB(t, MS_SSS__SET(ms_sss__whole[i])), share = MS_SSS__SUB(one, r), third = zero, up_sum, down_sum;
     if (two) {
@@ -8668,25 +8679,19 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weights)(const float *deep, const p
         third = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
         r = MS_SSS__SUB(one, MS_SSS__ADD(share, third));
     }
-    q[0] = MS_SSS__MUL(share, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[0]))));
-    q[1] = MS_SSS__MUL(r, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[1]))));
-    q[3] = MS_SSS__MUL(share, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[0]))));
-    q[4] = MS_SSS__MUL(r, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[-1]))));
+    q[0] = MS_SSS__MUL(share, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[0]))));
+    q[1] = MS_SSS__MUL(r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[1]))));
+    q[3] = MS_SSS__MUL(share, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[0]))));
+    q[4] = MS_SSS__MUL(r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[-1]))));
     up_sum = MS_SSS__ADD(q[0], q[1]);
     down_sum = MS_SSS__ADD(q[3], q[4]);
     if (two) {
-        q[2] = MS_SSS__MUL(third, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[2]))));
-        q[5] = MS_SSS__MUL(third, MS_SSS__NAME(falloff)(MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[-2]))));
+        q[2] = MS_SSS__MUL(third, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[2]))));
+        q[5] = MS_SSS__MUL(third, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[-2]))));
         up_sum = MS_SSS__ADD(up_sum, q[2]);
         down_sum = MS_SSS__ADD(down_sum, q[5]);
     }
     return MS_SSS__ADD(up_sum, down_sum);
-}
-
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const float *deep, const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
-{
-    if (place < MS_SSS__BESIDE) return MS_SSS__NAME(weights)(deep, step, place, 0, z, t, q);
-    return MS_SSS__NAME(weights)(deep, step, place - MS_SSS__BESIDE, 1, z, t, q);
 }
 
 /* The light of a pair's pixels in a channel. */
@@ -8700,26 +8705,26 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(light)(const float *from, const ptr
 }
 
 /* Adds a pair's light to v and its weights, whose sum is all, to m. */
-static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], const float *red, const float *green, const float *blue, const ptrdiff_t *step, int place,
+static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], const float *const from[3], const ptrdiff_t *step, int place,
                                                   const MS_SSS__V *q, MS_SSS__V all, MS_SSS__V v[3], MS_SSS__V m[3])
 {
     const MS_SSS__V wr = MS_SSS__LOAD(weight[0]), wg = MS_SSS__LOAD(weight[1]), wb = MS_SSS__LOAD(weight[2]);
     m[0] = MS_SSS__MADD(wr, all, m[0]);
     m[1] = MS_SSS__MADD(wg, all, m[1]);
     m[2] = MS_SSS__MADD(wb, all, m[2]);
-    if (place < MS_SSS__BESIDE) {
-        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(red, step, place, 0, q), v[0]);
-        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(green, step, place, 0, q), v[1]);
-        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(blue, step, place, 0, q), v[2]);
+    if (MS_SSS__LANES == 1 || place < MS_SSS__BESIDE) {
+        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(from[0], step, place, 0, q), v[0]);
+        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(from[1], step, place, 0, q), v[1]);
+        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(from[2], step, place, 0, q), v[2]);
     } else {
-        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(red, step, place - MS_SSS__BESIDE, 1, q), v[0]);
-        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(green, step, place - MS_SSS__BESIDE, 1, q), v[1]);
-        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(blue, step, place - MS_SSS__BESIDE, 1, q), v[2]);
+        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(from[0], step, place - MS_SSS__BESIDE, 1, q), v[0]);
+        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(from[1], step, place - MS_SSS__BESIDE, 1, q), v[1]);
+        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(from[2], step, place - MS_SSS__BESIDE, 1, q), v[2]);
     }
 }
 
 /* n groups from column x on, without slopes: HELD pairs of each at a time, first what they weigh, then the sums, since the chains of one group are long. */
-static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, const int three, MS_SSS__V (*out)[3])
+static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, const int three, const int exact, MS_SSS__V (*out)[3])
 {
     const ptrdiff_t *step = l->step, plane = l->plane, here = step[0], group = l->group;
     const float *first = l->from + x / MS_SSS__LANES * group, (*offset)[16] = s->offset[l->axis];
@@ -8739,32 +8744,31 @@ static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_s
             if (MS_SSS__CHUNK > 1 && plan[-1] < MS_SSS__SOME) continue;
             if (three) {
                 MS_SSS__UNROLL
-                for (k = 0; k < 3; ++k) all[k][g] = MS_SSS__NAME(weigh_pair)(deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k][g]);
+                for (k = 0; k < 3; ++k) all[k][g] = MS_SSS__NAME(weigh_pair)(p, exact, deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k][g]);
                 continue;
             }
             for (k = begin; k < end; ++k)
-                all[k - begin][g] = MS_SSS__NAME(weigh_pair)(deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k - begin][g]);
+                all[k - begin][g] = MS_SSS__NAME(weigh_pair)(p, exact, deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k - begin][g]);
         }
         plan = plans;
         red = first;
         for (g = 0; g < n; ++g, plan += plan_size, red += group) {
-            const float *green = red + plane, *blue = green + plane;
+            const float *from[3];
             MS_SSS__V v[3], m[3], own[3];
-            own[0] = MS_SSS__LOAD(red + here);
-            own[1] = MS_SSS__LOAD(green + here);
-            own[2] = MS_SSS__LOAD(blue + here);
             if (MS_SSS__CHUNK > 1 && plan[-1] < MS_SSS__SOME) continue;
             MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) {
+                from[c] = red + c * plane;
+                own[c] = MS_SSS__LOAD(from[c] + here);
                 m[c] = begin ? norm[g][c] : MS_SSS__LOAD(s->weight[0][c]);
                 v[c] = begin ? out[g][c] : MS_SSS__MUL(m[c], own[c]);
             }
             if (three) {
                 MS_SSS__UNROLL
-                for (k = 0; k < 3; ++k) MS_SSS__NAME(add_pair)(s->weight[k + 1], red, green, blue, step, plan[k], q[k][g], all[k][g], v, m);
+                for (k = 0; k < 3; ++k) MS_SSS__NAME(add_pair)(s->weight[k + 1], from, step, plan[k], q[k][g], all[k][g], v, m);
             }
             for (k = begin; k < end && !three; ++k)
-                MS_SSS__NAME(add_pair)(s->weight[k + 1], red, green, blue, step, plan[k], q[k - begin][g], all[k - begin][g], v, m);
+                MS_SSS__NAME(add_pair)(s->weight[k + 1], from, step, plan[k], q[k - begin][g], all[k - begin][g], v, m);
             if (end == pairs && s->simple) {
                 MS_SSS__UNROLL
                 for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(1e-30f), m[c]), MS_SSS__DIV(v[c], m[c]), own[c]);
@@ -8779,6 +8783,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_s
     } while (!three && end < pairs);
 }
 
+#if MS_SSS__LANES > 1
 /* The same with slopes. */
 static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, MS_SSS__V (*out)[3])
 {
@@ -9069,12 +9074,12 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
             }
 #if MS_SSS__LANES > 1
             if (shaped) MS_SSS__NAME(leaning)(s, p, l, x, n, out);
-            else if (MS_SSS__LANES > 4 && s->pairs == 3) MS_SSS__NAME(flat)(s, p, l, x, n, 1, out);
-            else MS_SSS__NAME(flat)(s, p, l, x, n, 0, out);
 #else
-            (void)shaped;
-            memset(out, 0, sizeof out);
+            if (shaped) memset(out, 0, sizeof out);
 #endif
+            else if (p->exact) MS_SSS__NAME(flat)(s, p, l, x, n, 0, 1, out);
+            else if (MS_SSS__LANES > 4 && s->pairs == 3) MS_SSS__NAME(flat)(s, p, l, x, n, 1, 0, out);
+            else MS_SSS__NAME(flat)(s, p, l, x, n, 0, 0, out);
             for (c = 0; c < 3; ++c) to[c] = l->to[c] + x / MS_SSS__LANES * l->to_group;
             for (g = 0; g < n; ++g) {
                 const int kind = l->plan[(x / MS_SSS__LANES + g) * plan_size];
