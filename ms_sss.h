@@ -8712,7 +8712,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], con
     m[0] = MS_SSS__MADD(wr, all, m[0]);
     m[1] = MS_SSS__MADD(wg, all, m[1]);
     m[2] = MS_SSS__MADD(wb, all, m[2]);
-    if (MS_SSS__LANES == 1 || place < MS_SSS__BESIDE) {
+    if (MS_SSS__LANES == 1 || !(place & MS_SSS__BESIDE)) {
         v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(from[0], step, place, 0, q), v[0]);
         v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(from[1], step, place, 0, q), v[1]);
         v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(from[2], step, place, 0, q), v[2]);
