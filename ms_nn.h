@@ -2244,11 +2244,21 @@ typedef struct ms_nn__dims {
 
 static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
 
+/* A matrix that a cache may hold, once more, as the level in use likes it: panels of two strips of rows, [panel][column][row of the panel].
+   A strip is a vector of outputs. Rows of zeros are in none, or behind the last in a strip; strips are in the order of their rows. */
+typedef struct ms_nn__packed {
+    const unsigned char *w; /* 64-byte aligned */
+    const size_t *first;    /* [2 panels] the row that a strip begins with; the number of rows where there is none */
+    size_t panels;          /* at least 1 */
+    ms_nn_dtype dtype;
+} ms_nn__packed;
+
 /* A dense layer's matrix where it lies. Rows are cols elements long without padding. */
 typedef struct ms_nn__matrix {
     const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
     ms_nn_dtype dtype;                     /* F32, F16, BF16, I8 */
     size_t rows, cols;
+    ms_nn__packed packed;                  /* w NULL: none */
 } ms_nn__matrix;
 
 /* A correlation with its weights packed for the level in use: [block of outputs][in channel][tap][output of the block].
@@ -2305,6 +2315,7 @@ struct ms_nn {
     const struct ms_nn__kernels *kernels;
     ms_simd level;
     int row_tiles; /* F32 matrices come from memory several rows at a time */
+    size_t packed; /* weights that are packed */
     ms_nn_shape input, output; /* as the caller sees them */
     size_t channels, channel_inputs;
     const size_t *channel_input; /* [channels][channel_inputs]; channels 1 and NULL without shared_channels */
@@ -2423,7 +2434,9 @@ static double ms_nn__weight_at(const ms_nn__weights *w, size_t row, size_t i)
     return w->scale ? x * ms_nn__element(w->scale->data, w->scale->dtype, row) : x;
 }
 
-/* Dense weights where they lie; F64 as a float copy; on big-endian hosts F32 as a copy in native order (the scalar
+static int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m);
+
+/* Dense weights where they lie, small ones packed too; F64 as a float copy; on big-endian hosts F32 as a copy in native order (the scalar
    kernels, which are all that those have, read the other types byte by byte). With fold > 1 the columns of the
    fold_h x fold_w positions that one low-resolution element was copied to are added up (in double, rounded once):
    W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
@@ -2465,6 +2478,7 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const m
     }
     if (w->bias && (m->bias = ms_nn__floats(nn, w->bias)) == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a bias");
     if (w->scale && (m->scale = ms_nn__floats(nn, w->scale)) == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for scales");
+    if (!ms_nn__pack_dense(nn, m)) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
     return MS_OK;
 }
 
@@ -3140,8 +3154,8 @@ typedef struct ms_nn__dense {
     int linear;          /* no bias, no activation: products with directions */
     ms_nn__activation activation;
     float alpha;
-    size_t chunk_rows, chunk_cols, col_chunks; /* of a task */
-    int singly;          /* row by row, as memory likes it */
+    size_t chunk_rows, chunk_cols, col_chunks; /* of a task; of packed weights chunk_rows counts panels */
+    int singly;          /* row by row, as memory likes it, not by tiles */
     const struct ms_nn__digits *digits;        /* [batch], large I8 only */
     const struct ms_nn__kernels *kernels;
 } ms_nn__dense;
@@ -3178,6 +3192,9 @@ typedef struct ms_nn__conv_job {
 /* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
 typedef struct ms_nn__kernels {
     size_t block; /* outputs that a convolution computes together */
+    size_t strip; /* rows of a strip of packed weights */
+    int widen;    /* packed weights are floats, whatever they were */
+    void (*packed)(const ms_nn__dense *job, size_t panel0, size_t panel1);
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out);
@@ -3194,10 +3211,6 @@ typedef struct ms_nn__kernels {
 #endif
 } ms_nn__kernels;
 
-/* Does a matrix come from memory rather than from a cache? There I8 is summed in integers, faster than it is widened to floats; the
-   rule knows nothing of the batch, so that its bits do not depend on it. */
-static int ms_nn__large(const ms_nn__matrix *m) { return m->rows * m->cols > 2000000; }
-
 #define MS_NN__WIDE 64
 #define MS_NN__COLS 512
 static const float ms_nn__zeros[MS_NN__WIDE] = {0}; /* stands for rows behind the last, where rows are taken by fours */
@@ -3205,6 +3218,62 @@ static const float ms_nn__zeros[MS_NN__WIDE] = {0}; /* stands for rows behind th
 static size_t ms_nn__bytes_of(ms_nn_dtype dtype) { return dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2; }
 
 static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->block; }
+
+/* Packs a matrix, unless it comes from memory rather than from a cache: one of over two million weights, or behind the first eight
+   million of a network; nor one of rows so long that their sums want more than two parts. Those are read where they lie, and I8 is summed
+   in integers, faster than it is widened. Nothing here depends on the batch, so that bits do not. 0: no memory. */
+static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
+{
+    size_t strip = nn->kernels->strip, size = ms_nn__bytes_of(m->dtype), strips = 0, row, k, i;
+    ms_nn_dtype dtype = nn->kernels->widen ? MS_NN_F32 : m->dtype == MS_NN_I8 ? MS_NN_F16 : m->dtype;
+    size_t *first;
+    unsigned char *w;
+    if (m->cols > 4096 || m->rows > 2000000 / m->cols || nn->packed + m->rows * m->cols > 8000000) return 1;
+    first = (size_t *)ms_nn__hold(nn, m->rows / strip + 3, sizeof *first);
+    if (first == NULL) return 0;
+    for (row = 0; row < m->rows;) {
+        const unsigned char *from = m->w + row * m->cols * size;
+        for (i = 0; i < m->cols * size && from[i] == 0; ++i) {}
+        if (i == m->cols * size) {
+            ++row;
+            continue;
+        }
+        first[strips++] = row;
+        row += strip;
+    }
+    while (strips == 0 || strips % 2) first[strips++] = m->rows;
+    size = ms_nn__bytes_of(dtype);
+    w = (unsigned char *)ms_nn__hold(nn, ms__size_mul(strips * strip, m->cols), size);
+    if (w == NULL) return 0;
+    m->packed.w = w;
+    m->packed.first = first;
+    m->packed.panels = strips / 2;
+    m->packed.dtype = dtype;
+    nn->packed += m->rows * m->cols;
+    for (i = 0; i < strips; i += 2)
+        for (k = 0; k < m->cols; ++k)
+            for (row = 0; row < 2 * strip; ++row, w += size) {
+                size_t from = first[i + row / strip] + row % strip;
+                uint32_t value;
+                if (from >= m->rows) {
+                    memset(w, 0, size);
+                    continue;
+                }
+                from = from * m->cols + k;
+                if (dtype == m->dtype) {
+                    if (size == 2) memcpy(w, m->w + 2 * from, 2);
+                    else memcpy(w, m->w + 4 * from, 4);
+                } else if (dtype == MS_NN_F16) {
+                    value = ms__half_from_float((float)(signed char)m->w[from]);
+                    w[0] = (unsigned char)value;
+                    w[1] = (unsigned char)(value >> 8);
+                } else {
+                    float wide = (float)ms_nn__element(m->w, m->dtype, from);
+                    memcpy(w, &wide, sizeof wide);
+                }
+            }
+    return 1;
+}
 
 /* Samples of a batch that are taken together against each row of weights: 24 kB of them, a multiple of three. */
 static size_t ms_nn__samples(size_t cols) { return cols > 512 ? 12 : 6144 / cols / 3 * 3; }
@@ -3288,6 +3357,28 @@ static void ms_nn__digits_make(ms_nn__digits *digits, signed char *d, int32_t *s
     }
 }
 
+/* Panels of a packed matrix times all samples, and the rows of zeros before and behind their strips. */
+static void ms_nn__packed_task(void *context, int index)
+{
+    const ms_nn__dense *job = (const ms_nn__dense *)context;
+    const ms_nn__matrix *m = job->m;
+    const size_t *first = m->packed.first;
+    size_t panel = (size_t)index * job->chunk_rows, last = ms_nn__min(panel + job->chunk_rows, m->packed.panels), row0 = panel ? first[2 * panel] : 0;
+    size_t row1 = last < m->packed.panels ? first[2 * last] : m->rows, row, end, s, b;
+    for (b = 0; b < (size_t)job->batch; ++b) {
+        float *y = job->y + b * m->rows;
+        for (row = row0, s = 2 * panel; s <= 2 * last; ++s) {
+            end = s < 2 * last ? first[s] : row1;
+            if (end > row && m->bias && !job->linear) memcpy(y + row, m->bias + 4 * row, 4 * (end - row));
+            else if (end > row) memset(y + row, 0, 4 * (end - row));
+            row = end + job->kernels->strip;
+        }
+    }
+    job->kernels->packed(job, panel, last);
+    if (!job->linear && job->activation != MS_NN__LINEAR)
+        for (b = 0; b < (size_t)job->batch; ++b) job->kernels->activate(job->y + b * m->rows + row0, row1 - row0, job->activation, job->alpha);
+}
+
 static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y, int linear, void *scratch)
 {
     const ms_nn__matrix *m = &op->matrix;
@@ -3301,8 +3392,15 @@ static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, co
     job.activation = op->activation;
     job.alpha = op->alpha;
     job.kernels = nn->kernels;
-    job.singly = ms_nn__large(m) && !(nn->row_tiles && m->dtype == MS_NN_F32);
-    if (m->dtype == MS_NN_I8 && job.singly) {
+    if (m->packed.w) { /* two panels at a time, and of a large batch so few that several threads find some */
+        size_t panel = 2 * nn->kernels->strip * m->cols;
+        job.chunk_rows = MS_NN__TASK_BYTES / (panel * ms_nn__bytes_of(m->packed.dtype)) + 1;
+        job.chunk_rows = (ms_nn__min(job.chunk_rows, MS_NN__TASK_PRODUCTS / (panel * (size_t)batch) + 1) + 1) / 2 * 2;
+        ms_nn__chunks(nn, m->packed.panels, &job.chunk_rows, ms_nn__packed_task, &job);
+        return;
+    }
+    job.singly = !(nn->row_tiles && m->dtype == MS_NN_F32);
+    if (m->dtype == MS_NN_I8) {
         size_t n = (size_t)batch, wide = ms_nn__digit_cols(m->cols), runs = ms_nn__digit_runs(m->cols), b;
         signed char *d = (signed char *)scratch; /* 64-byte aligned, as each digit's row is */
         ms_nn__digits *digits = (ms_nn__digits *)(void *)(d + 3 * wide * n);
@@ -3762,7 +3860,7 @@ static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn, size_t count, int
     for (k = 0; k < nn->ops; ++k) {
         const ms_nn__op *op = &nn->op[k];
         if (op->step == MS_NN__DO_DENSE) {
-            if (op->matrix.dtype == MS_NN_I8 && ms_nn__large(&op->matrix)) {
+            if (op->matrix.dtype == MS_NN_I8 && op->matrix.packed.w == NULL) {
                 need = ms_nn__digits_size(op->matrix.cols, count);
                 if (need > most) most = need;
             }
@@ -5923,7 +6021,7 @@ MS_NN__INLINE MS_NN__B_INTS MS_NN__FN(int8_part)(const unsigned char *p, size_t 
 #define MS_NN__B_OFFSET 128
 #endif
 
-/* A row that is read alone comes from memory (ms_nn__large). It is asked for 8 kB ahead, over the ends of pages, where the
+/* A row that is read alone comes from memory (ms_nn__pack_dense). It is asked for 8 kB ahead, over the ends of pages, where the
    processor's own prefetching stops: 1.35 times as fast on Zen 4 with small pages, 1.15 times with large ones. A request
    behind the end of the matrix does no harm. */
 #if defined(MS__X64) && MS_NN__ISA > 1
@@ -6146,7 +6244,6 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
                 const unsigned char *p = w[0] + (k + 8 * (size_t)c) * size;
                 if (dtype == MS_NN_F32) u = _mm256_loadu_ps((const float *)(const void *)p);
                 else if (dtype == MS_NN_F16) u = _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)p));
-                else if (dtype == MS_NN_I8) u = _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)p)));
                 else u = _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)p)), 16));
                 half[c] = _mm256_fmadd_ps(u, _mm256_loadu_ps(x[0] + k + 8 * (size_t)c), half[c]);
             }
@@ -6192,8 +6289,7 @@ MS_NN__INLINE void MS_NN__FN(sums_typed)(const ms_nn__dense *job, size_t row, si
 {
     if (job->m->dtype == MS_NN_F32) MS_NN__FN(sums)(job, row, sample, MS_NN_F32, rows, batch, total);
     else if (job->m->dtype == MS_NN_F16) MS_NN__FN(sums)(job, row, sample, MS_NN_F16, rows, batch, total);
-    else if (job->m->dtype == MS_NN_BF16) MS_NN__FN(sums)(job, row, sample, MS_NN_BF16, rows, batch, total);
-    else MS_NN__FN(sums)(job, row, sample, MS_NN_I8, rows, batch, total);
+    else MS_NN__FN(sums)(job, row, sample, MS_NN_BF16, rows, batch, total);
 }
 
 #if MS_NN__V_LANES > 1
@@ -6211,7 +6307,8 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
 {
     MS_NN__V_FLOATS total[3 * MS_NN__W_ROWS];
     size_t left = job->m->cols % (MS_NN__V_LANES * MS_NN__W_CHAINS);
-    MS_NN__FN(sums_typed)(job, row, sample, rows, 1, total);
+    if (rows > 1) MS_NN__FN(sums)(job, row, sample, MS_NN_F32, rows, 1, total);
+    else MS_NN__FN(sums_typed)(job, row, sample, rows, 1, total);
 #if MS_NN__V_LANES == 1
     {
         size_t k, cols = job->m->cols;
@@ -6225,7 +6322,7 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
 #endif
 }
 
-/* Rows times one sample: MS_NN__W_ROWS at a time, or each alone where they come from memory (ms_nn__large). */
+/* Rows times one sample: each alone, or F32 by MS_NN__W_ROWS. */
 MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample)
 {
 #if MS_NN__W_ROWS > 1
@@ -6259,6 +6356,177 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
 #endif
     }
 }
+
+/* Where narrow weights are slow to widen, packed ones are at load, and those of a batch going back once for all of it; elsewhere they are in
+   registers, a form a type. */
+#if MS_NN__ISA == 1 || (MS_NN__ISA == 2 && defined(MS__X64))
+#define MS_NN__B_WIDEN 1
+#else
+#define MS_NN__B_WIDEN 0
+#endif
+
+/* Packed weights. An output is the sum over the first half of the columns plus that over the second, each from the left, whatever the tile; a
+   sample alone takes both at once, for more sums that do not wait for each other. */
+#if MS_NN__V_LANES == 1
+#define MS_NN__P_STRIP 8
+MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t panel0, size_t panel1)
+{
+    const ms_nn__matrix *m = job->m;
+    size_t panel, b, half = (m->cols + 1) / 2, i, k, at;
+    for (panel = panel0; panel < panel1; ++panel)
+        for (b = 0; b < (size_t)job->batch; ++b)
+            for (i = 0; i < 16; i += 4) {
+                const float *w = (const float *)(const void *)m->packed.w + 16 * panel * m->cols + i, *x = job->x + b * m->cols;
+                float total[4] = {0, 0, 0, 0};
+                for (at = 0; at < m->cols; at = k) {
+                    float s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+                    for (k = at; k < ms_nn__min(at + half, m->cols); ++k, w += 16) {
+                        s0 += w[0] * x[k];
+                        s1 += w[1] * x[k];
+                        s2 += w[2] * x[k];
+                        s3 += w[3] * x[k];
+                    }
+                    total[0] += s0;
+                    total[1] += s1;
+                    total[2] += s2;
+                    total[3] += s3;
+                }
+                for (k = 0; k < 4; ++k) {
+                    size_t row = m->packed.first[2 * panel + i / 8] + i % 8 + k;
+                    if (row >= m->rows) continue;
+                    if (m->scale) total[k] *= ms_nn__float_at(m->scale, row);
+                    job->y[b * m->rows + row] = total[k] + (m->bias && !job->linear ? ms_nn__float_at(m->bias, row) : 0.0f);
+                }
+            }
+}
+#else
+#define MS_NN__P_STRIP MS_NN__V_LANES
+#if MS_NN__ISA == 4 || defined(MS__NEON)
+#define MS_NN__P_SAMPLES 6 /* sums of 4 strips times so many are the registers of a tile */
+#else
+#define MS_NN__P_SAMPLES 3
+#endif
+
+/* The sums of a tile, of the halves [strips][batch] each, into its outputs. */
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, size_t strip, size_t sample, int strips, int batch, const MS_NN__V_FLOATS *half0,
+                                                      const MS_NN__V_FLOATS *half1)
+{
+    const ms_nn__matrix *m = job->m;
+    int v, b;
+    for (v = 0; v < strips; ++v) {
+        size_t row = m->packed.first[strip + (size_t)v], n = ms_nn__min(m->rows - row, MS_NN__V_LANES);
+        float part[MS_NN__V_LANES], *y = job->y + sample * m->rows + row;
+        MS_NN__V_FLOATS scale = MS_NN__V_SET(1.0f), bias = MS_NN__V_SET(0.0f);
+        memset(part, 0, sizeof part);
+        if (m->scale) {
+            memcpy(part, m->scale + 4 * row, 4 * n);
+            scale = MS_NN__V_LOAD(part);
+        }
+        if (m->bias && !job->linear) {
+            memcpy(part, m->bias + 4 * row, 4 * n);
+            bias = MS_NN__V_LOAD(part);
+        }
+        for (b = 0; b < batch; ++b, y += m->rows) {
+            MS_NN__V_FLOATS value = MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]), scale, bias);
+            if (n == MS_NN__V_LANES) {
+                MS_NN__V_STORE(y, value);
+            } else {
+                MS_NN__V_STORE(part, value);
+                memcpy(y, part, 4 * n);
+            }
+        }
+    }
+}
+
+/* dtype, strips (4 or 2) and batch are constants. */
+MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t panel, size_t sample, ms_nn_dtype dtype, int strips, int batch)
+{
+    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = 2 * MS_NN__V_LANES * size, half = (cols + 1) / 2, k, end;
+    const unsigned char *w = job->m->packed.w + panel * cols * wide;
+    const float *x = job->x + sample * cols;
+    MS_NN__V_FLOATS total[2][4 * MS_NN__P_SAMPLES], s[4][MS_NN__P_SAMPLES], u, value[MS_NN__P_SAMPLES];
+    int v, b, h;
+    if (batch == 1) {
+        MS_NN__V_FLOATS t[4];
+        MS_NN__UNROLL
+        for (v = 0; v < strips; ++v) s[v][0] = t[v] = MS_NN__V_SET(0.0f);
+        for (k = 0; k < half; ++k) {
+            const unsigned char *p = w + k * wide;
+            value[0] = MS_NN__V_SET(x[k]);
+            MS_NN__UNROLL
+            for (v = 0; v < strips; ++v)
+                s[v][0] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)(v / 2) * cols * wide + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0], s[v][0]);
+            if (k + half == cols) break; /* the first half may have one more */
+            value[0] = MS_NN__V_SET(x[k + half]);
+            p += half * wide;
+            MS_NN__UNROLL
+            for (v = 0; v < strips; ++v)
+                t[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)(v / 2) * cols * wide + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0], t[v]);
+        }
+        MS_NN__UNROLL
+        for (v = 0; v < strips; ++v) {
+            total[0][v] = s[v][0];
+            total[1][v] = t[v];
+        }
+    }
+    for (h = 0; batch > 1 && h < 2; ++h) {
+        MS_NN__UNROLL
+        for (v = 0; v < strips; ++v) {
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_SET(0.0f);
+        }
+        end = h ? cols : half;
+        for (k = h ? half : 0; k < end; ++k) {
+            const unsigned char *p = w + k * wide;
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
+            MS_NN__UNROLL
+            for (v = 0; v < strips; ++v) {
+                u = MS_NN__FN(weight)(p + (size_t)(v / 2) * cols * wide + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype);
+                MS_NN__V_KEEP(u);
+                MS_NN__UNROLL
+                for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_MADD(u, value[b], s[v][b]);
+            }
+        }
+        MS_NN__UNROLL
+        for (v = 0; v < strips; ++v) {
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) total[h][v * batch + b] = s[v][b];
+        }
+    }
+    MS_NN__FN(packed_end)(job, 2 * panel, sample, strips, batch, total[0], total[1]);
+}
+
+MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t panel, size_t sample, ms_nn_dtype dtype, int strips, int batch)
+{
+#if MS_NN__P_SAMPLES > 3
+    if (batch > 3) MS_NN__FN(packed_of)(job, panel, sample, dtype, 4, MS_NN__P_SAMPLES);
+    else
+#endif
+    if (strips == 4 && batch == 3) MS_NN__FN(packed_of)(job, panel, sample, dtype, 4, 3);
+    else if (strips == 4) MS_NN__FN(packed_of)(job, panel, sample, dtype, 4, 1);
+    else if (batch == 3) MS_NN__FN(packed_of)(job, panel, sample, dtype, 2, 3);
+    else MS_NN__FN(packed_of)(job, panel, sample, dtype, 2, 1);
+}
+
+MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t panel0, size_t panel1)
+{
+    size_t panel, b, batch = (size_t)job->batch;
+    int strips, together;
+    for (panel = panel0; panel < panel1; panel += 2) {
+        strips = panel + 2 <= panel1 ? 4 : 2;
+        for (b = 0; b < batch; b += (size_t)together) {
+            together = batch - b >= MS_NN__P_SAMPLES && strips == 4 ? MS_NN__P_SAMPLES : batch - b >= 3 ? 3 : 1;
+#if !MS_NN__B_WIDEN
+            if (job->m->packed.dtype == MS_NN_F16) MS_NN__FN(packed_typed)(job, panel, b, MS_NN_F16, strips, together);
+            else if (job->m->packed.dtype == MS_NN_BF16) MS_NN__FN(packed_typed)(job, panel, b, MS_NN_BF16, strips, together);
+            else
+#endif
+            MS_NN__FN(packed_typed)(job, panel, b, MS_NN_F32, strips, together);
+        }
+    }
+}
+#endif
 
 /* out_b += g_b,0 w_0 + ... + g_b,3 w_3 over n columns, the rows in order, for `batch` samples, `stride` apart. */
 MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy_rest)(const unsigned char *const *w, ms_nn_dtype dtype, const float *g, float *out, size_t k, size_t n)
@@ -6305,13 +6573,6 @@ MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float
     }
     for (b = 0; k < n && b < batch; ++b) MS_NN__FN(axpy_rest)(w, dtype, g + (size_t)b * g_stride, out + (size_t)b * stride, k, n);
 }
-
-/* Where narrow weights are slow to widen, those of a batch are, once for all of it; elsewhere they are in registers, a form a type. */
-#if MS_NN__ISA == 1 || (MS_NN__ISA == 2 && defined(MS__X64))
-#define MS_NN__B_WIDEN 1
-#else
-#define MS_NN__B_WIDEN 0
-#endif
 
 MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
@@ -6853,7 +7114,7 @@ MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double fac
 #endif
 #if MS_NN__ISA == 5
 static const ms_nn__kernels ms_nn__table_avx512vnni = {
-    MS_NN__V_BLOCK, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
+    MS_NN__V_BLOCK, 16, 0, ms_nn__packed_avx512, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
     ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512 MS_NN__D_KERNELS(avx512)};
 #else
 #if MS_NN__ISA == 4
@@ -6862,7 +7123,7 @@ static const ms_nn__kernels ms_nn__table_avx512vnni = {
 #define MS_NN__INT8 MS_NN__FN(dense_int8)
 #endif
 static const ms_nn__kernels MS_NN__FN(table) = {
-    MS_NN__V_BLOCK, MS_NN__FN(dense), MS_NN__INT8, MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
+    MS_NN__V_BLOCK, MS_NN__P_STRIP, MS_NN__B_WIDEN, MS_NN__FN(packed), MS_NN__FN(dense), MS_NN__INT8, MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
     MS_NN__FN(derive), MS_NN__FN(pool2) MS_NN__D_KERNELS(MS_NN__LEVEL)};
 #endif
 
@@ -6888,6 +7149,8 @@ static const ms_nn__kernels MS_NN__FN(table) = {
 #undef MS_NN__B_DOT
 #undef MS_NN__B_PART
 #undef MS_NN__B_WIDEN
+#undef MS_NN__P_STRIP
+#undef MS_NN__P_SAMPLES
 #undef MS_NN__B_ASK
 #undef MS_NN__V_MAX_NAN
 #undef MS_NN__V_PAIR_MAX
