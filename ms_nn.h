@@ -90,17 +90,18 @@
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights, float copies
-   of F64 and of folded dense weights, nothing else of the weights. The products allocate nothing when they are given a
-   workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples or directions: more run in blocks. Stack: below
+   A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights and of dense
+   layers of up to two million weights and 4096 inputs, the first eight million of a network; float copies of F64 and of folded
+   dense weights. Larger layers are read where they lie. The products allocate nothing when they are given a
+   workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples or directions at most: more run in blocks. Stack: below
    32 kB, 64 kB when compiled without optimisation.
    No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ. options.parallel
    takes a thread pool; the work is cut by the problem alone.
    SSE2, AVX2, AVX-512 (with VNNI where there is) and NEON, chosen at load, capped by options.simd. MS_NO_SIMD: plain C.
    At one level the same bits for any number of threads, and for a sample alone or in a batch. Dense layers of I8
-   with over two million weights are summed in integers and equal at every level; all else agrees within the error below.
+   that are not packed are summed in integers and equal at every level; all else agrees within the error below.
    Arithmetic is in floats: about 1e-6 of the largest output against double precision for the networks above, at most 1e-5 in
-   the tests. Those large I8 layers take their input in 21-bit fixed point: 5e-7 of its largest element. The collapse is in double.
+   the tests. Those I8 layers take their input in 21-bit fixed point: 5e-7 of its largest element. The collapse is in double.
    Every call that can fail returns a status; loaders also fill an ms_error with a byte offset and a sentence. On failure
    outputs are untouched. Weights and inputs that are NaN or infinite run through (ms_nn_check_weights finds them).
    -ffast-math voids what is said of bits, NaN and infinity; the rest holds to rounding.
@@ -289,7 +290,7 @@ typedef struct ms_nn_entry {
 /* Zero for every default; ms_nn_defaults() returns that. */
 typedef struct ms_nn_options {
     int allow_trailing;       /* non-zero: bytes behind the last tensor are ignored; 0: refused */
-    int no_folds;             /* non-zero: the layers run as they are written; nothing of a dense layer is read at load */
+    int no_folds;             /* non-zero: the layers run as they are written */
     ms_simd simd;             /* the fastest level to use; MS_SIMD_AUTO (0): what the processor has */
     size_t max_header_bytes;  /* 0: MS_NN_MAX_HEADER; a longer header is refused */
     size_t max_memory_bytes;  /* largest single allocation; 0: no cap. Over it: MS_OUT_OF_MEMORY */
@@ -363,8 +364,8 @@ typedef struct ms_nn_layer {
 } ms_nn_layer;
 
 /* Makes a network of a safetensors file with a layer list (grammar in the head comment).
-   bytes    [size] must outlive *nn: F32, F16, BF16 and I8 weights of dense layers are used where they lie (on
-            little-endian hosts); F64 and all weights of convolutions are copied as floats
+   bytes    [size] must outlive *nn, unchanged: F32, F16, BF16 and I8 weights of dense layers are used where they lie (on
+            little-endian hosts), of smaller ones a packed copy too; F64 and all weights of convolutions are copied as floats
    *nn      out; ms_nn_destroy releases it; untouched on failure
    error    NULL or filled on failure; position: byte in the file, or 0
    Folds (options->no_folds): upsample1d before conv1d and upsample1d/2d before flatten + dense of F32 or F64.
@@ -1121,6 +1122,11 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 /* Files are little-endian; these read any alignment on any host. */
 static uint32_t ms_nn__u16(const unsigned char *p) { return (uint32_t)p[0] | (uint32_t)p[1] << 8; }
 static uint32_t ms_nn__u32(const unsigned char *p) { return ms_nn__u16(p) | ms_nn__u16(p + 2) << 16; }
+static void ms_nn__put_u16(unsigned char *p, uint32_t value)
+{
+    p[0] = (unsigned char)value;
+    p[1] = (unsigned char)(value >> 8);
+}
 static uint64_t ms_nn__u64(const unsigned char *p) { return (uint64_t)ms_nn__u32(p) | (uint64_t)ms_nn__u32(p + 4) << 32; }
 
 #ifndef MS_NN__BIG_ENDIAN /* the tests define it as 1 to run the copying path on any host */
@@ -2244,21 +2250,15 @@ typedef struct ms_nn__dims {
 
 static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
 
-/* A matrix that a cache may hold, once more, as the level in use likes it: panels of two strips of rows, [panel][column][row of the panel].
-   A strip is a vector of outputs. Rows of zeros are in none, or behind the last in a strip; strips are in the order of their rows. */
-typedef struct ms_nn__packed {
-    const unsigned char *w; /* 64-byte aligned */
-    const size_t *first;    /* [2 panels] the row that a strip begins with; the number of rows where there is none */
-    size_t panels;          /* at least 1 */
-    ms_nn_dtype dtype;
-} ms_nn__packed;
-
-/* A dense layer's matrix where it lies. Rows are cols elements long without padding. */
+/* A dense layer's matrix where it lies. Rows are cols elements long without padding. One that a cache may hold is there once more, as the
+   level in use likes it: in panels of two vectors of rows, [panel][column][row of the panel], zeros behind the last row. The last of an odd number of panels
+   is of floats. */
 typedef struct ms_nn__matrix {
     const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
     ms_nn_dtype dtype;                     /* F32, F16, BF16, I8 */
     size_t rows, cols;
-    ms_nn__packed packed;                  /* w NULL: none */
+    const unsigned char *packed;           /* 64-byte aligned; NULL: not packed */
+    ms_nn_dtype packed_dtype;
 } ms_nn__matrix;
 
 /* A correlation with its weights packed for the level in use: [block of outputs][in channel][tap][output of the block].
@@ -3154,7 +3154,7 @@ typedef struct ms_nn__dense {
     int linear;          /* no bias, no activation: products with directions */
     ms_nn__activation activation;
     float alpha;
-    size_t chunk_rows, chunk_cols, col_chunks; /* of a task; of packed weights chunk_rows counts panels */
+    size_t chunk_rows, chunk_cols, col_chunks; /* of a task */
     int singly;          /* row by row, as memory likes it, not by tiles */
     const struct ms_nn__digits *digits;        /* [batch], large I8 only */
     const struct ms_nn__kernels *kernels;
@@ -3192,9 +3192,9 @@ typedef struct ms_nn__conv_job {
 /* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
 typedef struct ms_nn__kernels {
     size_t block; /* outputs that a convolution computes together */
-    size_t strip; /* rows of a strip of packed weights */
+    size_t panel; /* rows of a panel of packed weights */
     int widen;    /* packed weights are floats, whatever they were */
-    void (*packed)(const ms_nn__dense *job, size_t panel0, size_t panel1);
+    void (*packed)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out);
@@ -3224,54 +3224,34 @@ static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->b
    in integers, faster than it is widened. Nothing here depends on the batch, so that bits do not. 0: no memory. */
 static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
 {
-    size_t strip = nn->kernels->strip, size = ms_nn__bytes_of(m->dtype), strips = 0, row, k, i;
+    size_t panel = nn->kernels->panel, row0, row, k;
     ms_nn_dtype dtype = nn->kernels->widen ? MS_NN_F32 : m->dtype == MS_NN_I8 ? MS_NN_F16 : m->dtype;
-    size_t *first;
     unsigned char *w;
+    m->packed = NULL;
+    m->packed_dtype = dtype;
     if (m->cols > 4096 || m->rows > 2000000 / m->cols || nn->packed + m->rows * m->cols > 8000000) return 1;
-    first = (size_t *)ms_nn__hold(nn, m->rows / strip + 3, sizeof *first);
-    if (first == NULL) return 0;
-    for (row = 0; row < m->rows;) {
-        const unsigned char *from = m->w + row * m->cols * size;
-        for (i = 0; i < m->cols * size && from[i] == 0; ++i) {}
-        if (i == m->cols * size) {
-            ++row;
-            continue;
-        }
-        first[strips++] = row;
-        row += strip;
-    }
-    while (strips == 0 || strips % 2) first[strips++] = m->rows;
-    size = ms_nn__bytes_of(dtype);
-    w = (unsigned char *)ms_nn__hold(nn, ms__size_mul(strips * strip, m->cols), size);
+    m->packed = w = (unsigned char *)ms_nn__hold(nn, m->rows * ms_nn__bytes_of(dtype) + 4 * panel, m->cols);
     if (w == NULL) return 0;
-    m->packed.w = w;
-    m->packed.first = first;
-    m->packed.panels = strips / 2;
-    m->packed.dtype = dtype;
     nn->packed += m->rows * m->cols;
-    for (i = 0; i < strips; i += 2)
+    for (row0 = 0; row0 < m->rows; row0 += panel) {
+        if (row0 / panel % 2 == 0 && row0 + panel >= m->rows) dtype = MS_NN_F32;
         for (k = 0; k < m->cols; ++k)
-            for (row = 0; row < 2 * strip; ++row, w += size) {
-                size_t from = first[i + row / strip] + row % strip;
-                uint32_t value;
-                if (from >= m->rows) {
-                    memset(w, 0, size);
-                    continue;
-                }
-                from = from * m->cols + k;
-                if (dtype == m->dtype) {
-                    if (size == 2) memcpy(w, m->w + 2 * from, 2);
-                    else memcpy(w, m->w + 4 * from, 4);
-                } else if (dtype == MS_NN_F16) {
-                    value = ms__half_from_float((float)(signed char)m->w[from]);
-                    w[0] = (unsigned char)value;
-                    w[1] = (unsigned char)(value >> 8);
+            for (row = row0; row < row0 + panel; ++row, w += ms_nn__bytes_of(dtype)) {
+                size_t from = row * m->cols + k;
+                float value;
+                if (row >= m->rows) {
+                    memset(w, 0, ms_nn__bytes_of(dtype));
+                } else if (dtype != m->dtype) {
+                    value = (float)ms_nn__element(m->w, m->dtype, from);
+                    if (dtype == MS_NN_F32) memcpy(w, &value, 4);
+                    else ms_nn__put_u16(w, ms__half_from_float(value));
+                } else if (dtype == MS_NN_F32) {
+                    memcpy(w, m->w + 4 * from, 4);
                 } else {
-                    float wide = (float)ms_nn__element(m->w, m->dtype, from);
-                    memcpy(w, &wide, sizeof wide);
+                    memcpy(w, m->w + 2 * from, 2);
                 }
             }
+    }
     return 1;
 }
 
@@ -3297,7 +3277,8 @@ static void ms_nn__dense_task(void *context, int index)
     const ms_nn__dense *job = (const ms_nn__dense *)context;
     size_t row0 = (size_t)index * job->chunk_rows, row1 = ms_nn__min(row0 + job->chunk_rows, job->m->rows);
     int b;
-    if (job->digits) job->kernels->dense_int8(job, row0, row1);
+    if (job->m->packed) job->kernels->packed(job, row0, row1);
+    else if (job->digits) job->kernels->dense_int8(job, row0, row1);
     else job->kernels->dense(job, row0, row1);
     if (!job->linear && job->activation != MS_NN__LINEAR)
         for (b = 0; b < job->batch; ++b)
@@ -3357,28 +3338,6 @@ static void ms_nn__digits_make(ms_nn__digits *digits, signed char *d, int32_t *s
     }
 }
 
-/* Panels of a packed matrix times all samples, and the rows of zeros before and behind their strips. */
-static void ms_nn__packed_task(void *context, int index)
-{
-    const ms_nn__dense *job = (const ms_nn__dense *)context;
-    const ms_nn__matrix *m = job->m;
-    const size_t *first = m->packed.first;
-    size_t panel = (size_t)index * job->chunk_rows, last = ms_nn__min(panel + job->chunk_rows, m->packed.panels), row0 = panel ? first[2 * panel] : 0;
-    size_t row1 = last < m->packed.panels ? first[2 * last] : m->rows, row, end, s, b;
-    for (b = 0; b < (size_t)job->batch; ++b) {
-        float *y = job->y + b * m->rows;
-        for (row = row0, s = 2 * panel; s <= 2 * last; ++s) {
-            end = s < 2 * last ? first[s] : row1;
-            if (end > row && m->bias && !job->linear) memcpy(y + row, m->bias + 4 * row, 4 * (end - row));
-            else if (end > row) memset(y + row, 0, 4 * (end - row));
-            row = end + job->kernels->strip;
-        }
-    }
-    job->kernels->packed(job, panel, last);
-    if (!job->linear && job->activation != MS_NN__LINEAR)
-        for (b = 0; b < (size_t)job->batch; ++b) job->kernels->activate(job->y + b * m->rows + row0, row1 - row0, job->activation, job->alpha);
-}
-
 static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y, int linear, void *scratch)
 {
     const ms_nn__matrix *m = &op->matrix;
@@ -3392,15 +3351,8 @@ static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, co
     job.activation = op->activation;
     job.alpha = op->alpha;
     job.kernels = nn->kernels;
-    if (m->packed.w) { /* two panels at a time, and of a large batch so few that several threads find some */
-        size_t panel = 2 * nn->kernels->strip * m->cols;
-        job.chunk_rows = MS_NN__TASK_BYTES / (panel * ms_nn__bytes_of(m->packed.dtype)) + 1;
-        job.chunk_rows = (ms_nn__min(job.chunk_rows, MS_NN__TASK_PRODUCTS / (panel * (size_t)batch) + 1) + 1) / 2 * 2;
-        ms_nn__chunks(nn, m->packed.panels, &job.chunk_rows, ms_nn__packed_task, &job);
-        return;
-    }
     job.singly = !(nn->row_tiles && m->dtype == MS_NN_F32);
-    if (m->dtype == MS_NN_I8) {
+    if (m->dtype == MS_NN_I8 && m->packed == NULL) {
         size_t n = (size_t)batch, wide = ms_nn__digit_cols(m->cols), runs = ms_nn__digit_runs(m->cols), b;
         signed char *d = (signed char *)scratch; /* 64-byte aligned, as each digit's row is */
         ms_nn__digits *digits = (ms_nn__digits *)(void *)(d + 3 * wide * n);
@@ -3410,9 +3362,9 @@ static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, co
         job.digits = digits;
     }
     job.chunk_rows = MS_NN__TASK_BYTES / (m->cols * (size_t)(ms_nn__bits(m->dtype) / 8)) + 1;
-    if (batch > 1) { /* whole tiles of rows, and of a large batch so few that several threads find some */
-        size_t most = MS_NN__TASK_PRODUCTS / (m->cols * (size_t)batch) + 1;
-        job.chunk_rows = (ms_nn__min(job.chunk_rows, most) + 15) / 16 * 16;
+    if (batch > 1 || m->packed) { /* whole tiles of rows, and of a large batch so few that several threads find some */
+        size_t most = MS_NN__TASK_PRODUCTS / (m->cols * (size_t)batch) + 1, tile = m->packed ? 2 * nn->kernels->panel : 16;
+        job.chunk_rows = (ms_nn__min(job.chunk_rows, most) + tile - 1) / tile * tile;
     }
     ms_nn__chunks(nn, m->rows, &job.chunk_rows, ms_nn__dense_task, &job);
 }
@@ -3860,7 +3812,7 @@ static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn, size_t count, int
     for (k = 0; k < nn->ops; ++k) {
         const ms_nn__op *op = &nn->op[k];
         if (op->step == MS_NN__DO_DENSE) {
-            if (op->matrix.dtype == MS_NN_I8 && op->matrix.packed.w == NULL) {
+            if (op->matrix.dtype == MS_NN_I8 && op->matrix.packed == NULL) {
                 need = ms_nn__digits_size(op->matrix.cols, count);
                 if (need > most) most = need;
             }
@@ -3905,6 +3857,7 @@ static MS_NN__COLD size_t ms_nn__together(const ms_nn *nn, ms_nn_product product
     }
     n = (convolutions ? 131072u : 4194304u) / (floats + 1) / 12 * 12;
     if (n > 48) n = 48;
+    if (n > 12 && nn->channels > 1) n = 12;
     return n > 0 ? n : convolutions && dense < 2000000 ? 1 : 12; /* large weights are better read for several */
 }
 
@@ -6077,6 +6030,13 @@ MS_NN__KERNEL void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, s
 #define MS_NN__V_KEEP(v) ((void)0)
 #endif
 
+/* Where narrow weights are slow to widen, packed ones are at load. */
+#if MS_NN__ISA == 1 || (MS_NN__ISA == 2 && defined(MS__X64))
+#define MS_NN__B_WIDEN 1
+#else
+#define MS_NN__B_WIDEN 0
+#endif
+
 /* MS_NN__V_LANES weights of a type that is a constant where this is inlined. */
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
 {
@@ -6292,7 +6252,7 @@ MS_NN__INLINE void MS_NN__FN(sums_typed)(const ms_nn__dense *job, size_t row, si
     else MS_NN__FN(sums)(job, row, sample, MS_NN_BF16, rows, batch, total);
 }
 
-#if MS_NN__V_LANES > 1
+#if !MS_NN__B_WIDEN
 /* MS_NN__W_ROWS rows times three samples. */
 MS_NN__KERNEL MS_NN__APART void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
 {
@@ -6342,8 +6302,8 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
             for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row0, row1, b);
             continue;
         }
-#if MS_NN__V_LANES == 1
-        for (row = row0; row < row1; row = next) { /* plain C: compilers make vectors of one sample's chains */
+#if MS_NN__B_WIDEN
+        for (row = row0; row < row1; row = next) { /* plain C: compilers make vectors of one sample's chains; SSE2: for the size */
             next = ms_nn__min(row + 8, row1);
             for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row, next, b);
         }
@@ -6357,121 +6317,106 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
     }
 }
 
-/* Where narrow weights are slow to widen, packed ones are at load, and those of a batch going back once for all of it; elsewhere they are in
-   registers, a form a type. */
-#if MS_NN__ISA == 1 || (MS_NN__ISA == 2 && defined(MS__X64))
-#define MS_NN__B_WIDEN 1
-#else
-#define MS_NN__B_WIDEN 0
-#endif
-
 /* Packed weights. An output is the sum over the first half of the columns plus that over the second, each from the left, whatever the tile; a
    sample alone takes both at once, for more sums that do not wait for each other. */
 #if MS_NN__V_LANES == 1
-#define MS_NN__P_STRIP 8
-MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t panel0, size_t panel1)
+#define MS_NN__P_ROWS 4
+MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
     const ms_nn__matrix *m = job->m;
-    size_t panel, b, half = (m->cols + 1) / 2, i, k, at;
-    for (panel = panel0; panel < panel1; ++panel)
-        for (b = 0; b < (size_t)job->batch; ++b)
-            for (i = 0; i < 16; i += 4) {
-                const float *w = (const float *)(const void *)m->packed.w + 16 * panel * m->cols + i, *x = job->x + b * m->cols;
-                float total[4] = {0, 0, 0, 0};
-                for (at = 0; at < m->cols; at = k) {
-                    float s0 = 0, s1 = 0, s2 = 0, s3 = 0;
-                    for (k = at; k < ms_nn__min(at + half, m->cols); ++k, w += 16) {
-                        s0 += w[0] * x[k];
-                        s1 += w[1] * x[k];
-                        s2 += w[2] * x[k];
-                        s3 += w[3] * x[k];
-                    }
-                    total[0] += s0;
-                    total[1] += s1;
-                    total[2] += s2;
-                    total[3] += s3;
+    size_t row, b, half = (m->cols + 1) / 2, k, at;
+    for (row = row0; row < row1; row += 4)
+        for (b = 0; b < (size_t)job->batch; ++b) {
+            const float *w = (const float *)(const void *)m->packed + row * m->cols, *x = job->x + b * m->cols;
+            float total[4] = {0, 0, 0, 0};
+            for (at = 0; at < m->cols; at = k) {
+                float s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+                for (k = at; k < ms_nn__min(at + half, m->cols); ++k, w += 4) {
+                    s0 += w[0] * x[k];
+                    s1 += w[1] * x[k];
+                    s2 += w[2] * x[k];
+                    s3 += w[3] * x[k];
                 }
-                for (k = 0; k < 4; ++k) {
-                    size_t row = m->packed.first[2 * panel + i / 8] + i % 8 + k;
-                    if (row >= m->rows) continue;
-                    if (m->scale) total[k] *= ms_nn__float_at(m->scale, row);
-                    job->y[b * m->rows + row] = total[k] + (m->bias && !job->linear ? ms_nn__float_at(m->bias, row) : 0.0f);
-                }
+                total[0] += s0;
+                total[1] += s1;
+                total[2] += s2;
+                total[3] += s3;
             }
+            for (k = 0; k < ms_nn__min(4, m->rows - row); ++k) {
+                if (m->scale) total[k] *= ms_nn__float_at(m->scale, row + k);
+                job->y[b * m->rows + row + k] = total[k] + (m->bias && !job->linear ? ms_nn__float_at(m->bias, row + k) : 0.0f);
+            }
+        }
 }
 #else
-#define MS_NN__P_STRIP MS_NN__V_LANES
+#define MS_NN__P_ROWS (2 * MS_NN__V_LANES)
 #if MS_NN__ISA == 4 || defined(MS__NEON)
-#define MS_NN__P_SAMPLES 6 /* sums of 4 strips times so many are the registers of a tile */
+#define MS_NN__P_SAMPLES 6 /* sums of 4 vectors times so many are the registers of a tile */
 #else
 #define MS_NN__P_SAMPLES 3
 #endif
 
-/* The sums of a tile, of the halves [strips][batch] each, into its outputs. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, size_t strip, size_t sample, int strips, int batch, const MS_NN__V_FLOATS *half0,
-                                                      const MS_NN__V_FLOATS *half1)
+/* The sums of a tile, of the halves [vectors][batch] each, into its outputs. */
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, size_t row, size_t sample, int vectors, int batch,
+                                                      const MS_NN__V_FLOATS *half0, const MS_NN__V_FLOATS *half1)
 {
     const ms_nn__matrix *m = job->m;
+    size_t i;
     int v, b;
-    for (v = 0; v < strips; ++v) {
-        size_t row = m->packed.first[strip + (size_t)v], n = ms_nn__min(m->rows - row, MS_NN__V_LANES);
+    for (v = 0; v < vectors && row < m->rows; ++v, row += MS_NN__V_LANES) {
+        size_t n = m->rows - row;
         float part[MS_NN__V_LANES], *y = job->y + sample * m->rows + row;
         MS_NN__V_FLOATS scale = MS_NN__V_SET(1.0f), bias = MS_NN__V_SET(0.0f);
-        memset(part, 0, sizeof part);
-        if (m->scale) {
-            memcpy(part, m->scale + 4 * row, 4 * n);
-            scale = MS_NN__V_LOAD(part);
-        }
-        if (m->bias && !job->linear) {
-            memcpy(part, m->bias + 4 * row, 4 * n);
-            bias = MS_NN__V_LOAD(part);
-        }
-        for (b = 0; b < batch; ++b, y += m->rows) {
-            MS_NN__V_FLOATS value = MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]), scale, bias);
-            if (n == MS_NN__V_LANES) {
-                MS_NN__V_STORE(y, value);
-            } else {
-                MS_NN__V_STORE(part, value);
-                memcpy(y, part, 4 * n);
+        if (n < MS_NN__V_LANES) { /* what is behind the last row stays as it is */
+            for (i = 0; i < n; ++i) {
+                float one = m->scale ? ms_nn__float_at(m->scale, row + i) : 1.0f, plus = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + i) : 0.0f;
+                for (b = 0; b < batch; ++b) {
+                    MS_NN__V_STORE(part, MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]), MS_NN__V_SET(one), MS_NN__V_SET(plus)));
+                    y[(size_t)b * m->rows + i] = part[i];
+                }
             }
+            return;
         }
+        if (m->scale) scale = MS_NN__V_LOAD(m->scale + 4 * row);
+        if (m->bias && !job->linear) bias = MS_NN__V_LOAD(m->bias + 4 * row);
+        for (b = 0; b < batch; ++b, y += m->rows) MS_NN__V_STORE(y, MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]), scale, bias));
     }
 }
 
-/* dtype, strips (4 or 2) and batch are constants. */
-MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t panel, size_t sample, ms_nn_dtype dtype, int strips, int batch)
+/* dtype, vectors (4 or 2) and batch are constants. */
+MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int vectors, int batch)
 {
     size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = 2 * MS_NN__V_LANES * size, half = (cols + 1) / 2, k, end;
-    const unsigned char *w = job->m->packed.w + panel * cols * wide;
+    const unsigned char *w = job->m->packed + row * cols * ms_nn__bytes_of(job->m->packed_dtype);
     const float *x = job->x + sample * cols;
     MS_NN__V_FLOATS total[2][4 * MS_NN__P_SAMPLES], s[4][MS_NN__P_SAMPLES], u, value[MS_NN__P_SAMPLES];
     int v, b, h;
     if (batch == 1) {
         MS_NN__V_FLOATS t[4];
         MS_NN__UNROLL
-        for (v = 0; v < strips; ++v) s[v][0] = t[v] = MS_NN__V_SET(0.0f);
+        for (v = 0; v < vectors; ++v) s[v][0] = t[v] = MS_NN__V_SET(0.0f);
         for (k = 0; k < half; ++k) {
             const unsigned char *p = w + k * wide;
             value[0] = MS_NN__V_SET(x[k]);
             MS_NN__UNROLL
-            for (v = 0; v < strips; ++v)
+            for (v = 0; v < vectors; ++v)
                 s[v][0] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)(v / 2) * cols * wide + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0], s[v][0]);
             if (k + half == cols) break; /* the first half may have one more */
             value[0] = MS_NN__V_SET(x[k + half]);
             p += half * wide;
             MS_NN__UNROLL
-            for (v = 0; v < strips; ++v)
+            for (v = 0; v < vectors; ++v)
                 t[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)(v / 2) * cols * wide + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0], t[v]);
         }
         MS_NN__UNROLL
-        for (v = 0; v < strips; ++v) {
+        for (v = 0; v < vectors; ++v) {
             total[0][v] = s[v][0];
             total[1][v] = t[v];
         }
     }
     for (h = 0; batch > 1 && h < 2; ++h) {
         MS_NN__UNROLL
-        for (v = 0; v < strips; ++v) {
+        for (v = 0; v < vectors; ++v) {
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_SET(0.0f);
         }
@@ -6481,7 +6426,7 @@ MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t panel, s
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
             MS_NN__UNROLL
-            for (v = 0; v < strips; ++v) {
+            for (v = 0; v < vectors; ++v) {
                 u = MS_NN__FN(weight)(p + (size_t)(v / 2) * cols * wide + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype);
                 MS_NN__V_KEEP(u);
                 MS_NN__UNROLL
@@ -6489,40 +6434,39 @@ MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t panel, s
             }
         }
         MS_NN__UNROLL
-        for (v = 0; v < strips; ++v) {
+        for (v = 0; v < vectors; ++v) {
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) total[h][v * batch + b] = s[v][b];
         }
     }
-    MS_NN__FN(packed_end)(job, 2 * panel, sample, strips, batch, total[0], total[1]);
+    MS_NN__FN(packed_end)(job, row, sample, vectors, batch, total[0], total[1]);
 }
 
-MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t panel, size_t sample, ms_nn_dtype dtype, int strips, int batch)
+MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int batch)
 {
 #if MS_NN__P_SAMPLES > 3
-    if (batch > 3) MS_NN__FN(packed_of)(job, panel, sample, dtype, 4, MS_NN__P_SAMPLES);
+    if (batch > 3) MS_NN__FN(packed_of)(job, row, sample, dtype, 4, MS_NN__P_SAMPLES);
     else
 #endif
-    if (strips == 4 && batch == 3) MS_NN__FN(packed_of)(job, panel, sample, dtype, 4, 3);
-    else if (strips == 4) MS_NN__FN(packed_of)(job, panel, sample, dtype, 4, 1);
-    else if (batch == 3) MS_NN__FN(packed_of)(job, panel, sample, dtype, 2, 3);
-    else MS_NN__FN(packed_of)(job, panel, sample, dtype, 2, 1);
+    if (batch == 3) MS_NN__FN(packed_of)(job, row, sample, dtype, 4, 3);
+    else MS_NN__FN(packed_of)(job, row, sample, dtype, 4, 1);
 }
 
-MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t panel0, size_t panel1)
+MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
-    size_t panel, b, batch = (size_t)job->batch;
-    int strips, together;
-    for (panel = panel0; panel < panel1; panel += 2) {
-        strips = panel + 2 <= panel1 ? 4 : 2;
+    size_t row, b, batch = (size_t)job->batch;
+    int together;
+    for (row = row0; row < row1; row += 2 * MS_NN__P_ROWS) {
+        int pair = row + MS_NN__P_ROWS < row1;
         for (b = 0; b < batch; b += (size_t)together) {
-            together = batch - b >= MS_NN__P_SAMPLES && strips == 4 ? MS_NN__P_SAMPLES : batch - b >= 3 ? 3 : 1;
+            together = batch - b >= MS_NN__P_SAMPLES && pair ? MS_NN__P_SAMPLES : batch - b >= 3 ? 3 : 1;
+            if (!pair && together == 3) MS_NN__FN(packed_of)(job, row, b, MS_NN_F32, 2, 3);
+            else if (!pair) MS_NN__FN(packed_of)(job, row, b, MS_NN_F32, 2, 1);
 #if !MS_NN__B_WIDEN
-            if (job->m->packed.dtype == MS_NN_F16) MS_NN__FN(packed_typed)(job, panel, b, MS_NN_F16, strips, together);
-            else if (job->m->packed.dtype == MS_NN_BF16) MS_NN__FN(packed_typed)(job, panel, b, MS_NN_BF16, strips, together);
-            else
+            else if (job->m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_F16, together);
+            else if (job->m->packed_dtype == MS_NN_BF16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_BF16, together);
 #endif
-            MS_NN__FN(packed_typed)(job, panel, b, MS_NN_F32, strips, together);
+            else MS_NN__FN(packed_typed)(job, row, b, MS_NN_F32, together);
         }
     }
 }
@@ -6576,7 +6520,7 @@ MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float
 
 MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
-    if (batch == 3 && (dtype == MS_NN_F32 || !MS_NN__B_WIDEN)) MS_NN__FN(axpy_of)(w, g, g_stride, out, stride, n, dtype, 3);
+    if (batch == 3 && dtype == MS_NN_F32) MS_NN__FN(axpy_of)(w, g, g_stride, out, stride, n, dtype, 3);
     else MS_NN__FN(axpy_of)(w, g, g_stride, out, stride, n, dtype, 1);
 }
 
@@ -6588,7 +6532,6 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, c
     else MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_I8, batch);
 }
 
-#if MS_NN__B_WIDEN || !defined(MS_NN_NO_COLLAPSE)
 /* n weights as floats. */
 MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
 {
@@ -6609,7 +6552,6 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(widen)(const unsigned char *p, size_t 
     else if (dtype == MS_NN_BF16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_BF16);
     else MS_NN__FN(widen_typed)(p, n, out, MS_NN_I8);
 }
-#endif
 
 /* Four rows times the samples [b0, b1). Rows behind the last are zeros, whose n is at most MS_NN__WIDE. Of a batch n is at most
    MS_NN__COLS. */
@@ -6618,22 +6560,18 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, si
     const ms_nn__matrix *m = job->m;
     size_t cols = m->cols, b;
     float g[3][4], scale[4];
-#if MS_NN__B_WIDEN
-    float wide[4][MS_NN__COLS];
-#endif
+    float wide[4][MS_NN__COLS]; /* narrow weights are widened once for all samples */
     const unsigned char *w[4];
-    ms_nn_dtype dtype = MS_NN__B_WIDEN && b1 - b0 >= 3 ? MS_NN_F32 : m->dtype;
+    ms_nn_dtype dtype = b1 - b0 >= 3 ? MS_NN_F32 : m->dtype;
     int r, i, together;
     for (r = 0; r < 4; ++r) {
         int real = row + (size_t)r < last;
         w[r] = real ? m->w + ((row + (size_t)r) * cols + at) * ms_nn__bytes_of(m->dtype) : (const unsigned char *)ms_nn__zeros;
         scale[r] = real && m->dtype == MS_NN_I8 ? ms_nn__float_at(m->scale, row + (size_t)r) : 1.0f;
-#if MS_NN__B_WIDEN
         if (real && dtype != m->dtype) {
             MS_NN__FN(widen)(w[r], n, wide[r], m->dtype);
             w[r] = (const unsigned char *)wide[r];
         }
-#endif
     }
     for (b = b0; b < b1; b += (size_t)together) {
         together = b1 - b >= 3 ? 3 : 1;
@@ -6926,7 +6864,7 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
     for (; j < n; ++j) y[j] = ms_nn__max_nan(ms_nn__max_nan(x[2 * j], x[2 * j + row]), ms_nn__max_nan(x[2 * j + 1], x[2 * j + row + 1]));
 }
 
-#ifndef MS_NN_NO_COLLAPSE
+#if !defined(MS_NN_NO_COLLAPSE) && !(MS_NN__ISA == 2 && defined(MS__X64)) /* SSE2 takes plain C's, for the size */
 /* --- double precision, for the collapse: vectors of MS_NN__D_LANES --- */
 
 #if MS_NN__ISA == 1
@@ -6938,15 +6876,6 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
 #define MS_NN__D_WIDEN(p) ((double)*(p))
 #define MS_NN__D_MUL(a, b) ((a) * (b))
 #define MS_NN__D_MADD(a, b, c) ((a) * (b) + (c))
-#elif MS_NN__ISA == 2 && defined(MS__X64)
-#define MS_NN__D_LANES 2
-#define MS_NN__D_DOUBLES __m128d
-#define MS_NN__D_LOAD(p) _mm_loadu_pd(p)
-#define MS_NN__D_STORE(p, v) _mm_storeu_pd(p, v)
-#define MS_NN__D_SET(x) _mm_set1_pd(x)
-#define MS_NN__D_WIDEN(p) _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
-#define MS_NN__D_MUL(a, b) _mm_mul_pd(a, b)
-#define MS_NN__D_MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
 #elif MS_NN__ISA == 2
 #define MS_NN__D_LANES 2
 #define MS_NN__D_DOUBLES float64x2_t
@@ -7114,7 +7043,7 @@ MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double fac
 #endif
 #if MS_NN__ISA == 5
 static const ms_nn__kernels ms_nn__table_avx512vnni = {
-    MS_NN__V_BLOCK, 16, 0, ms_nn__packed_avx512, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
+    MS_NN__V_BLOCK, 32, 0, ms_nn__packed_avx512, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
     ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512 MS_NN__D_KERNELS(avx512)};
 #else
 #if MS_NN__ISA == 4
@@ -7122,12 +7051,18 @@ static const ms_nn__kernels ms_nn__table_avx512vnni = {
 #else
 #define MS_NN__INT8 MS_NN__FN(dense_int8)
 #endif
+#if MS_NN__ISA == 2 && defined(MS__X64)
+#define MS_NN__DOUBLES scalar
+#else
+#define MS_NN__DOUBLES MS_NN__LEVEL
+#endif
 static const ms_nn__kernels MS_NN__FN(table) = {
-    MS_NN__V_BLOCK, MS_NN__P_STRIP, MS_NN__B_WIDEN, MS_NN__FN(packed), MS_NN__FN(dense), MS_NN__INT8, MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
-    MS_NN__FN(derive), MS_NN__FN(pool2) MS_NN__D_KERNELS(MS_NN__LEVEL)};
+    MS_NN__V_BLOCK, MS_NN__P_ROWS, MS_NN__B_WIDEN, MS_NN__FN(packed), MS_NN__FN(dense), MS_NN__INT8, MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
+    MS_NN__FN(derive), MS_NN__FN(pool2) MS_NN__D_KERNELS(MS_NN__DOUBLES)};
 #endif
 
 #undef MS_NN__D_KERNELS
+#undef MS_NN__DOUBLES
 #undef MS_NN__INT8
 #undef MS_NN__W_PART
 #undef MS_NN__V_KEEP
@@ -7149,7 +7084,7 @@ static const ms_nn__kernels MS_NN__FN(table) = {
 #undef MS_NN__B_DOT
 #undef MS_NN__B_PART
 #undef MS_NN__B_WIDEN
-#undef MS_NN__P_STRIP
+#undef MS_NN__P_ROWS
 #undef MS_NN__P_SAMPLES
 #undef MS_NN__B_ASK
 #undef MS_NN__V_MAX_NAN

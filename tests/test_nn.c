@@ -867,6 +867,65 @@ static void test_batches(void)
         }
 }
 
+/* Dense layers around the shapes of the kernels' tiles and of what is packed at load, at every level: sums against double precision within
+   the bound of any order of float sums, (n + 4) 2^-24 of the absolute products (I8 that is not packed: and 5e-7 of the largest input for
+   each weight, its fixed point); a batch has the bits of each alone, and nothing but the outputs is written. */
+static void test_dense_shapes(void)
+{
+    enum { COUNT = 13 };
+    static const int shapes[][2] = {{1, 1}, {1, 96}, {3, 2}, {4, 3}, {7, 5}, {8, 97}, {9, 64}, {16, 1}, {17, 33}, {31, 96}, {33, 7}, {63, 95}, {64, 40}, {65, 96}, {96, 384}, {127, 2},
+                                    {129, 31}, {200, 11}, {19, 4096}, {5, 4097}, {66, 5000}};
+    static const int counts[] = {1, 2, 3, 4, 6, 7, COUNT};
+    uint64_t state = test_seed + 22;
+    size_t k, c;
+    int t, level;
+    for (k = 0; k < sizeof shapes / sizeof shapes[0]; ++k)
+        for (t = 0; t < 5; ++t) {
+            size_t rows = (size_t)shapes[k][0], cols = (size_t)shapes[k][1], i, j, b;
+            float *x = (float *)malloc(COUNT * cols * sizeof(float));
+            ref_net net;
+            net_begin(&net, (ms_nn_dtype)t, 1, (int)cols, 1, 1);
+            net_dense(&net, (int)rows, 0);
+            net_end(&net, &state);
+            for (i = 0; i < COUNT * cols; ++i) x[i] = (float)test_normal(&state);
+            for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+                ms_nn *nn = net_load(&net, (ms_simd)level, 0);
+                float *alone = (float *)malloc(COUNT * rows * sizeof(float));
+                if (ms_nn_simd(nn) == (ms_simd)level)
+                    for (b = 0; b < COUNT; ++b) {
+                        double most = 0;
+                        CHECK_INT(ms_nn_forward(nn, 1, x + b * cols, alone + b * rows, NULL), MS_OK);
+                        for (j = 0; j < cols; ++j) most = fmax(most, fabs((double)x[b * cols + j]));
+                        for (i = 0; i < rows; ++i) {
+                            double sum = net.layer[0].b[i], size = fabs(sum), weights = 0;
+                            for (j = 0; j < cols; ++j) {
+                                double product = net.layer[0].w[i * cols + j] * (double)x[b * cols + j];
+                                sum += product;
+                                size += fabs(product);
+                                weights += fabs(net.layer[0].w[i * cols + j]);
+                            }
+                            CHECK_NEAR(alone[b * rows + i], sum, (double)(cols + 4) * 5.97e-8 * size + (t == MS_NN_I8 && cols > 4096 ? 5e-7 * most * weights : 0));
+                        }
+                    }
+                for (c = 0; ms_nn_simd(nn) == (ms_simd)level && c < sizeof counts / sizeof counts[0]; ++c) {
+                    size_t n = (size_t)counts[c];
+                    float *y = (float *)malloc((n * rows + 1) * sizeof(float)), *xc = (float *)malloc(n * cols * sizeof(float)); /* to their ends, for sanitizers */
+                    memcpy(xc, x, n * cols * sizeof(float));
+                    y[n * rows] = 7;
+                    CHECK_INT(ms_nn_forward(nn, counts[c], xc, y, NULL), MS_OK);
+                    CHECK_INT(memcmp(y, alone, n * rows * sizeof(float)), 0);
+                    CHECK(y[n * rows] == 7);
+                    free(y);
+                    free(xc);
+                }
+                free(alone);
+                ms_nn_destroy(nn);
+            }
+            free(x);
+            net_free(&net);
+        }
+}
+
 /* Half floats are the same where the host flushes subnormal floats to zero, at every level, reading and writing. */
 static void test_flush_to_zero(void)
 {
@@ -2115,6 +2174,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"random networks", test_random},
                                   {"same bits", test_same_bits},
                                   {"batches", test_batches},
+                                  {"dense shapes", test_dense_shapes},
                                   {"flush to zero", test_flush_to_zero},
                                   {"stack", test_stack_use},
                                   {"copied, not mapped", test_copy},
