@@ -61,36 +61,30 @@
 
      one tap a pixel                  1D passes   vertical step   45 degree step   1/f texture
      R_d sampled along the axis           2            7.80            8.23           22.80
-     one Gaussian                         2            7.21            8.68           19.18
      SVD rank 1, normalised               2            6.48            6.29           16.62
      pre-integrated                       2            0.00            3.03            7.33
      image-optimal                        2            1.96            1.22            3.75
-     SVD rank 2, normalised               4            1.58            1.17            2.65
      pre-integrated + 1 residual          4            0.00            0.88            1.22
 
      texture error by taps of a pass      24 pixels: 7     11     17     96 pixels: 7     11     17
      pre-integrated, quadratic spacing            4.48   4.45   5.80           11.59   8.58   7.71
      image-optimal, optimised taps (default)      2.50   1.61   1.41            9.25   5.62   4.16
      two terms, optimised taps                    1.89   0.67   0.29            8.12   3.74   1.98
-     axes turned over 4 frames, their mean        1.48   0.60   0.19            5.89   2.82   1.42
 
-   A kernel takes longer to make with more taps, terms and, for the rotated ones, frames; the filter takes time with pixels,
-   taps and terms, hardly with the radius.
-
-   Choose by what is seen: edges along the screen's axes want `dial` towards 1, a single bright dot wants more taps, detail
-   and shadows are served by the default. Filter speed: `make bench FILTER=sss_filter`.
+   Edges along the screen's axes want `dial` towards 1, a single bright dot wants more taps, detail and shadows are served by
+   the default. Making a kernel takes longer with taps, terms and frames; the filter with pixels, taps and terms, hardly with
+   the radius (`make bench FILTER=sss_filter`).
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
-   another, under 1 MB (rotated: to 20 MB), measuring one 60 KB, and gives it back. The filter allocates nothing: the caller
-   lends a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
-   Profiles, designers and kernels are only read once made: calls may overlap. ms_sss_filter cuts the picture into rows for
-   ms_parallel. Kernels are made on one thread.
-   Filters on x86-64 run with floating-point exceptions masked, and raise no flags.
-   The filter runs scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd.
-   Filter: the same bits for any thread count at one level. Kernels: the same bits in every call of one build. -ffast-math
-   voids what is said of bits, NaN and infinity; the rest holds to rounding.
+   Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes another,
+   under 1 MB (rotated: to 20 MB), measuring one 60 KB, and gives it back. Filters allocate nothing: the caller lends a
+   workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
+   Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
+   ms_parallel; kernels are made on one thread.
+   Filters run scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd; on x86-64 with
+   floating-point exceptions masked, and raise no flags. They give the same bits for any thread count at one level,
+   kernels the same bits in every call of one build. -ffast-math voids what is said of bits, NaN and infinity.
    Calls return ms_status and fill an optional ms_error; outputs are untouched then, but where the call says otherwise.
 
    Configuration (define before the implementation)
@@ -105,10 +99,10 @@
    Limits
    ------
    A separable kernel is no profile: step and disk errors above stay however many taps are spent, unless terms are added.
-   Against random walks through three objects, four materials, three lamps (`make bench FILTER=sss_truth`): what is left of
-   the error lies at shadow borders, where two passes along the screen's axes are no round kernel (ms_sss_gather), and on parts that
-   let light through (ms_sss_transmission, or ms_sss_gather with a back layer): there, lit from behind, the filter alone is
-   no better than none. Bodies thinner than a mean free path stay too dark.
+   Against random walks through three objects (`make bench FILTER=sss_truth`) what is left of the error lies at shadow
+   borders, where two passes along the screen's axes are no round kernel (ms_sss_gather), and on parts that let light through
+   (ms_sss_transmission, or ms_sss_gather with a back layer): there, lit from behind, the filter alone is no better than
+   none. Bodies thinner than a mean free path stay too dark.
    Guided kernels send more light far away than the profile does; where it then crosses to other parts of an object (depth
    sigma a third of the radius, a knot of marble) their picture is worse than an unfiltered one.
    Designs go up to a radius of 128 pixels; larger ones scale from there. Light that a profile sends beyond the 99% radius
@@ -120,12 +114,11 @@
    equations); Jimenez, Zsolnai, Jarabo, Freude, Auzinger, Wu, von der Pahlen, Wimmer, Gutierrez 2015, Separable subsurface
    scattering; d'Eon, Luebke, Enderton 2007, Efficient rendering of human skin; Burley 2015; Christensen and Burley 2015.
 
-   Sections (search for the name)
-   ------------------------------
-   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, gather, GPU text.
-   Implementation: small maths, profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models,
-   translucency tables, filter code, pyramid code, gather code, GPU code.
-   Included once a level: filter kernels, pyramid kernels.
+   Sections (search for "---- name")
+   ---------------------------------
+   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, gather, GPU text. Implementation: small
+   maths, profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models, translucency tables,
+   filter code, pyramid code, gather code, GPU code. Included once a level: filter kernels, pyramid kernels.
 */
 #ifndef MS_SSS_H
 #define MS_SSS_H
@@ -252,20 +245,17 @@ static inline const char *ms_simd_string(ms_simd level)
    red, green and blue. Radially symmetric, unchanging once made: any number of threads may read it. All lengths in mm. */
 typedef struct ms_sss_profile ms_sss_profile;
 
-/* From averages over rings, as Monte Carlo tallies and ms_mcml.h deliver them; nothing is assumed of their order, so
-   that noise, bumps and channels that are all zero are in range.
+/* From averages over rings, as Monte Carlo tallies and ms_mcml.h deliver them, noise and empty channels included. Copied.
    edge_mm  [count + 1] increasing, edge_mm[0] >= 0 (a hole inside it counts as dark), finite
    value    three arrays of count averages, stride elements apart (0: 1), >= 0, finite, 1/mm^2
-   Within a ring R_d is taken to be linear in r^2 with the ring's energy kept exactly and the slope of its neighbours
-   where they agree, flat where they do not. Copies what it is given.
+   Within a ring R_d is linear in r^2, with the ring's energy and the slope of its neighbours where they agree, else flat.
    MS_INVALID_ARGUMENT: counts, edges, values (error->position: the ring). MS_OUT_OF_MEMORY. *profile NULL then. */
 MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
                                                const double *const value[3], int stride, const ms_allocator *allocator,
                                                ms_error *error);
 
-/* From point samples R_d(r_mm[i]) at any increasing distances >= 0, count >= 2; otherwise as above. Between samples
-   R_d is linear in r^2; inside the first it is constant, beyond the last 0. A profile with a pole at r = 0 is better
-   given as rings. */
+/* From point samples R_d(r_mm[i]) at increasing distances >= 0, count >= 2; otherwise as above. Between samples R_d is linear
+   in r^2; inside the first it is constant, beyond the last 0. A profile with a pole at r = 0 is better given as rings. */
 MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
                                                  const double *const value[3], int stride,
                                                  const ms_allocator *allocator, ms_error *error);
@@ -287,10 +277,10 @@ MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const doub
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
 
 /* From the text that examples/profile.c prints: lines "r_mm,R,G,B", comments that begin with '#', empty lines, and an
-   optional heading that begins with a letter; numbers with '.' in every locale, or semicolons and decimal commas; a byte order
-   mark is skipped, UTF-16 is MS_UNSUPPORTED. Where each r is the middle of a ring
-   (edges 0, 2 r_0, 2 r_1 - 2 r_0, ... increase), the values are ring averages, else point samples.
-   text need not end with NUL. MS_BAD_DATA: error->position is the line. */
+   optional heading that begins with a letter; numbers with '.' in every locale, or semicolons and decimal commas; a byte
+   order mark is skipped, UTF-16 is MS_UNSUPPORTED. Where each r is the middle of a ring (edges 0, 2 r_0, 2 r_1 - 2 r_0, ...
+   increase), the values are ring averages, else point samples. text need not end with NUL.
+   MS_BAD_DATA: error->position is the line. */
 MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
                                              const ms_allocator *allocator, ms_error *error);
 
@@ -326,11 +316,10 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction
    This is K, the elevation of a channel: with q = 1 - reflectance, 0.57 + 2.45 q + 1.8 q^6 where the index of refraction
    inside is that outside, 0.5 + 2.2 q + 2.5 q^12 at an index of 1.4, between and beyond linearly in the coefficients;
    0 for a channel without light. index 1 to 2. From random walks in spheres and hollows of 2 to 64 mean free paths, albedo
-   0.3 to 0.999 (`make bench FILTER=sss_elevation`): what balls and cylinders with a radius of 8 mean free paths
-   return is met within 3% (the flat profile alone: up to 28% off), of 4 within 10% (43%), where the reflectance is above
-   0.1. Tight hollows in bright media come out too bright, by up to 15% at 4 mean free paths and 40% at an index of 1.4;
-   bodies thinner than a mean free path let light straight through, which no factor on a profile of scattered light holds:
-   too dark, by a third. exp(K sin(theta)) would need a K that falls by a fifth towards small balls. */
+   0.3 to 0.999 (`make bench FILTER=sss_elevation`): what balls and cylinders with a radius of 8 mean free paths return is
+   met within 3% (flat: up to 28% off), of 4 within 10% (43%), where the reflectance is above 0.1. Tight hollows in bright
+   media come out too bright, by up to 15% at 4 mean free paths and 40% at an index of 1.4; bodies thinner than one, which
+   let light straight through, a third too dark. */
 MS_API double ms_sss_elevation(double reflectance, double index);
 
 /* ---- kernels --------------------------------------------------------------------------------------------------- */
@@ -350,7 +339,7 @@ typedef struct ms_sss_kernel {
     float delta[3];       /* weight of the unblurred input */
     float radius_mm;      /* the outermost |offset| plus half its cell */
     float reflectance[3]; /* the profile's total; the kernel itself is normalised */
-    int frame_count;      /* 1: axes fixed; n: made for axes that stand at f * 90/n degrees in frame f and for the mean of n frames */
+    int frame_count;      /* 1: axes fixed; n: made for the mean of n frames with axes at f * 90/n degrees in frame f */
     float profile_radius_mm; /* that holds 99% of the profile's light in its widest channel; 0: radius_mm stands for it */
     float elevation[3];      /* how light on curved surfaces differs from the plane, see ELEVATION; 0: not at all */
     float decay[3];          /* 1/mm, of light in the depth, see ms_sss_transmittance */
@@ -386,7 +375,7 @@ typedef struct ms_sss_artist {
 
 /* Zero is the default of every field; ms_sss_kernel_defaults() returns that. */
 typedef struct ms_sss_kernel_options {
-    int tap_count;              /* of one pass: odd, 3 to 33 for MS_SSS_OPTIMISED, else to MS_SSS_TAPS_MAX; 0: 7; or MS_SSS_DENSE */
+    int tap_count;              /* of a pass: odd, 3 to 33 for MS_SSS_OPTIMISED, else to MS_SSS_TAPS_MAX; 0: 7; or MS_SSS_DENSE */
     int term_count;             /* 1 to MS_SSS_TERMS_MAX; 0: 1 (residual: 2) */
     ms_sss_model model;
     ms_sss_placement placement;
@@ -408,16 +397,15 @@ MS_API ms_sss_artist ms_sss_artist_production(void);
    the spectra of the standard signals. Make one, build and measure many kernels. */
 typedef struct ms_sss_designer ms_sss_designer;
 
-/* radius_px: pixels that the 99% energy radius of the widest channel covers where the kernel will be used, > 0; 0: 24.
-   Kernels scale with depth when they are applied: design for the closest view that matters. Above 128 it is taken as
-   128, from where on errors hardly change. The profile is read while this call runs and not kept.
+/* radius_px: pixels that the 99% energy radius of the widest channel covers where the kernel will be used, > 0; 0: 24; above 128:
+   128, from where on errors hardly change. Kernels scale with depth when they are applied: design for the closest view that
+   matters. The profile is not kept.
    MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: about 2 MB are needed. */
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                             const ms_allocator *allocator, ms_error *error);
 MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
 
-/* One kernel. options NULL: 7 optimised taps. A channel without light gets the identity.
-   Deterministic: the same bits in every call of one build. designer is only read: calls may overlap.
+/* One kernel. options NULL: 7 optimised taps. A channel without light gets the identity. designer is only read.
    MS_INVALID_ARGUMENT: an option outside its range (the message names it). MS_OUT_OF_MEMORY. kernel untouched then. */
 MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
                                          const ms_sss_kernel_options *options, ms_error *error);
@@ -442,12 +430,11 @@ typedef struct ms_sss_errors {
     double large_disk;    /* radius 120 pixels */
     double dot;           /* one pixel */
     double texture;       /* noise with amplitude 1/f: stands for natural pictures */
-    double bands;         /* stairs along a shadow's edge: an edge from black to white along an axis, encoded as sRGB with 255 for
-                             white; the largest second difference from pixel to pixel, against that of the right result. Above
-                             about MS_SSS_BANDS_SEEN stairs are seen. Not relative, and for pixels of the design's size */
+    double bands;         /* stairs along a shadow's edge: of an edge from black to white along an axis, as sRGB with 255 for
+                             white, the largest second difference from pixel to pixel, against the right result's; absolute */
 } ms_sss_errors;
 
-#define MS_SSS_BANDS_SEEN 24
+#define MS_SSS_BANDS_SEEN 24 /* bands above which stairs are seen */
 
 /* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Kernels with frame_count > 1 are
    measured as the mean of their frames. Takes 60 KB from the designer's allocator and gives them back.
@@ -455,10 +442,8 @@ typedef struct ms_sss_errors {
 MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                            const ms_sss_designer *designer);
 
-/* The cheapest kernel whose texture error is at most `tolerance` and whose bands are not seen (MS_SSS_BANDS_SEEN), at most
-   tap_budget taps in all its terms together (each is read once in x and once in y): tries image-optimal and residual
-   kernels by growing cost.
-   errors  out, optional
+/* The cheapest image-optimal or residual kernel whose texture error is at most `tolerance` and whose bands are not seen, at most
+   tap_budget taps in all its terms together (each is read once in x and once in y). errors: out, optional
    MS_NOT_CONVERGED: none within the budget; kernel and errors then hold the one that came nearest to both.
    MS_INVALID_ARGUMENT: tolerance not above 0, tap_budget < 3. MS_OUT_OF_MEMORY. kernel untouched by these. */
 MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *designer,
@@ -471,8 +456,7 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
 
 /* ---- translucency ---------------------------------------------------------------------------------------------- */
 
-/* What a slab of this thickness passes of the light that enters its far side evenly from all directions: 1 at thickness 0,
-   where the unscattered light comes through, then
+/* What a slab of this thickness passes of the light that enters its far side evenly from all directions:
    T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)), x = exp(-decay s), R the channel's reflectance: two
    streams (Kubelka and Munk 1931) with the decay of the deep field, less what dark media lose of the light that has yet to
    take that field's shape. decay = (1 - R) (0.52 - 0.6 ln(1 - R) + 0.625 R^0.5) / (mean distance between entry and exit).
@@ -497,8 +481,7 @@ MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, doubl
    Parallel faces pass what a slab passes, T / R; in a wedge and at the edge of a round body, where the way gets short
    because the surface turns away, part of the light has left on the way: R times that, which also joins the light on both
    sides of the shadow's border. Why max: near that border the filter holds light that came through the body already, and a
-   sum would count it twice; far from it the filter knows nothing of the far side. Where the point faces the lamp the filter
-   has it all. Against random walks through a bust, a knot and a bowl this is nearer than either factor alone. */
+   sum would count it twice; far from it the filter knows nothing of the far side. */
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
                                     const float entry_normal[3], const float to_light[3], const float light[3], float out[3]);
 
@@ -520,20 +503,20 @@ MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int hal
 MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half);
 MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half);
 
-/* How a picture is filtered: what it costs against what it costs in error. */
+/* How a picture is filtered. AUTO: half resolution where `budget` allows it, else taps; the pyramid, if there is one, where those
+   would show bands: 7 taps beyond a 99% radius of 24 pixels at the nearest depth, 11 beyond 48, 25 beyond 70; at half
+   resolution beyond twice that. */
 typedef enum ms_sss_method {
-    MS_SSS_METHOD_AUTO = 0,   /* half resolution where `budget` allows it, else taps; the pyramid, if there is one, where those would show
-                                 bands: 7 taps beyond a 99% radius of 24 pixels at the nearest depth, 11 beyond 48, 25 beyond 70; at
-                                 half resolution beyond twice that */
+    MS_SSS_METHOD_AUTO = 0,
     MS_SSS_METHOD_TAPS = 1,   /* two passes a term at full resolution */
-    MS_SSS_METHOD_HALF = 2,   /* the same on pixels of twice the size; what they change goes back to each pixel from those of its surface */
+    MS_SSS_METHOD_HALF = 2,   /* the same on pixels of twice the size; each pixel gets what those of its surface changed by */
     MS_SSS_METHOD_PYRAMID = 3 /* ms_sss_pyramid_filter */
 } ms_sss_method;
 
 struct ms_sss_pyramid;
 
-/* The same pixels with rows in the other order: for pictures whose first row is the bottom one beside others that begin at the
-   top. The filter itself takes either, but all of a frame must agree, and a normal's y points to later rows. */
+/* The same pixels with rows in the other order: all pictures of a frame must begin at the same side, top or bottom, and a
+   normal's y points to later rows. */
 MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height);
 
 /* How an engine writes depth: the numbers of its projection. D3D, Vulkan, Metal and the depth textures of OpenGL alike. */
@@ -543,10 +526,11 @@ typedef struct ms_sss_depth_buffer {
     int orthographic;            /* 1: depth goes linearly from near to far */
 } ms_sss_depth_buffer;
 
-/* Distances along the view axis for ms_sss_frame.depth, out[height][width], from a depth buffer; out may be its memory where that is
-   float and packed. Where nothing was drawn (the value of the far plane, or beyond), and for NaN: infinite, that is, no part.
+/* Distances along the view axis for ms_sss_frame.depth, out[height][width], from a depth buffer; out may be its memory where that
+   is float and packed. Where nothing was drawn (the far plane or beyond), and for NaN: infinite, that is, no part.
    MS_INVALID_ARGUMENT: a plane out of range, a stride, a NULL; out is untouched then. */
-MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how, float *out, ms_error *error);
+MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how, float *out,
+                                     ms_error *error);
 
 /* The angle along y, as options.fov_degrees wants it, of a camera with this angle along x; pixels are square. */
 MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height);
@@ -563,10 +547,10 @@ typedef struct ms_sss_frame {
     ms_sss_image specular;   /* optional RGB: added to the output, never filtered */
     const uint8_t *profile;  /* optional: index of each pixel's kernel; an index without a kernel: another material */
     ptrdiff_t profile_pixel_stride, profile_row_stride; /* in elements; 0: 1, and tightly packed */
-    ms_sss_image normal;     /* optional: the surface's normals, without bump maps, of any length, in view space: x to the right, y as
-                                rows grow, z towards the camera; none: from depth, see `flat` */
-    ms_sss_image through;    /* optional RGB: light that comes through thin parts (ms_sss_transmission, summed over the lamps); the output is the
-                                larger of both, before albedo and specular */
+    ms_sss_image normal;     /* optional: the surface's normals, without bump maps, of any length, in view space: x to the right,
+                                y as rows grow, z towards the camera; none: from depth, see `flat` */
+    ms_sss_image through;    /* optional RGB: light that comes through thin parts (ms_sss_transmission, summed over the lamps);
+                                the output is the larger of both, before albedo and specular */
     ms_sss_method *taken;    /* optional [kernel_count], written: the method that each kernel in use was filtered by */
 } ms_sss_frame;
 
@@ -591,9 +575,8 @@ typedef struct ms_sss_filter_options {
     float pixels_per_mm[2];  /* texture space: pixels a millimetre along x and y; [1] 0: as [0] */
     float fov_degrees;       /* perspective: the picture's full angle along y, in (0, 180) */
     float ortho_height;      /* orthographic: scene units from the picture's top to its bottom */
-    float mm_per_unit;       /* millimetres in a scene unit; 0: 1 (the scene is in mm), refused where that makes kernels cover half of the
-                                picture: a scene in metres needs 1000 */
-    int uv_steps;            /* 0: square pixels, kernel round; 1: older engines' steps in uv, wider by width / height along x */
+    float mm_per_unit;       /* millimetres in a scene unit, 1000 where that is the metre; 0: 1, refused where that makes kernels
+                                cover half of the picture */
     ms_sss_depth_mode depth_mode;
     float depth_sigma_mm;    /* of MS_SSS_DEPTH_AWARE: |dz| / 3.0746 from which on nothing counts; 0: such that this is 1.5 times the
                                 profile's 99% radius (flat 1: 0.37 times, between: between) */
@@ -607,19 +590,18 @@ typedef struct ms_sss_filter_options {
     ms_parallel parallel;
     float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                                 1: not at all, as if every pixel faced the camera; between: slopes are that much less */
-    int exact;               /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1: 0.12), and no
-                                more, for comparisons. Pyramid: 1 gathers more widely, see there */
+    int exact;               /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1: 0.12),
+                                and no more, for comparisons. Pyramid: 1 gathers more widely, see there */
     ms_sss_method method;
-    float budget;            /* AUTO: root mean square that half resolution may differ by from taps, over the picture's standard deviation
-                                (0.03 + 0.35 / radius in pixels on pictures with edges); 0: nothing, so never half */
+    float budget;            /* AUTO: root mean square that half resolution may differ by from taps, over the picture's standard
+                                deviation (0.03 + 0.35 / radius in pixels on pictures with edges); 0: nothing, so never half */
     const struct ms_sss_pyramid *pyramids; /* [kernel_count], of the kernels' profiles; NULL: none */
 } ms_sss_filter_options;
 
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
-/* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation or jitter: 31),
-   12 more with kernels of several terms; with pyramids at least 43. Depends on width, height, kernels and options only;
-   SIZE_MAX: more than this machine can address. */
+/* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation or jitter:
+   31), 12 more with kernels of several terms; with pyramids at least 43. SIZE_MAX: more than this machine can address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                           const ms_sss_filter_options *options);
 
@@ -645,7 +627,8 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
      Slopes and normals are those of depth, one-sided differences where an edge or crease is on the other side; 0 where edges are
      on both. Half-precision depth is too coarse for that: give normals, or set flat to 1.
    - What of a kernel falls outside the picture or on such pixels is made up for by the rest: on planes, and everywhere with
-     flat 1, a constant stays constant within 1e-6 and what the rounding of depth does to slopes. A kernel whose terms have weights of both signs gives what is missing to the pixel's own colour instead.
+     flat 1, a constant stays constant within 1e-6 and what the rounding of depth does to slopes. A kernel whose terms have
+     weights of both signs gives what is missing to the pixel's own colour instead.
    - Where the kernel's radius is under half a pixel, and where strength is 0, the input is returned bit for bit (without
      albedo and specular). A radius above the larger side of the picture is reduced to it.
    - Half resolution: a pixel keeps the share of its own light that it keeps at full resolution, so that detail stays; the rest
@@ -685,16 +668,16 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
 /* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE light counts by its
    distance in space and by the area of surface that a pixel shows, and is lifted by (1 + K sin(theta) / 4)^4, see ELEVATION:
-   every pixel gathers from 8 to 16 pixels of the next coarser level, in levels from 1 on up to 36, at exact distances, K sin(theta) entering by its mean
-   and variance, and passes its sums on to the finer level. options.exact 1, nearer to the truth for more time: from up
-   to 64 pixels, each with its own sin(theta), so that a level sees the shape as the next finer one has it. A level's mean factor is at most 1 / reflectance, so that an even
-   light never comes out stronger than it went in. options.flat 1: as if all pixels faced the camera.
+   every pixel gathers from 8 to 16 pixels of the next coarser level, in levels from 1 on up to 36, at exact distances,
+   K sin(theta) entering by its mean and variance, and passes its sums on to the finer level. options.exact 1, nearer to the
+   truth for more time: from up to 64 pixels, each with its own sin(theta). A level's mean factor is at most 1 / reflectance:
+   an even light never comes out stronger than it went in. options.flat 1: as if all pixels faced the camera.
    A pixel of a coarser level belongs to one surface, the nearest that covers it; only light from within reach of its
    tangent plane gets in, and from there only to pixels of the same surface: nothing crosses a depth edge wider than the
    radius, masks and NaN are as in ms_sss_filter. A constant stays constant where the surface is plane: what rounding of
-   depths may be is not taken for shape. Gathers widen with slopes up to 48 degrees; steeper planes are blurred too little along the level line and
-   too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15 at 75).
-   options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW, pixels_per_mm that differ,
+   depths may be is not taken for shape. Gathers widen with slopes up to 48 degrees; steeper planes are blurred too little
+   along the level line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15 at 75).
+   options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, MS_SSS_DEPTH_FOLLOW, pixels_per_mm that differ,
              frame->profile
    Six calls of options.parallel. Bit-equal for any thread count at one level of instructions. No allocation. */
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
@@ -705,16 +688,16 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
 
 /* The surface behind: what lies first behind each pixel along the view, as an engine draws it with front faces culled. */
 typedef struct ms_sss_back {
-    ms_sss_image input; /* its irradiance, as ms_sss_frame.input */
-    ms_sss_image depth; /* its depth, as ms_sss_frame.depth; not finite or not positive: nothing */
+    ms_sss_image input;  /* its irradiance, as ms_sss_frame.input */
+    ms_sss_image depth;  /* its depth, as ms_sss_frame.depth; not finite or not positive: nothing */
     ms_sss_image normal; /* optional, as ms_sss_frame.normal; it looks away from the camera */
 } ms_sss_back;
 
 /* The slow, good filter: every pixel gathers from points of the surface in space, at their true distances, with the round
    profile and the elevation, from the visible surface and, if given, the one behind it: the light of ears, leaves and
    fingers against the sun, which no filter of one layer has. Points farther than four pixels are taken together by twos,
-   fours and so on, so that cost grows with pixels and the logarithm of the radius; some hundred reads a pixel and layer.
-   frame     depth is needed; no profile; the rest as in ms_sss_filter
+   fours and so on: some hundred reads a pixel and layer.
+   frame     depth is needed; no profile; through does nothing; the rest as in ms_sss_filter
    back      NULL: the visible surface alone
    options   the size of a pixel, mm_per_unit, albedo_mode, fade, flat, parallel count; the others do nothing
    What of the profile meets no point is made up for by the rest. No more than all light leaves.
@@ -746,29 +729,31 @@ typedef enum ms_sss_source {
     MS_SSS_ALPHA = 2    /* in alpha of the input, which saves reads */
 } ms_sss_source;
 
-/* The steps of the filter. */
+/* The steps of the filter: see ms_sss_shader; from BASE on of a pyramid: see ms_sss_shader_levels. */
 typedef enum ms_sss_step {
-    MS_SSS_STEP_X = 0,      /* along x (or the turned axis) */
-    MS_SSS_STEP_Y = 1,      /* along y */
-    MS_SSS_STEP_PREPARE = 2,/* optional, before both: gathers what X reads into one texture */
-    MS_SSS_STEP_DOWN = 3,   /* of half resolution, before both: one texel from four pixels */
-    MS_SSS_STEP_NORMAL = 4, /* of half resolution, with_normal: their normal */
-    MS_SSS_STEP_UP = 5,     /* of half resolution, after both: the picture */
-    MS_SSS_STEP_BASE = 6,   /* of a pyramid: its level 0; */
-    MS_SSS_STEP_SHRINK = 7, /* from one level the next; */
-    MS_SSS_STEP_GATHER = 8, /* a level's sums of light from the next; */
-    MS_SSS_STEP_RESOLVE = 9 /* the picture, from level 0 and the sums of level 1 */
+    MS_SSS_STEP_X = 0,
+    MS_SSS_STEP_Y = 1,
+    MS_SSS_STEP_PREPARE = 2,
+    MS_SSS_STEP_DOWN = 3,
+    MS_SSS_STEP_NORMAL = 4,
+    MS_SSS_STEP_UP = 5,
+    MS_SSS_STEP_BASE = 6,
+    MS_SSS_STEP_SHRINK = 7,
+    MS_SSS_STEP_GATHER = 8,
+    MS_SSS_STEP_RESOLVE = 9
 } ms_sss_step;
 
 /* One step, as a fragment shader for a full-screen triangle or as a compute shader. All zero but tap_count: the first
    pass of a texture-space filter in GLSL 330.
-     PREPARE  reads the input as ms_sss_colour; writes RGB and, in alpha, depth and profile (0: takes no part). Worth its
-              pass where depth, profile or strength have textures of their own.
-     X        reads PREPARE's target (set prepared), else the input, as ms_sss_colour; writes the same kind of texel
-     Y        reads X's target as ms_sss_colour; writes the result, alpha 1
+     PREPARE  optional: reads the input as ms_sss_colour; writes RGB and, in alpha, depth and profile (0: takes no part). Worth
+              its pass where depth, profile or strength have textures of their own
+     X        along x, or the turned axis: reads PREPARE's target (set prepared), else the input, as ms_sss_colour; writes the
+              same kind of texel
+     Y        along y: reads X's target as ms_sss_colour; writes the result, alpha 1
    Half resolution (half_resolution 1: MS_SSS_METHOD_HALF) in place of PREPARE; the constants stay those of the picture:
-     DOWN     reads the input as ms_sss_colour; its target and those of X and Y have (width + 1) / 2 x (height + 1) / 2 texels
-     NORMAL   with_normal, where slopes count: reads the input and ms_sss_normal; writes what X and Y then read as ms_sss_normal
+     DOWN     one texel from four pixels: reads the input as ms_sss_colour; its target and those of X and Y have
+              (width + 1) / 2 x (height + 1) / 2 texels
+     NORMAL   with_normal, where slopes count: reads the input and ms_sss_normal; writes what X and Y then read as that
      X, Y     as above, from DOWN's target, which is Y's ms_sss_input; all terms add up in one target
      UP       reads the input as ms_sss_colour, DOWN's target as ms_sss_input, Y's as ms_sss_sum; writes the result, alpha 1
    Textures are float or half RGBA (depth, strength, profile: any with red), read by texel only. Vulkan and WGSL bind them
@@ -788,10 +773,10 @@ typedef enum ms_sss_step {
    Light does not cross between profiles, nor to pixels that take no part (see ms_sss_filter): an index from profile_count
    on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 2 in X and Y, 26 for 7 taps, and one
    more where light stays (delta, fade, strength below 1). Slopes (depth, MS_SSS_DEPTH_AWARE, flat below 1) read 4 more in
-   each, 5 or 6 at outlines, or 1 with_normal; with slopes_kept Y reads 1: 31 to 33 in all. Depth, profile and strength in
-   textures of their own cost 2 n - 1 each, or one each with PREPARE. Turned axes read twice as many. Half resolution reads
-   10 a pixel and a quarter of X's and Y's: 17 for 7 taps, 19 with slopes. Of several profiles a texel of DOWN has one,
-   that of the nearest of its pixels (without depth: of the first that takes part); ms_sss_filter halves each by itself.
+   each, 5 or 6 at outlines, or 1 with_normal; with slopes_kept Y reads 1. Depth, profile and strength in textures of their
+   own cost 2 n - 1 each, or one each with PREPARE. Turned axes read twice as many. Half resolution reads 10 a pixel and a
+   quarter of X's and Y's: 17 for 7 taps, 19 with slopes. Of several profiles a texel of DOWN has one, that of the nearest of
+   its pixels (without depth: of the first that takes part); ms_sss_filter halves each by itself.
    In alpha of the input: depth as it is, or (without depth) index / 255. Both: a 32-bit float depth whose last four bits
    hold the index, intBitsToFloat(floatBitsToInt(depth) + 8 & ~15 | index), for 16 profiles; depth 0 masks.
    Targets of PREPARE and X in binary16 round depth to 11 bits: keep that under a tenth of the depth sigma. With depth, the
@@ -811,9 +796,9 @@ typedef struct ms_sss_shader {
     int half_target;        /* 1: the targets of PREPARE and X, and any of compute, are binary16 */
     int compute;            /* 0: fragment shader, 1: compute shader, its tile of the picture in shared memory */
     int later;              /* compute: 1 for Y of terms after the first, adds ms_sss_sum */
-    int half_resolution;    /* 1: X and Y work at half the width and height, between DOWN and UP */
+    int half_resolution;    /* 1: X and Y work between DOWN and UP */
     int term_count;         /* UP: the most of any of the kernels; 0: 1 */
-    int slopes_kept;        /* 1: X writes its slopes, from depth, to a second target (two or more 32-bit floats), which Y reads */
+    int slopes_kept;        /* 1: X writes its slopes, from depth, to a second target (two or more 32-bit floats), for Y */
 } ms_sss_shader;
 
 /* Pixels of a compute shader's work group: dispatch the target's size over them, rounded up. 0: x, 1: y. */
@@ -834,7 +819,7 @@ MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filte
      a pass is drawn      nothing: both passes of a term share the constants
      another term         first, and scale, total, mixed and taps of each profile
      resize               width, height; pixels and focal in proportion to height; all targets
-     camera, zoom         pixels; perspective: height / (2 tan(fov / 2) mm_per_unit), else height / (ortho_height mm_per_unit); focal
+     camera, zoom         focal; pixels: height / (2 tan(fov / 2) mm_per_unit), orthographic height / (ortho_height mm_per_unit)
      frame                rotation, where the kernel is made for it; nothing else
      option, kernel       all: ms_sss_shader_constants; another language, source, depth mode, tap count,
                           rotation or jitter to or from 0, flat to or from 1: the texts */
@@ -842,7 +827,7 @@ typedef struct ms_sss_shader_picture {
     float width, height; /*  0,  4: pixels */
     float pixels;        /*  8: a mm; in perspective at depth 1 */
     float gain;          /* 12: 1 - fade */
-    float aspect[2];     /* 16: steps along x and y, 1 but with uv_steps or pixels that are not square */
+    float aspect[2];     /* 16: steps along x and y, 1 but with pixels that are not square */
     float rotation;      /* 24: radians */
     float jitter;        /* 28 */
     float first;         /* 32: 1 for the first term, else 0 */
@@ -854,9 +839,11 @@ typedef struct ms_sss_shader_profile {
     float total[3];    /*  0: sum of the weights of a pass */
     float radius_mm;   /* 12 */
     float scale[3];    /* 16: of the term */
-    float depth_scale; /* 28: 1 / the depth at which nothing counts (see MS_SSS_DEPTH_AWARE), exact: 1 / (sqrt(2 / ln 2) sigma), follow: 1 / follow_mm; times mm_per_unit */
+    float depth_scale; /* 28: mm_per_unit over the depth at which nothing counts (see MS_SSS_DEPTH_AWARE), exact:
+                              sqrt(2 / ln 2) sigma, follow: follow_mm */
     float delta[3];    /* 32: weight of the unblurred input */
-    float cut;         /* 44: square of the scaled depth difference from which on a tap (with slopes, exact 0: half resolution) does not count, 120 at most */
+    float cut;         /* 44: square of the scaled depth difference from which on a tap (with slopes, exact 0: half resolution)
+                              does not count, 120 at most */
     float curve[3];    /* 48: elevation_axis / 4, with slopes times 1 - flat */
     float mixed;       /* 60: 1 red, 2 green, 4 blue, added: what is missing goes to the pixel's own colour */
     float root[3];     /* 64: square root of the reflectance */
@@ -866,8 +853,8 @@ typedef struct ms_sss_shader_profile {
 /* Float4 constants that a shader reads: 3, and for each profile (UP: of each term) 5 and its taps. OpenGL ES 3.0 promises 224. */
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 
-/* Their values for term `term` (UP: all terms) of kernels[profile_count]. Terms after the first are drawn with additive blending over the
-   first; a kernel with fewer terms adds nothing.
+/* Their values for term `term` (UP: all terms) of kernels[profile_count]. Terms after the first are drawn with additive blending
+   over the first; a kernel with fewer terms adds nothing.
    out    [ms_sss_shader_constant_count()][4]
    MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
 MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options,
@@ -904,37 +891,18 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
    `profile`, RESOLVE's input being what RESOLVE wrote for the one before. tap_count and kernels do not matter.
    Texels read, depth in alpha, on what faces the camera (more on slopes): BASE 5 (5 to 7 at outlines, with_normal 2), RESOLVE
    35 for each pixel, SHRINK 44 and GATHER 40 for each that they write: 68 a pixel in all, whatever the radius.
-   MS_UNSUPPORTED: compute, half_target, and as ms_sss_pyramid_filter. Equal to that (exact 0) within 1e-4 of the largest input, but where
-   the last bit of a depth decides which of two slopes is the smaller. */
+   MS_UNSUPPORTED: compute, half_target, and as ms_sss_pyramid_filter. Equal to that (exact 0) within 1e-4 of the largest input,
+   but where the last bit of a depth decides which of two slopes is the smaller. */
 MS_API int ms_sss_shader_levels(int width, int height);
 
-/* The constants of a step of a level (of SHRINK: that it reads): one ms_sss_shader_level, then weights by size of the kernel,
-   as in ms_sss_pyramid.weight, {red, green, blue, 0}: GATHER [MS_SSS_PYRAMID_SIZES] those of level + 1; RESOLVE three such
-   tables: those of level 1, of the pixel's own light, of its neighbours.
+/* The constants of a step of a level (of SHRINK: that it reads), which the text's first lines list: 6, then weights by size of
+   the kernel, as in ms_sss_pyramid.weight, {red, green, blue, 0}: GATHER [MS_SSS_PYRAMID_SIZES] those of level + 1; RESOLVE
+   three such tables: those of level 1, of the pixel's own light, of its neighbours.
    profile   index that takes part, with shader->profile; else 0
    out       [ms_sss_shader_constant_count()][4]: 6 for BASE and SHRINK, 55, 153
    MS_INVALID_ARGUMENT: a NULL, a size, a level out of range. out untouched. At a resize all change. */
 MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width, int height,
-                                           const ms_sss_shader *shader, int level, int profile, float (*out)[4], ms_error *error);
-
-typedef struct ms_sss_shader_level {
-    float width, height; /*  0,  4: pixels of the picture */
-    float gain;          /*  8: 1 - fade */
-    float profile;       /* 12 */
-    float size, size_max; /* 16, 20: the kernel's radius in pixels; in perspective times depth; its limit */
-    float step;          /* 24: scene units a pixel; in perspective at depth 1 */
-    float tangent;       /* 28: of a pixel's ray; 0 orthographic */
-    float reach;         /* 32: from a tangent plane, in radii */
-    float upright;       /* 36: 1 - flat */
-    float cells;         /* 40: pixels of the picture in one of the next coarser level */
-    float square;        /* 44: of the radius of the gather's taps */
-    float quarter[3];    /* 48: elevation / 4 */
-    float norm;          /* 60: 1 / sum of the gather's taps */
-    float most[3];       /* 64: 1 / reflectance */
-    float mean, spread;  /* 76, 80: mean r / mean r^2, mean r^2 / mean r^4 of the taps' distances */
-    float rough, grain;  /* 84, 88: what rounding of depths makes of the taps' distance from the plane, and of slopes */
-    float coarser;       /* 92: 0: no level is coarser; 1: the next is the last; 2: it has sums */
-} ms_sss_shader_level;
+                                       const ms_sss_shader *shader, int level, int profile, float (*out)[4], ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -1315,6 +1283,19 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #define MS_SSS__PI 3.14159265358979323846
 
+#if defined(__GNUC__) || defined(__clang__)
+#define MS_SSS__APART __attribute__((noinline))
+#else
+#define MS_SSS__APART
+#endif
+
+/* Refuses a number outside [low, high], and NaN. */
+static MS_SSS__APART ms_status ms_sss__within(double x, const char *name, double low, double high, ms_error *error)
+{
+    if (x >= low && x <= high) return MS_OK;
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g; %g to %g expected", name, x, low, high);
+}
+
 #ifndef MS_SSS_NO_DESIGN
 /* Solves A x = b for symmetric positive definite A [n][n] (lower triangle used, overwritten); x over b. 0: not
    positive definite. */
@@ -1352,6 +1333,51 @@ static int ms_sss__marquardt(const double *H, const double *g, double lambda, in
     memcpy(step, g, sizeof *step * (size_t)n);
     for (i = 0; i < n; ++i) work[(size_t)i * (size_t)n + (size_t)i] += lambda * H[(size_t)i * (size_t)n + (size_t)i] + DBL_MIN;
     return ms_sss__cholesky_solve(work, step, n);
+}
+
+/* Steps along directions that change nothing can be of any size; weights are of the order of 1. */
+static double ms_sss__bounded(double step) { return step < -1e6 ? -1e6 : step > 1e6 ? 1e6 : step; }
+
+/* A sum of squares of n unknowns. evaluate: its value at x, which it may move to where bounds are kept, and the normal equations
+   H step = g of a step from there (lower triangle, from zeros). */
+typedef struct ms_sss__squares {
+    double (*evaluate)(const struct ms_sss__squares *problem, double *x, double *H, double *g);
+    const struct ms_sss_designer *d;
+    int channel, n, rounds;
+    double lambda, growth, tolerance; /* at the start; of lambda after a failure; relative gain at which it ends */
+    const double *curve;              /* what the problem is about: values by cell */
+    int cells;
+    double half_width, guide;
+} ms_sss__squares;
+
+/* Levenberg and Marquardt from x, which is improved in place; returns the value. scratch [n (3 n + 4)]. */
+static double ms_sss__descend(const ms_sss__squares *p, double *x, double *scratch)
+{
+    const size_t n = (size_t)p->n, line = n * sizeof *x;
+    double *H = scratch, *work = H + n * n, *next = work + n * n;
+    double *g = next + n * n, *next_g = g + n, *step = next_g + n, *trial = step + n;
+    double lambda = p->lambda, least = HUGE_VAL, value;
+    int round, i;
+    memcpy(trial, x, line);
+    for (round = 0; round < p->rounds && lambda < 1e10; ++round) {
+        memset(next, 0, n * line);
+        memset(next_g, 0, line);
+        value = p->evaluate(p, trial, next, next_g);
+        if (round == 0 || value < least) {
+            const int end = least - value < p->tolerance * value;
+            least = value;
+            memcpy(x, trial, line);
+            memcpy(H, next, n * line);
+            memcpy(g, next_g, line);
+            lambda *= 0.2;
+            if (end) break;
+        } else {
+            lambda *= p->growth;
+        }
+        if (!ms_sss__marquardt(H, g, lambda, p->n, work, step)) break;
+        for (i = 0; i < p->n; ++i) trial[i] = x[i] + ms_sss__bounded(step[i]);
+    }
+    return least;
 }
 
 /* K_0(x) and the Bickley function Ki_1(x), the integral of K_0 from x to infinity: the trapezoidal rule on
@@ -1793,6 +1819,17 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double fraction, doub
     }
 }
 
+/* The total and the 99% radius of each channel; the largest radius. */
+static double ms_sss__extent(const ms_sss_profile *p, double total[3], double radius[3])
+{
+    double widest = 0;
+    int c;
+    ms_sss_profile_reflectance(p, total);
+    ms_sss_profile_radius(p, 0.99, radius);
+    for (c = 0; c < 3; ++c) widest = radius[c] > widest ? radius[c] : widest;
+    return widest;
+}
+
 /* ---- pre-integration ------------------------------------------------------------------------------------------- */
 
 /* The chord at distance x through R_d = mean + slope (x^2 + u^2 - middle): 2 times the integral over u from 0. */
@@ -1880,12 +1917,18 @@ MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double out[3
 /* Everything below counts lengths in cells, which are the pixels of the design size, and frequencies in cycles per 512
    pixels. A kernel is even in x and y and symmetric under their exchange: cells are kept for i, j >= 0, its real
    spectrum for 0 <= k2 <= k1 <= 256. */
-#define MS_SSS__SIZE 512
-#define MS_SSS__HALF 256
-#define MS_SSS__OCTANT ((MS_SSS__HALF + 1) * (MS_SSS__HALF + 2) / 2)
-#define MS_SSS__CELLS_MAX 128
-#define MS_SSS__SIGNALS 6
-#define MS_SSS__TEXTURE 5 /* the last of ms_sss_errors */
+enum {
+    MS_SSS__SIZE = 512,
+    MS_SSS__HALF = 256,
+    MS_SSS__OCTANT = (MS_SSS__HALF + 1) * (MS_SSS__HALF + 2) / 2,
+    MS_SSS__CELLS_MAX = 128,
+    MS_SSS__RINGS_MAX = 512,
+    MS_SSS__SIGNALS = 6, /* of ms_sss_errors */
+    MS_SSS__TEXTURE = 5, /* the last of them */
+    MS_SSS__NODES_MAX = 96,
+    MS_SSS__BINS_MAX = MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2,
+    MS_SSS__BLOCK_MAX = MS_SSS_TERMS_MAX + 4
+};
 
 struct ms_sss_designer {
     int cells;                          /* from the centre to the edge of the square that holds the kernel */
@@ -1916,7 +1959,6 @@ static int ms_sss__orbit(int k1, int k2)
 }
 
 /* Radii of rings that are thin against a cell near the centre and near a pole at 0; returns how many. */
-#define MS_SSS__RINGS_MAX 512
 static int ms_sss__thin_rings(double outer, double *edge)
 {
     int n = 0;
@@ -2020,7 +2062,7 @@ static void ms_sss__disk_power(const ms_sss_designer *d, int radius, float *powe
         int half = (int)floor(sqrt((double)(radius * radius - y * y)) + 1e-9);
         for (k1 = 0; k1 <= MS_SSS__HALF; ++k1) {
             double run = k1 == 0 ? 2 * half + 1
-                                 : sin(MS_SSS__PI * k1 * (2 * half + 1) / MS_SSS__SIZE) / sin(MS_SSS__PI * k1 / MS_SSS__SIZE);
+                                 : sin(MS_SSS__PI * k1 * (2 * half + 1) / (int)MS_SSS__SIZE) / sin(MS_SSS__PI * k1 / (int)MS_SSS__SIZE);
             double *a = amplitude + ms_sss__octant(k1, 0);
             run *= y ? 2 : 1;
             for (k2 = 0; k2 <= k1; ++k2) a[k2] += run * d->cosine[k2 * y % MS_SSS__SIZE];
@@ -2037,18 +2079,15 @@ static void ms_sss__disk_power(const ms_sss_designer *d, int radius, float *powe
    drawn (|S|^2 over its mean is exponentially distributed for each pair of conjugate bins), the others stand at their
    mean. Seed and limit are those that give the errors in design.md's table, and of the study's taps, best. The mean is
    4.5 standard deviations, as of a photograph. */
-#define MS_SSS__TEXTURE_SEED 5935
-#define MS_SSS__TEXTURE_DRAWN 24
-#define MS_SSS__TEXTURE_LIMIT 110.0
-
 static double ms_sss__texture_power(int k1, int k2)
 {
-    double f2 = (double)k1 * k1 + (double)k2 * k2;
-    return exp(-0.5 * f2 / (MS_SSS__TEXTURE_LIMIT * MS_SSS__TEXTURE_LIMIT)) / f2;
+    const double limit = 110, f2 = (double)k1 * k1 + (double)k2 * k2;
+    return exp(-0.5 * f2 / (limit * limit)) / f2;
 }
 
 static void ms_sss__signal_power(const ms_sss_designer *d)
 {
+    enum { SEED = 5935, DRAWN = 24 };
     int k1, k2, n;
     double total = 0;
     ms_sss__disk_power(d, 10, d->power[2]);
@@ -2056,15 +2095,15 @@ static void ms_sss__signal_power(const ms_sss_designer *d)
     for (k1 = 0; k1 <= MS_SSS__HALF; ++k1)
         for (k2 = 0; k2 <= k1; ++k2) {
             int o = ms_sss__octant(k1, k2), orbit = ms_sss__orbit(k1, k2);
-            double edge = sin(MS_SSS__PI * k1 / MS_SSS__SIZE), texture = 0;
-            edge = k1 == 0 ? MS_SSS__HALF * (double)MS_SSS__HALF : k1 % 2 ? 1 / (edge * edge) : 0; /* 256 of 512 */
+            double edge = sin(MS_SSS__PI * k1 / (int)MS_SSS__SIZE), texture = 0;
+            edge = k1 == 0 ? (double)(MS_SSS__HALF * MS_SSS__HALF) : k1 % 2 ? 1 / (edge * edge) : 0; /* 256 of 512 */
             d->power[0][o] = k2 == 0 ? (float)(edge * (k1 ? 2 : 1)) : 0;
             d->power[1][o] = k1 == k2 ? (float)(edge * (k1 ? 2 : 1)) : 0;
             d->power[4][o] = (float)orbit;
             if (k1 > 0) {
                 texture = orbit;
-                if (k1 < MS_SSS__TEXTURE_DRAWN) {
-                    ms__rng rng = ms__rng_make(MS_SSS__TEXTURE_SEED, (uint64_t)o);
+                if (k1 < DRAWN) {
+                    ms__rng rng = ms__rng_make(SEED, (uint64_t)o);
                     texture = 0;
                     for (n = 0; n < orbit; n += 2) texture -= 2 * log(ms__rng_uniform(&rng));
                 }
@@ -2100,11 +2139,8 @@ static double ms_sss__decay_of(double R, double mean)
 
 static void ms_sss__decay(const ms_sss_profile *profile, double total[3], double decay[3])
 {
-    double radius[3], mean[3], widest = 0;
+    double radius[3], mean[3], widest = ms_sss__extent(profile, total, radius);
     int c;
-    ms_sss_profile_reflectance(profile, total);
-    ms_sss_profile_radius(profile, 0.99, radius);
-    for (c = 0; c < 3; ++c) widest = radius[c] > widest ? radius[c] : widest;
     ms_sss__mean_distance(profile, total, widest, mean);
     for (c = 0; c < 3; ++c) {
         total[c] = total[c] < 0.9999 ? total[c] : 0.9999;
@@ -2121,7 +2157,7 @@ MS_API double ms_sss_elevation(double reflectance, double index)
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                             const ms_allocator *allocator, ms_error *error)
 {
-    double radius[3], total[3], widest = 0, *columns;
+    double radius[3], total[3], widest, *columns;
     size_t header = (sizeof(ms_sss_designer) + 63) / 64 * 64, doubles, bytes, row;
     ms_sss_designer *d;
     int c, s, o;
@@ -2131,9 +2167,7 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     if (radius_px == 0) radius_px = 24;
     if (!(radius_px > 0 && radius_px <= 1e9))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "radius_px is %g; above 0, at most 1e9 expected", radius_px);
-    ms_sss_profile_reflectance(profile, total);
-    ms_sss_profile_radius(profile, 0.99, radius);
-    for (c = 0; c < 3; ++c) widest = radius[c] > widest ? radius[c] : widest;
+    widest = ms_sss__extent(profile, total, radius);
     if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light in any channel");
     if (radius_px > MS_SSS__CELLS_MAX) radius_px = MS_SSS__CELLS_MAX;
     row = (size_t)(radius_px + 0.5) + 1;
@@ -2161,7 +2195,7 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     ms_sss__mean_distance(profile, total, widest, d->mean_mm);
     for (s = 0; s < MS_SSS__SIGNALS; ++s)
         d->power[s] = (float *)(void *)(columns + (MS_SSS__HALF + 1) * row) + s * MS_SSS__OCTANT;
-    for (o = 0; o < MS_SSS__SIZE; ++o) d->cosine[o] = cos(2 * MS_SSS__PI * o / MS_SSS__SIZE);
+    for (o = 0; o < MS_SSS__SIZE; ++o) d->cosine[o] = cos(2 * MS_SSS__PI * o / (int)MS_SSS__SIZE);
     ms_sss__signal_power(d);
     ms_sss__fill_cells(profile, d->cells, d->cell_mm, d->cell);
     for (o = 0; o <= d->cells; ++o) { /* a pole at 0 is read at an eighth of a cell */
@@ -2306,7 +2340,7 @@ static void ms_sss__kernel_curve(const ms_sss_designer *d, const ms_sss_kernel *
 }
 
 /* Relative errors of a curve on every signal. */
-static void ms_sss__curve_errors(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves, double error[MS_SSS__SIGNALS])
+static void ms_sss__curve_errors(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves, double *error)
 {
     double found[3];
     int k1, k2, c, s, o = 0;
@@ -2338,7 +2372,7 @@ static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurer *m)
     memset(m->line, 0, sizeof m->line);
     if (v->frames == 1) ms_sss__curve_waves(d, v, &m->waves);
     for (k = 0; k <= MS_SSS__HALF; ++k) {
-        double share = (k == 0 || k == MS_SSS__HALF ? 1.0 : 2.0) / MS_SSS__SIZE;
+        double share = (k == 0 || k == MS_SSS__HALF ? 1.0 : 2.0) / (int)MS_SSS__SIZE;
         ms_sss__curve_transfer(d, v, &m->waves, k, 0, found);
         for (c = 0; c < 3; ++c)
             for (x = 0; x <= MS_SSS__HALF; ++x) {
@@ -2364,17 +2398,13 @@ static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurer *m)
     return most;
 }
 
-static void ms_sss__measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer, ms_sss__measurer *m)
+static void ms_sss__measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer,
+                            ms_sss__measurer *m)
 {
     double error[MS_SSS__SIGNALS];
     ms_sss__kernel_curve(designer, kernel, &m->curve);
     ms_sss__curve_errors(designer, &m->curve, &m->waves, error);
-    errors->vertical_step = error[0];
-    errors->diagonal_step = error[1];
-    errors->small_disk = error[2];
-    errors->large_disk = error[3];
-    errors->dot = error[4];
-    errors->texture = error[MS_SSS__TEXTURE];
+    memcpy(errors, error, sizeof error); /* in their order */
     errors->bands = ms_sss__curve_bands(designer, m);
 }
 
@@ -2395,9 +2425,6 @@ MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kerne
 /* The bins over which taps are fitted: every frequency up to 12 + a third of the cells, as far as spectra of such kernels
    have detail that matters, then with gaps that grow in proportion; each bin also stands for the gap around it. With
    `coarse` about a quarter of them, for searches. */
-#define MS_SSS__NODES_MAX 96
-#define MS_SSS__BINS_MAX (MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2)
-
 /* node: frequencies, share: how many of the 512 frequencies each stands for; returns how many. */
 static int ms_sss__nodes(int cells, int coarse, int *node, double *share)
 {
@@ -2440,7 +2467,8 @@ static void ms_sss__curve_normalise(ms_sss__curve *v)
    keep the energy. The entries of a curve of hats are no pairs of taps but bumps over many cells. */
 typedef struct ms_sss__fit {
     const ms_sss_designer *d;
-    int frames, lines, bins, pairs, terms, first, channels, move_offsets, use_delta, unknowns, local;
+    int frames, lines, bins, pairs, terms, use_delta, unknowns, local;
+    int first, end, moved; /* channels; offsets */
     int k1[MS_SSS__BINS_MAX], k2[MS_SSS__BINS_MAX];
     int line1[MS_SSS__BINS_MAX], line2[MS_SSS__BINS_MAX];  /* of frame 0; frame f stands 2 f further */
     double weight[MS_SSS__BINS_MAX], target[MS_SSS__BINS_MAX][3];
@@ -2452,9 +2480,10 @@ typedef struct ms_sss__fit {
     size_t bytes;
 } ms_sss__fit;
 
-/* The target is the spectrum of model, or of the profile if that is NULL. texture and axis: the two parts of the prior; 1/f^2 over all bins, and 1/f^2 on the axes, which axis-parallel edges
-   excite. Each is divided by what the target itself has, so that they weigh relative errors. */
-static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, double texture, double axis, int coarse)
+/* The target is the spectrum of model, or of the profile if that is NULL. The prior is 1/f^2 over all bins, and as far as the
+   dial is turned up 1/f^2 on the axes, which axis-parallel edges excite. Each part is divided by what the target itself
+   has, so that they weigh relative errors. */
+static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, double dial, int coarse)
 {
     double share[MS_SSS__NODES_MAX], all = 0, on_axis = 0;
     int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(fit->d->cells, coarse, node, share), a, b, c, n = 0;
@@ -2476,10 +2505,10 @@ static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, doubl
     fit->bins = n;
     fit->lines = fit->frames == 1 ? nodes : 2 * fit->frames * n;
     for (n = 1; n < fit->bins; ++n) {
-        fit->weight[n] *= texture / all;
+        fit->weight[n] *= (1 - dial) / all;
         if (fit->k2[n] == 0)
             for (a = 0; a < nodes; ++a)
-                if (node[a] == fit->k1[n]) fit->weight[n] += axis * share[a] / ((double)node[a] * node[a]) / on_axis;
+                if (node[a] == fit->k1[n]) fit->weight[n] += dial * share[a] / ((double)node[a] * node[a]) / on_axis;
     }
 }
 
@@ -2532,7 +2561,7 @@ static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
 {
     double sum = 0;
     int n, f, c, t, i, line;
-    for (c = fit->first; c < fit->first + fit->channels; ++c)
+    for (c = fit->first; c < fit->end; ++c)
         for (t = 0; t < fit->terms; ++t)
             for (line = 0; line < fit->lines; ++line) {
                 const double *basis = fit->basis + line * fit->pairs, *w = v->weight[c][t];
@@ -2541,7 +2570,7 @@ static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
                 fit->wave[(c * MS_SSS_TERMS_MAX + t) * fit->lines + line] = wave;
             }
     for (n = 0; n < fit->bins; ++n)
-        for (c = fit->first; c < fit->first + fit->channels; ++c) {
+        for (c = fit->first; c < fit->end; ++c) {
             double rest = fit->target[n][c] - v->delta[c];
             for (t = 0; t < fit->terms; ++t) {
                 const double *wave = fit->wave + (c * MS_SSS_TERMS_MAX + t) * fit->lines;
@@ -2556,11 +2585,11 @@ static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
 /* Normal equations H step = g of the curve whose waves the last objective left. */
 static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
 {
-    int n, f, c, t, i, j, moved = fit->move_offsets ? fit->pairs : 0;
+    int n, f, c, t, i, j, moved = fit->moved;
     double *J = fit->jacobian;
     memset(fit->H, 0, sizeof *fit->H * (size_t)(fit->unknowns * fit->unknowns));
     memset(fit->g, 0, sizeof *fit->g * (size_t)fit->unknowns);
-    for (c = fit->first; c < fit->first + fit->channels; ++c) {
+    for (c = fit->first; c < fit->end; ++c) {
         int own = moved + (c - fit->first) * (fit->local - moved) - moved; /* from local to global unknown */
         double spread = v->energy[c] - v->delta[c], sum[MS_SSS_TERMS_MAX];
         for (t = 0; t < fit->terms; ++t) sum[t] = ms_sss__term_sum(v, c, t);
@@ -2601,20 +2630,16 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
     }
 }
 
-/* Steps along directions that change nothing can be of any size; weights are of the order of 1. */
-static double ms_sss__bounded(double step) { return step < -1e6 ? -1e6 : step > 1e6 ? 1e6 : step; }
-
 static void ms_sss__fit_move(const ms_sss__fit *fit, const ms_sss__curve *from, ms_sss__curve *to)
 {
     const double *step = fit->step;
     int c, t, i;
     *to = *from;
-    if (fit->move_offsets)
-        for (i = 1; i <= fit->pairs; ++i) {
-            double o = from->offset[i] + ms_sss__bounded(*step++);
-            to->offset[i] = o < 0.05 ? 0.05 : o > 2 * fit->d->cells + 2 ? 2 * fit->d->cells + 2 : o;
-        }
-    for (c = fit->first; c < fit->first + fit->channels; ++c) {
+    for (i = 1; i <= fit->moved; ++i) {
+        double o = from->offset[i] + ms_sss__bounded(*step++);
+        to->offset[i] = o < 0.05 ? 0.05 : o > 2 * fit->d->cells + 2 ? 2 * fit->d->cells + 2 : o;
+    }
+    for (c = fit->first; c < fit->end; ++c) {
         for (t = 0; t < fit->terms; ++t)
             for (i = 0; i <= fit->pairs; ++i) {
                 double w = from->weight[c][t][i], q = sqrt(t == 0 ? w : 0) + ms_sss__bounded(*step++);
@@ -2633,7 +2658,7 @@ static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int iterations
 {
     double lambda = 1e-2, before, after;
     int n, c, i;
-    for (c = fit->first; c < fit->first + fit->channels; ++c) /* q = 0 would never move */
+    for (c = fit->first; c < fit->end; ++c) /* q = 0 would never move */
         for (i = 0; i <= v->pairs; ++i)
             if (!(v->weight[c][0][i] > 1e-6)) v->weight[c][0][i] = 1e-6;
     ms_sss__fit_basis(fit, v);
@@ -2645,7 +2670,7 @@ static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int iterations
             after = HUGE_VAL;
             if (ms_sss__marquardt(fit->H, fit->g, lambda, fit->unknowns, fit->work, fit->step)) {
                 ms_sss__fit_move(fit, v, &fit->trial);
-                if (fit->move_offsets) ms_sss__fit_basis(fit, &fit->trial);
+                if (fit->moved) ms_sss__fit_basis(fit, &fit->trial);
                 after = ms_sss__fit_objective(fit, &fit->trial);
             }
             lambda *= after < before ? 0.2 : 6;
@@ -2655,7 +2680,7 @@ static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int iterations
         if (before - after < 1e-6 * before) return after;
         before = after;
     }
-    if (fit->move_offsets) ms_sss__fit_basis(fit, v);
+    if (fit->moved) ms_sss__fit_basis(fit, v);
     return ms_sss__fit_objective(fit, v);
 }
 
@@ -2664,13 +2689,12 @@ static void ms_sss__fit_destroy(ms_sss__fit *fit)
     if (fit != NULL) ms__release(&fit->d->allocator, fit, fit->bytes);
 }
 
-/* texture and axis as in fit_bins. channels: 3 and first 0, or 1 and any first with fixed offsets. NULL: no memory. */
-static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__curve *model, double texture,
-                                       double axis, const ms_sss__curve *v, int first, int channels, int move_offsets,
-                                       int use_delta, int coarse)
+/* channel: the one whose weights are fitted, offsets fixed; -1: all three, and the offsets they share. NULL: no memory. */
+static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__curve *model, double dial, const ms_sss__curve *v,
+                                       int channel, int use_delta, int coarse)
 {
-    int moved = move_offsets ? v->pairs : 0, local = moved + v->terms * (v->pairs + 1) + (use_delta ? 1 : 0);
-    int unknowns = moved + channels * (local - moved);
+    const int moved = channel < 0 ? v->pairs : 0, channels = channel < 0 ? 3 : 1;
+    const int local = moved + v->terms * (v->pairs + 1) + use_delta, unknowns = moved + channels * (local - moved);
     double share[MS_SSS__NODES_MAX];
     int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, coarse, node, share);
     int lines = v->frames == 1 ? nodes : v->frames * nodes * (nodes + 1);
@@ -2686,13 +2710,13 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
     fit->frames = v->frames;
     fit->pairs = v->pairs;
     fit->terms = v->terms;
-    fit->first = first;
-    fit->channels = channels;
-    fit->move_offsets = move_offsets;
+    fit->first = channel < 0 ? 0 : channel;
+    fit->end = fit->first + channels;
+    fit->moved = moved;
     fit->use_delta = use_delta;
     fit->unknowns = unknowns;
     fit->local = local;
-    ms_sss__fit_bins(fit, model, texture, axis, coarse);
+    ms_sss__fit_bins(fit, model, dial, coarse);
     at = (double *)(void *)((unsigned char *)fit + header);
     fit->basis = at;
     fit->slope = at += lines * v->pairs;
@@ -2750,9 +2774,23 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
 
 /* ---- kernel models --------------------------------------------------------------------------------------------- */
 
+static double ms_sss__dot(const double *a, const double *b, int n)
+{
+    double sum = 0;
+    int i;
+    for (i = 0; i < n; ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+static void ms_sss__rotate(double *x, double *y, double c, double s)
+{
+    const double before = *x;
+    *x = c * before - s * *y;
+    *y = s * before + c * *y;
+}
+
 /* Largest eigenvalues by magnitude of a symmetric A [n][n], with unit eigenvectors: block power iteration, then the
    eigenvectors within the block by Jacobi rotations. vector [count][n]; scratch 2 block n doubles, block = count + 4. */
-#define MS_SSS__BLOCK_MAX (MS_SSS_TERMS_MAX + 4)
 static void ms_sss__eigen(const double *A, int n, int count, double *value, double *vector, double *scratch)
 {
     double *V = scratch, *W = scratch + MS_SSS__BLOCK_MAX * n, projected[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
@@ -2763,56 +2801,40 @@ static void ms_sss__eigen(const double *A, int n, int count, double *value, doub
     for (i = 0; i < block * n; ++i) V[i] = ms__rng_uniform(&rng) - 0.5;
     for (round = 0; round < 40; ++round) {
         for (a = 0; a < block; ++a) { /* W = V A, then Gram-Schmidt twice, which is enough */
-            double *w = W + a * n, norm = 0;
+            double *w = W + a * n, norm;
             for (i = 0; i < n; ++i) w[i] = 0;
             for (k = 0; k < n; ++k)
                 for (i = 0; i < n; ++i) w[i] += V[a * n + k] * A[k * n + i];
             for (j = 0; j < 2 * a; ++j) {
                 const double *other = W + (j % a) * n;
-                double dot = 0;
-                for (i = 0; i < n; ++i) dot += w[i] * other[i];
-                for (i = 0; i < n; ++i) w[i] -= dot * other[i];
+                double along = ms_sss__dot(w, other, n);
+                for (i = 0; i < n; ++i) w[i] -= along * other[i];
             }
-            for (i = 0; i < n; ++i) norm += w[i] * w[i];
+            norm = ms_sss__dot(w, w, n);
             norm = norm > 0 ? 1 / sqrt(norm) : 0;
             for (i = 0; i < n; ++i) w[i] *= norm;
         }
         memcpy(V, W, sizeof *V * (size_t)(block * n));
     }
     for (a = 0; a < block; ++a)
-        for (k = 0; k < n; ++k) {
-            W[a * n + k] = 0;
-            for (i = 0; i < n; ++i) W[a * n + k] += A[k * n + i] * V[a * n + i];
-        }
+        for (k = 0; k < n; ++k) W[a * n + k] = ms_sss__dot(A + k * n, V + a * n, n);
     for (a = 0; a < block; ++a)
         for (b = 0; b < block; ++b) {
-            projected[a][b] = 0;
+            projected[a][b] = ms_sss__dot(V + a * n, W + b * n, n);
             turn[a][b] = a == b;
-            for (i = 0; i < n; ++i) projected[a][b] += V[a * n + i] * W[b * n + i];
         }
     for (round = 0; round < 12; ++round)
         for (a = 0; a < block; ++a)
             for (b = a + 1; b < block; ++b) {
-                double theta, t, c, s;
-                if (!(fabs(projected[a][b]) > 1e-17 * (fabs(projected[a][a]) + fabs(projected[b][b])) + 1e-150)) continue; /* theta^2 in range */
+                double theta, t, c, s, least = 1e-17 * (fabs(projected[a][a]) + fabs(projected[b][b])) + 1e-150; /* theta^2 fits */
+                if (!(fabs(projected[a][b]) > least)) continue;
                 theta = (projected[b][b] - projected[a][a]) / (2 * projected[a][b]);
                 t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(1 + theta * theta));
                 c = 1 / sqrt(1 + t * t);
                 s = t * c;
-                for (k = 0; k < block; ++k) {
-                    double x = projected[k][a], y = projected[k][b];
-                    projected[k][a] = c * x - s * y;
-                    projected[k][b] = s * x + c * y;
-                }
-                for (k = 0; k < block; ++k) {
-                    double x = projected[a][k], y = projected[b][k];
-                    projected[a][k] = c * x - s * y;
-                    projected[b][k] = s * x + c * y;
-                    x = turn[k][a];
-                    y = turn[k][b];
-                    turn[k][a] = c * x - s * y;
-                    turn[k][b] = s * x + c * y;
-                }
+                for (k = 0; k < block; ++k) ms_sss__rotate(&projected[k][a], &projected[k][b], c, s);
+                for (k = 0; k < block; ++k) ms_sss__rotate(&projected[a][k], &projected[b][k], c, s);
+                for (k = 0; k < block; ++k) ms_sss__rotate(&turn[k][a], &turn[k][b], c, s);
             }
     for (j = 0; j < count; ++j) {
         for (a = 0, b = 0; a < block; ++a)
@@ -2866,6 +2888,9 @@ static ms_status ms_sss__singular_terms(const ms_sss_designer *d, int c, const d
     return MS_OK;
 }
 
+/* Gaussians are fitted from a fiftieth of a cell to a thousand. */
+static double ms_sss__log_sigma(double x) { return x < -4 ? -4 : x > 7 ? 7 : x; }
+
 /* A 1D Gaussian integrated over cells and scaled so that the square holds all of it, and its derivative by log sigma. */
 static void ms_sss__gaussian_cells(double sigma, int cells, double *g, double *slope)
 {
@@ -2884,209 +2909,149 @@ static void ms_sss__gaussian_cells(double sigma, int cells, double *g, double *s
     }
 }
 
-/* Gaussians whose sum approximates one channel: weight q^2 / sum of q^2. */
-typedef struct ms_sss__mixture {
-    int count;
-    double q[MS_SSS_TERMS_MAX], log_sigma[MS_SSS_TERMS_MAX], objective;
-} ms_sss__mixture;
-
-/* wave, slope [count][nodes]: spectra of the Gaussians and their derivatives by log sigma. */
-static void ms_sss__mixture_waves(const ms_sss_designer *d, ms_sss__mixture *m, int nodes, const int *node, double *wave,
-                                  double *slope)
+/* Gaussians whose sum approximates a channel, each of weight q^2 over the sum of those: x is q of all, then log sigma, cells. One
+   in the Frobenius norm, as it is usually done; more by texture error, as that norm sees little but the centre. */
+static double ms_sss__mixture_squares(const ms_sss__squares *p, double *x, double *H, double *g)
 {
-    double g[MS_SSS__CELLS_MAX + 1], s[MS_SSS__CELLS_MAX + 1], sum = 0;
-    int n, a, i;
-    for (n = 0; n < m->count; ++n) sum += m->q[n] * m->q[n];
-    for (n = 0; n < m->count; ++n) {
-        m->q[n] /= sqrt(sum);
-        ms_sss__gaussian_cells(exp(m->log_sigma[n]), d->cells, g, s);
+    double wave[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX], slope[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX], share[MS_SSS__NODES_MAX];
+    double cell[MS_SSS__CELLS_MAX + 1], growth[MS_SSS__CELLS_MAX + 1], J[2 * MS_SSS_TERMS_MAX], sum = 0, value = 0;
+    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(p->d->cells, 0, node, share), N = p->n / 2, n, a, b, i, j;
+    for (n = 0; n < N; ++n) sum += x[n] * x[n];
+    for (n = 0; n < N; ++n) { /* spectra and their derivatives by log sigma */
+        x[n] /= sqrt(sum);
+        x[N + n] = ms_sss__log_sigma(x[N + n]);
+        ms_sss__gaussian_cells(exp(x[N + n]), p->d->cells, cell, growth);
         for (a = 0; a < nodes; ++a) {
-            double re = g[0], along = s[0];
-            for (i = 1; i <= d->cells; ++i) {
-                double c = 2 * d->cosine[node[a] * i & (MS_SSS__SIZE - 1)];
-                re += g[i] * c;
-                along += s[i] * c;
+            wave[n][a] = cell[0];
+            slope[n][a] = growth[0];
+            for (i = 1; i <= p->d->cells; ++i) {
+                double c = 2 * p->d->cosine[node[a] * i & (MS_SSS__SIZE - 1)];
+                wave[n][a] += cell[i] * c;
+                slope[n][a] += growth[i] * c;
             }
-            wave[n * nodes + a] = re;
-            slope[n * nodes + a] = along;
         }
     }
+    for (a = 0; a < nodes; ++a)
+        for (b = 0; b <= a; ++b) {
+            double found = 0, rest, weight = share[a] * share[b] * (a == b ? 1 : 2);
+            if (N > 1) weight *= a > 0 ? ms_sss__texture_power(node[a], node[b]) : 0;
+            for (n = 0; n < N; ++n) {
+                J[n] = wave[n][a] * wave[n][b];
+                J[N + n] = x[n] * x[n] * (slope[n][a] * wave[n][b] + wave[n][a] * slope[n][b]);
+                found += x[n] * x[n] * J[n];
+            }
+            for (n = 0; n < N; ++n) J[n] = 2 * x[n] * (J[n] - found); /* q^2 over their sum */
+            rest = p->d->spectrum[p->channel][ms_sss__octant(node[a], node[b])] - found;
+            value += weight * rest * rest;
+            for (i = 0; i < 2 * N; ++i) {
+                g[i] += weight * J[i] * rest;
+                for (j = 0; j <= i; ++j) H[i * 2 * N + j] += weight * J[i] * J[j];
+            }
+        }
+    return value;
 }
 
-/* Levenberg-Marquardt over (q, log sigma) from Gaussians spread evenly in log sigma. */
-static void ms_sss__fit_mixture_from(const ms_sss_designer *d, int c, double narrowest, double widest, ms_sss__mixture *best)
-{
-    enum { P = 2 * MS_SSS_TERMS_MAX };
-    double wave[MS_SSS_TERMS_MAX * MS_SSS__NODES_MAX], slope[MS_SSS_TERMS_MAX * MS_SSS__NODES_MAX], share[MS_SSS__NODES_MAX];
-    double H[P * P], g[P], work[P * P], step[P], lambda = 1e-2;
-    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, 0, node, share), N = best->count, round, n, a, b, i, j;
-    ms_sss__mixture m = *best;
-    for (n = 0; n < N; ++n) {
-        m.q[n] = 1;
-        m.log_sigma[n] = log(narrowest) + log(widest / narrowest) * (n + 0.5) / N;
-    }
-    best->objective = HUGE_VAL;
-    for (round = 0; round < 150 && lambda < 1e10; ++round) {
-        double Ht[P * P], gt[P];
-        memset(Ht, 0, sizeof Ht);
-        memset(gt, 0, sizeof gt);
-        m.objective = 0;
-        ms_sss__mixture_waves(d, &m, nodes, node, wave, slope);
-        for (a = 0; a < nodes; ++a)
-            for (b = 0; b <= a; ++b) {
-                double J[P], found = 0, rest, weight = share[a] * share[b] * (a == b ? 1 : 2);
-                if (N > 1) weight *= a > 0 ? ms_sss__texture_power(node[a], node[b]) : 0;
-                for (n = 0; n < N; ++n) {
-                    const double *w = wave + n * nodes, *s = slope + n * nodes;
-                    J[n] = w[a] * w[b];
-                    J[N + n] = m.q[n] * m.q[n] * (s[a] * w[b] + w[a] * s[b]);
-                    found += m.q[n] * m.q[n] * J[n];
-                }
-                for (n = 0; n < N; ++n) J[n] = 2 * m.q[n] * (J[n] - found); /* q^2 over their sum */
-                rest = d->spectrum[c][ms_sss__octant(node[a], node[b])] - found;
-                m.objective += weight * rest * rest;
-                for (i = 0; i < 2 * N; ++i) {
-                    gt[i] += weight * J[i] * rest;
-                    for (j = 0; j <= i; ++j) Ht[i * 2 * N + j] += weight * J[i] * J[j];
-                }
-            }
-        if (m.objective < best->objective) {
-            int done = best->objective - m.objective < 1e-8 * m.objective;
-            *best = m;
-            memcpy(H, Ht, sizeof H);
-            memcpy(g, gt, sizeof g);
-            lambda *= 0.2;
-            if (done) break;
-        } else {
-            lambda *= 5;
-        }
-        m = *best;
-        if (!ms_sss__marquardt(H, g, lambda, 2 * N, work, step)) break;
-        for (n = 0; n < N; ++n) {
-            double s = best->log_sigma[n] + step[N + n];
-            m.q[n] = best->q[n] + ms_sss__bounded(step[n]);
-            m.log_sigma[n] = s < -4 ? -4 : s > 7 ? 7 : s; /* a fiftieth of a cell to a thousand */
-        }
-    }
-}
-
-/* The best of fits that start from differently narrow Gaussians: one Gaussian in the Frobenius norm, as it is usually
-   done; more by least texture error, as that norm sees little but the centre. */
-static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, ms_sss__mixture *best)
+/* The best of fits that start from Gaussians spread evenly in log sigma, the narrowest one narrower or wider: weight and sigma,
+   cells, of each. */
+static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, double *weight, double *sigma)
 {
     static const double spread[] = {20, 90};
-    ms_sss__mixture m;
-    int n;
-    best->objective = HUGE_VAL;
-    for (n = 0; n < 2; ++n) {
-        m.count = count;
-        ms_sss__fit_mixture_from(d, c, d->width[c] / spread[n] + 0.1, d->width[c] / 2 + 0.2, &m);
-        if (m.objective < best->objective) *best = m;
+    double x[2 * MS_SSS_TERMS_MAX], scratch[2 * MS_SSS_TERMS_MAX * (6 * MS_SSS_TERMS_MAX + 4)], least = HUGE_VAL, value;
+    ms_sss__squares problem = {ms_sss__mixture_squares, NULL, 0, 0, 150, 1e-2, 5, 1e-8, NULL, 0, 0, 0};
+    int k, n;
+    problem.d = d;
+    problem.channel = c;
+    problem.n = 2 * count;
+    for (k = 0; k < 2; ++k) {
+        const double narrowest = d->width[c] / spread[k] + 0.1, widest = d->width[c] / 2 + 0.2;
+        for (n = 0; n < count; ++n) {
+            x[n] = 1;
+            x[count + n] = log(narrowest) + log(widest / narrowest) * (n + 0.5) / count;
+        }
+        value = ms_sss__descend(&problem, x, scratch);
+        if (k > 0 && !(value < least)) break;
+        least = value;
+        for (n = 0; n < count; ++n) {
+            weight[n] = x[n];
+            sigma[n] = exp(x[count + n]);
+        }
     }
 }
 
-/* The two-Gaussian model of least squares to a_p (5.6): sigmas in cells. */
-static void ms_sss__artist_cells(const ms_sss_designer *d, int c, const double *ap, double *sigma_near, double *sigma_far,
-                               double *share)
+/* The two-Gaussian model against a_p (5.6): x is log sigma of both, cells, and the share of the first. */
+static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double *H, double *g)
 {
-    double x[3], trial[3], H[9], g[3], work[9], step[3], lambda = 1e-2, best = HUGE_VAL;
-    double near_g[MS_SSS__CELLS_MAX + 1], near_s[MS_SSS__CELLS_MAX + 1], far_g[MS_SSS__CELLS_MAX + 1], far_s[MS_SSS__CELLS_MAX + 1];
-    int round, i, a, b;
-    trial[0] = log(d->width[c] / 20 + 0.2);
-    trial[1] = log(d->width[c] / 3 + 0.4);
-    trial[2] = 0.5;
-    memcpy(x, trial, sizeof x);
-    memset(step, 0, sizeof step);
-    for (round = 0; round < 100 && lambda < 1e10; ++round) {
-        double objective = 0, J[3], Ht[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0}, gt[3] = {0, 0, 0}, gain;
-        ms_sss__gaussian_cells(exp(trial[0]), d->cells, near_g, near_s);
-        ms_sss__gaussian_cells(exp(trial[1]), d->cells, far_g, far_s);
-        for (i = 0; i <= d->cells; ++i) {
-            double rest = ap[i] - trial[2] * near_g[i] - (1 - trial[2]) * far_g[i], times = i ? 2 : 1;
-            J[0] = trial[2] * near_s[i];
-            J[1] = (1 - trial[2]) * far_s[i];
-            J[2] = near_g[i] - far_g[i];
-            objective += times * rest * rest;
-            for (a = 0; a < 3; ++a) {
-                gt[a] += times * J[a] * rest;
-                for (b = 0; b < 3; ++b) Ht[3 * a + b] += times * J[a] * J[b];
-            }
-        }
-        gain = best - objective;
-        if (gain > 0) {
-            best = objective;
-            memcpy(x, trial, sizeof x);
-            memcpy(H, Ht, sizeof H);
-            memcpy(g, gt, sizeof g);
-            lambda *= 0.2;
-            if (gain < 1e-12 * best) break;
-        } else {
-            lambda *= 5;
-        }
-        if (!ms_sss__marquardt(H, g, lambda, 3, work, step)) break;
-        for (a = 0; a < 3; ++a) trial[a] = x[a] + step[a];
-        for (a = 0; a < 2; ++a) trial[a] = trial[a] < -4 ? -4 : trial[a] > 7 ? 7 : trial[a]; /* as in a mixture */
-        trial[2] = trial[2] < 0 ? 0 : trial[2] > 1 ? 1 : trial[2];
+    double cell[2][MS_SSS__CELLS_MAX + 1], growth[2][MS_SSS__CELLS_MAX + 1], J[3], value = 0;
+    int i, a, b;
+    for (a = 0; a < 2; ++a) {
+        x[a] = ms_sss__log_sigma(x[a]);
+        ms_sss__gaussian_cells(exp(x[a]), p->cells, cell[a], growth[a]);
     }
-    if (x[0] > x[1]) {
-        double swap = x[0];
-        x[0] = x[1];
-        x[1] = swap;
-        x[2] = 1 - x[2];
+    x[2] = x[2] < 0 ? 0 : x[2] > 1 ? 1 : x[2];
+    for (i = 0; i <= p->cells; ++i) {
+        double rest = p->curve[i] - x[2] * cell[0][i] - (1 - x[2]) * cell[1][i], times = i ? 2 : 1;
+        J[0] = x[2] * growth[0][i];
+        J[1] = (1 - x[2]) * growth[1][i];
+        J[2] = cell[0][i] - cell[1][i];
+        value += times * rest * rest;
+        for (a = 0; a < 3; ++a) {
+            g[a] += times * J[a] * rest;
+            for (b = 0; b <= a; ++b) H[3 * a + b] += times * J[a] * J[b];
+        }
     }
-    *sigma_near = exp(x[0]);
-    *sigma_far = exp(x[1]);
-    *share = x[2];
+    return value;
 }
 
-/* Guided optimisation (5.14): least sum over i, j >= 1 of Gamma_ij (K_ij - a_i a_j)^2, coarse cells first. Gamma vanishes
-   on the axes, so a_0 enters no term and is what the energy constraint leaves: in the limit of small cells a(x) tends to
-   a smooth curve with a point mass at 0. That is the dependence on the grid: the curve converges, the centre's share of
-   the mass within half a cell shrinks towards the point mass. K, a: [cells + 1]; scratch (2 cells + 4) cells. */
-static void ms_sss__guided_level(const double *K, int cells, double half_width, double k_guide, double *a, double *scratch)
+/* out: sigma of the near and of the far one, cells, and the near one's share. */
+static void ms_sss__fit_near_far(const ms_sss_designer *d, int c, const double *ap, double out[3])
 {
-    int n = cells, row = cells + 1, round, i, j;
-    double *H = scratch, *work = H + n * n, *g = work + n * n, *step = g + n, *trial = step + n, lambda = 1e-3, best = -1;
-    memcpy(trial, a + 1, sizeof *a * (size_t)n);
-    for (round = 0; round < 60 && lambda < 1e10; ++round) {
-        double objective = 0, gain;
-        for (i = 1; i <= n; ++i)
-            for (j = 1; j <= n; ++j) {
-                double x = i / half_width, y = j / half_width, rest = K[i * row + j] - trial[i - 1] * trial[j - 1];
-                double guide = pow(x * x + y * y, 0.5 * k_guide) * expm1(-50 * x * x) * expm1(-50 * y * y); /* (5.16), b = 50 */
-                objective += guide * rest * rest;
-            }
-        gain = best - objective;
-        if (best < 0 || gain > 0) {
-            memcpy(a + 1, trial, sizeof *a * (size_t)n);
-            lambda *= 0.2;
-            if (best >= 0 && gain < 1e-10 * best) break;
-            best = objective;
-            memset(H, 0, sizeof *H * (size_t)(n * n));
-            memset(g, 0, sizeof *g * (size_t)n);
-            for (i = 1; i <= n; ++i)
-                for (j = 1; j <= n; ++j) {
-                    double x = i / half_width, y = j / half_width, rest = K[i * row + j] - a[i] * a[j];
-                    double guide = pow(x * x + y * y, 0.5 * k_guide) * expm1(-50 * x * x) * expm1(-50 * y * y);
-                    H[(i - 1) * n + i - 1] += guide * a[j] * a[j];
-                    H[(i - 1) * n + j - 1] += guide * a[i] * a[j];
-                    g[i - 1] += guide * rest * a[j];
-                }
-        } else {
-            lambda *= 6;
-        }
-        if (!ms_sss__marquardt(H, g, lambda, n, work, step)) break;
-        for (i = 0; i < n; ++i) trial[i] = a[i + 1] + step[i];
-    }
+    double x[3] = {0, 0, 0.5}, scratch[3 * (3 * 3 + 4)];
+    ms_sss__squares problem = {ms_sss__artist_squares, NULL, 0, 3, 100, 1e-2, 5, 1e-12, NULL, 0, 0, 0};
+    int far_first;
+    problem.curve = ap;
+    problem.cells = d->cells;
+    x[0] = log(d->width[c] / 20 + 0.2);
+    x[1] = log(d->width[c] / 3 + 0.4);
+    ms_sss__descend(&problem, x, scratch);
+    far_first = x[0] > x[1];
+    out[0] = exp(x[far_first]);
+    out[1] = exp(x[!far_first]);
+    out[2] = far_first ? 1 - x[2] : x[2];
 }
 
+/* Guided optimisation (5.14): least sum over i, j >= 1 of Gamma_ij (K_ij - a_i a_j)^2, x being a_1 and on. Gamma vanishes on the
+   axes, so a_0 enters no term and is what the energy constraint leaves: in the limit of small cells a(x) tends to a smooth
+   curve with a point mass at 0. That is the dependence on the grid: the curve converges, the centre's share of the mass
+   within half a cell shrinks towards the point mass. */
+static double ms_sss__guided_squares(const ms_sss__squares *p, double *a, double *H, double *g)
+{
+    const int n = p->n;
+    double value = 0;
+    int i, j;
+    for (i = 0; i < n; ++i)
+        for (j = 0; j < n; ++j) {
+            double x = (i + 1) / p->half_width, y = (j + 1) / p->half_width;
+            double rest = p->curve[(i + 1) * (n + 1) + j + 1] - a[i] * a[j];
+            double guide = pow(x * x + y * y, 0.5 * p->guide) * expm1(-50 * x * x) * expm1(-50 * y * y); /* (5.16), b = 50 */
+            value += guide * rest * rest;
+            H[i * n + i] += guide * a[j] * a[j];
+            H[i * n + j] += guide * a[i] * a[j];
+            g[i] += guide * rest * a[j];
+        }
+    return value;
+}
+
+/* Coarse cells first. */
 static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double k_guide, double *a)
 {
     int M = d->cells, row = M + 1, level, i, j, p, q;
     double *K, sum = 0;
-    size_t bytes = (size_t)(row * row + (2 * M + 4) * row) * sizeof(double);
+    ms_sss__squares problem = {ms_sss__guided_squares, NULL, 0, 0, 60, 1e-3, 6, 1e-10, NULL, 0, 0, 0};
+    size_t bytes = (size_t)(row * row + (3 * M + 4) * M) * sizeof(double);
     K = (double *)ms__alloc(&d->allocator, bytes);
     if (K == NULL) return MS_OUT_OF_MEMORY;
+    problem.curve = K;
+    problem.guide = k_guide;
     ms_sss__row_sums(d, c, a);
     for (level = M >= 40 ? 9 : M >= 13 ? 3 : 1; level >= 1; level /= 3) { /* cells of level x level fine ones */
         double coarse[MS_SSS__CELLS_MAX + 1];
@@ -3100,7 +3065,9 @@ static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double k_guide,
                     for (q = -half; q <= half; ++q) K[i * crow + j] += d->cell[c][abs(i * level + p) * row + abs(j * level + q)];
             }
         }
-        ms_sss__guided_level(K, cells, (double)M / level, k_guide, coarse, K + row * row);
+        problem.n = cells;
+        problem.half_width = (double)M / level;
+        ms_sss__descend(&problem, coarse + 1, K + row * row);
         for (i = cells; i >= 1; --i) { /* the fine cells keep their shape within the coarse one */
             double before = 0;
             for (p = -half; p <= half; ++p) before += a[i * level + p];
@@ -3151,21 +3118,22 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
                 sum += v->sign[c][t] * ms_sss__term_sum(v, c, t) * ms_sss__term_sum(v, c, t);
             if (o->model == MS_SSS_SVD && sum > 0) v->energy[c] = sum;
         } else if (o->model == MS_SSS_GAUSSIANS) {
-            ms_sss__mixture mixture;
-            ms_sss__fit_mixture(d, c, v->terms, &mixture);
+            double q[MS_SSS_TERMS_MAX], sigma[MS_SSS_TERMS_MAX];
+            ms_sss__fit_mixture(d, c, v->terms, q, sigma);
             for (t = 0; t < v->terms; ++t) {
-                ms_sss__gaussian_cells(exp(mixture.log_sigma[t]), M, v->weight[c][t], slope);
-                for (i = 0; i <= M; ++i) v->weight[c][t][i] *= mixture.q[t]; /* q^2 g g^T = (q g)(q g)^T */
+                ms_sss__gaussian_cells(sigma[t], M, v->weight[c][t], slope);
+                for (i = 0; i <= M; ++i) v->weight[c][t][i] *= q[t]; /* q^2 g g^T = (q g)(q g)^T */
             }
         } else if (o->model == MS_SSS_GUIDED) {
             status = ms_sss__guided(d, c, o->guide_k, w);
         } else if (o->model == MS_SSS_ARTIST) {
-            double near_sigma = o->artist.sigma_near_mm[c] / d->cell_mm, far_sigma = o->artist.sigma_far_mm[c] / d->cell_mm;
-            double share = o->artist.near_weight[c], far_cells[MS_SSS__CELLS_MAX + 1];
-            if (near_sigma == 0) ms_sss__artist_cells(d, c, w, &near_sigma, &far_sigma, &share);
-            ms_sss__gaussian_cells(near_sigma, M, w, slope);
-            ms_sss__gaussian_cells(far_sigma, M, far_cells, slope);
-            for (i = 0; i <= M; ++i) w[i] = share * w[i] + (1 - share) * far_cells[i];
+            const ms_sss_artist *a = &o->artist;
+            double fit[3] = {a->sigma_near_mm[c] / d->cell_mm, a->sigma_far_mm[c] / d->cell_mm, a->near_weight[c]};
+            double far_cells[MS_SSS__CELLS_MAX + 1];
+            if (fit[0] == 0) ms_sss__fit_near_far(d, c, w, fit);
+            ms_sss__gaussian_cells(fit[0], M, w, slope);
+            ms_sss__gaussian_cells(fit[1], M, far_cells, slope);
+            for (i = 0; i <= M; ++i) w[i] = fit[2] * w[i] + (1 - fit[2]) * far_cells[i];
         } else if (o->model == MS_SSS_SLICE) {
             memcpy(w, d->slice[c], sizeof *w * (size_t)(M + 1));
         }
@@ -3194,7 +3162,7 @@ static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, in
     for (c = 0; c < 3 && !no_delta; ++c) hats->delta[c] = 0.01;
     ms_sss__curve_normalise(hats);
     for (c = 0; c < 3; ++c) { /* with fixed offsets the channels are independent */
-        fit = ms_sss__fit_create(d, NULL, 1 - dial, dial, hats, c, 1, 0, !no_delta, 0);
+        fit = ms_sss__fit_create(d, NULL, dial, hats, c, !no_delta, 0);
         if (fit == NULL) return MS_OUT_OF_MEMORY;
         ms_sss__fit_run(fit, hats, 60);
         ms_sss__fit_destroy(fit);
@@ -3243,7 +3211,7 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     double least = HUGE_VAL, objective;
     int n, c;
     ms_sss__place(d, dense, MS_SSS_QUANTILE, 0, pairs, best);
-    fit = ms_sss__fit_create(d, model, 1 - dial, dial, best, 0, 3, 1, !no_delta, 1);
+    fit = ms_sss__fit_create(d, model, dial, best, -1, !no_delta, 1);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
     v = &fit->hop;
     for (n = 0; n < 5; ++n) {
@@ -3258,7 +3226,7 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     }
     ms_sss__fit_hops(fit, 2, best);
     ms_sss__fit_destroy(fit);
-    fit = ms_sss__fit_create(d, model, 1 - dial, dial, best, 0, 3, 1, !no_delta, 0);
+    fit = ms_sss__fit_create(d, model, dial, best, -1, !no_delta, 0);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
     ms_sss__fit_hops(fit, dense->terms > 1 || pairs <= 5, best); /* worth its time where a tap or an error counts */
     ms_sss__fit_destroy(fit);
@@ -3321,33 +3289,31 @@ static void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *
 
 static ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms_error *error)
 {
-    int c, dense = o->tap_count == MS_SSS_DENSE;
-    int most = o->placement == MS_SSS_OPTIMISED ? 33 : MS_SSS_TAPS_MAX;
-    if ((int)o->model < 0 || o->model > MS_SSS_ROTATED)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "model is %d; 0 to %d expected", (int)o->model, (int)MS_SSS_ROTATED);
-    if ((int)o->placement < 0 || o->placement > MS_SSS_QUADRATIC)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "placement is %d; 0 to 2 expected", (int)o->placement);
+    const int dense = o->tap_count == MS_SSS_DENSE, most = o->placement == MS_SSS_OPTIMISED ? 33 : MS_SSS_TAPS_MAX;
+    ms_status status;
+    int c;
+    if ((status = ms_sss__within((int)o->model, "model", 0, (int)MS_SSS_ROTATED, error)) != MS_OK ||
+        (status = ms_sss__within((int)o->placement, "placement", 0, (int)MS_SSS_QUADRATIC, error)) != MS_OK ||
+        (status = ms_sss__within(o->term_count, "term_count", 1, MS_SSS_TERMS_MAX, error)) != MS_OK ||
+        (status = ms_sss__within(o->dial, "dial", 0, 1, error)) != MS_OK ||
+        (status = ms_sss__within(o->guide_k, "guide_k", 0, 4, error)) != MS_OK ||
+        (status = ms_sss__within(o->index, "index", 1, 2, error)) != MS_OK)
+        return status;
     if (!dense && (o->tap_count < 3 || o->tap_count > most || o->tap_count % 2 == 0))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tap_count is %d; odd, 3 to %d, or MS_SSS_DENSE expected",
                         o->tap_count, most);
-    if (o->term_count < 1 || o->term_count > MS_SSS_TERMS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term_count is %d; 1 to %d expected", o->term_count, MS_SSS_TERMS_MAX);
-    if (!(o->dial >= 0 && o->dial <= 1))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "dial is %g; 0 to 1 expected", o->dial);
-    if (!(o->guide_k >= 0 && o->guide_k <= 4))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "guide_k is %g; 0 to 4 expected", o->guide_k);
-    if (!(o->index >= 1 && o->index <= 2))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %g; 1 to 2 expected", o->index);
     if (o->model == MS_SSS_ROTATED && (dense || o->placement != MS_SSS_OPTIMISED || o->frame_count < 2 || o->frame_count > 8))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "model rotated: frame_count is %d; 2 to 8, MS_SSS_OPTIMISED and no MS_SSS_DENSE expected",
-                        o->frame_count);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                        "model rotated: frame_count is %d; 2 to 8, MS_SSS_OPTIMISED and no MS_SSS_DENSE expected", o->frame_count);
     for (c = 0; c < 3; ++c) {
         const ms_sss_artist *a = &o->artist;
         int fitted = a->sigma_near_mm[c] == 0 && a->sigma_far_mm[c] == 0 && a->near_weight[c] == 0;
         if (!fitted && !(a->sigma_near_mm[c] > 0 && a->sigma_near_mm[c] <= 1e6 && a->sigma_far_mm[c] > 0 &&
                          a->sigma_far_mm[c] <= 1e6 && a->near_weight[c] >= 0 && a->near_weight[c] <= 1))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c, "artist, channel %d: sigma_near_mm %g, sigma_far_mm %g, near_weight %g; sigmas above 0, at most 1e6, a weight of 0 to 1, or all 0 expected", c,
-                            a->sigma_near_mm[c], a->sigma_far_mm[c], a->near_weight[c]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c,
+                            "artist, channel %d: sigma_near_mm %g, sigma_far_mm %g, near_weight %g; "
+                            "sigmas above 0, at most 1e6, a weight of 0 to 1, or all 0 expected",
+                            c, a->sigma_near_mm[c], a->sigma_far_mm[c], a->near_weight[c]);
     }
     return MS_OK;
 }
@@ -3426,12 +3392,12 @@ MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *arti
     int c;
     if (d == NULL || artist == NULL) return MS_INVALID_ARGUMENT;
     for (c = 0; c < 3; ++c) {
-        double near_sigma = 1e-3, far_sigma = 1e-3, share = 1;
+        double fit[3] = {1e-3, 1e-3, 1};
         ms_sss__row_sums(d, c, ap);
-        if (d->reflectance[c] > 0) ms_sss__artist_cells(d, c, ap, &near_sigma, &far_sigma, &share);
-        artist->sigma_near_mm[c] = near_sigma * d->cell_mm;
-        artist->sigma_far_mm[c] = far_sigma * d->cell_mm;
-        artist->near_weight[c] = share;
+        if (d->reflectance[c] > 0) ms_sss__fit_near_far(d, c, ap, fit);
+        artist->sigma_near_mm[c] = fit[0] * d->cell_mm;
+        artist->sigma_far_mm[c] = fit[1] * d->cell_mm;
+        artist->near_weight[c] = fit[2];
     }
     return MS_OK;
 }
@@ -3439,16 +3405,15 @@ MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *arti
 MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, double (*sigma_mm)[3], double (*weight)[3],
                                           ms_error *error)
 {
-    ms_sss__mixture mixture;
+    double q[MS_SSS_TERMS_MAX], sigma[MS_SSS_TERMS_MAX];
     int c, n;
     if (d == NULL || sigma_mm == NULL || weight == NULL || count < 1 || count > MS_SSS_TERMS_MAX)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d Gaussians; 1 to %d and no NULL expected", count, MS_SSS_TERMS_MAX);
-    memset(&mixture, 0, sizeof mixture);
     for (c = 0; c < 3; ++c) {
-        ms_sss__fit_mixture(d, c, count, &mixture);
+        ms_sss__fit_mixture(d, c, count, q, sigma);
         for (n = 0; n < count; ++n) {
-            sigma_mm[n][c] = exp(mixture.log_sigma[n]) * d->cell_mm;
-            weight[n][c] = mixture.q[n] * mixture.q[n];
+            sigma_mm[n][c] = sigma[n] * d->cell_mm;
+            weight[n][c] = q[n] * q[n];
         }
     }
     return MS_OK;
@@ -3489,7 +3454,7 @@ MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *erro
         status = ms_sss_kernel_build(trial, d, &options, error);
         if (status != MS_OK) break;
         ms_sss__measure(&found, trial, d, m);
-        miss = found.texture / tolerance > found.bands / MS_SSS_BANDS_SEEN ? found.texture / tolerance : found.bands / MS_SSS_BANDS_SEEN;
+        miss = fmax(found.texture / tolerance, found.bands / MS_SSS_BANDS_SEEN);
         if (miss >= least) continue;
         least = miss;
         best = found;
@@ -3580,19 +3545,6 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 }
 
 #undef MS_SSS__PI
-#undef MS_SSS__SIZE
-#undef MS_SSS__HALF
-#undef MS_SSS__OCTANT
-#undef MS_SSS__CELLS_MAX
-#undef MS_SSS__SIGNALS
-#undef MS_SSS__TEXTURE
-#undef MS_SSS__RINGS_MAX
-#undef MS_SSS__TEXTURE_SEED
-#undef MS_SSS__TEXTURE_DRAWN
-#undef MS_SSS__TEXTURE_LIMIT
-#undef MS_SSS__NODES_MAX
-#undef MS_SSS__BINS_MAX
-#undef MS_SSS__BLOCK_MAX
 
 /* ---- filter code ----------------------------------------------------------------------------------------------- */
 
@@ -3615,11 +3567,6 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #define MS_SSS__PREFETCH(p) __builtin_prefetch(p)
 #else
 #define MS_SSS__PREFETCH(p) ((void)(p))
-#endif
-#if defined(__GNUC__) || defined(__clang__)
-#define MS_SSS__APART __attribute__((noinline))
-#else
-#define MS_SSS__APART
 #endif
 
 enum {
@@ -5026,6 +4973,31 @@ static ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int 
     return MS_OK;
 }
 
+static MS_SSS__APART ms_status ms_sss__check_sides(int width, int height, ms_error *error)
+{
+    if (width >= 1 && height >= 1 && width <= MS_SSS__SIDE_MAX && height <= MS_SSS__SIDE_MAX) return MS_OK;
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
+}
+
+/* Fills in the strides. */
+static ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_depth, ms_error *error)
+{
+    const int w = f->width, h = f->height;
+    ms_status status;
+    if ((status = ms_sss__check_image(&f->input, "input", 3, 1, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->output, "output", 3, 1, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->depth, "depth", 1, needs_depth, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->strength, "strength", 1, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->albedo, "albedo", 3, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->specular, "specular", 3, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->normal, "normal", 3, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->through, "through", 3, 0, w, h, error)) != MS_OK)
+        return status;
+    if (f->profile_pixel_stride == 0) f->profile_pixel_stride = 1;
+    if (f->profile_row_stride == 0) f->profile_row_stride = f->profile_pixel_stride * w;
+    return MS_OK;
+}
+
 static ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
 {
     const int sizes = ms_sss__differ(o->pixels_per_mm[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
@@ -5077,7 +5049,6 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     } else {
         if (o->fov_degrees > 0) size = height / (2 * tan((double)o->fov_degrees * (3.14159265358979323846 / 360)) * mm);
         else size = height / ((double)o->ortho_height * mm);
-        if (o->uv_steps) p->aspect[0] = (float)width / (float)height;
     }
     size /= (double)job->coarse;
     p->perspective = o->fov_degrees > 0;
@@ -5293,8 +5264,7 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     ms_status status;
     float *at;
     int i, c;
-    if (w < 1 || h < 1 || w > MS_SSS__SIDE_MAX || h > MS_SSS__SIDE_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", w, h, (int)MS_SSS__SIDE_MAX);
+    if ((status = ms_sss__check_sides(w, h, error)) != MS_OK) return status;
     if (kernel_count < 1 || kernel_count > 256)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel_count %d is not within 1 to 256", kernel_count);
     for (i = 0; i < kernel_count; ++i)
@@ -5303,17 +5273,7 @@ static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, cons
     memset(job, 0, sizeof *job);
     *f = *frame;
     job->options = *options;
-    if ((status = ms_sss__check_image(&f->input, "input", 3, 1, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->output, "output", 3, 1, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->depth, "depth", 1, options->fov_degrees > 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->strength, "strength", 1, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->albedo, "albedo", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->specular, "specular", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->normal, "normal", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->through, "through", 3, 0, w, h, error)) != MS_OK)
-        return status;
-    if (f->profile_pixel_stride == 0) f->profile_pixel_stride = 1;
-    if (f->profile_row_stride == 0) f->profile_row_stride = f->profile_pixel_stride * w;
+    if ((status = ms_sss__check_frame(f, options->fov_degrees > 0, error)) != MS_OK) return status;
     if (!workspace || workspace_size < needed)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
     for (i = 1, c = 0; i < kernel_count; ++i)
@@ -6107,7 +6067,7 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height)
 /* Whether a pyramid can do what the options ask for. */
 static int ms_sss__tower_takes(const ms_sss_filter_options *o)
 {
-    return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) && !o->uv_steps && o->depth_mode != MS_SSS_DEPTH_FOLLOW &&
+    return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) && o->depth_mode != MS_SSS_DEPTH_FOLLOW &&
            !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
 }
 
@@ -6228,7 +6188,7 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
                         (int)MS_SSS__SIDE_MAX);
     if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
     if (frame->profile || !ms_sss__tower_takes(options))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW");
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
     return ms_sss__tower_filter(frame, pyramid, 0, 1, options, workspace, error);
 }
 
@@ -6293,7 +6253,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
                            ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options), MS_SSS__BARE, &end, error);
     if (status != MS_OK) return status;
     if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__tower_takes(options)))
-        return ms__fail(error, MS_UNSUPPORTED, 0, options->pyramids ? "a pyramid is round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW"
+        return ms__fail(error, MS_UNSUPPORTED, 0, options->pyramids ? "a pyramid is round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW"
                                                                     : "method is MS_SSS_METHOD_PYRAMID, but options.pyramids is NULL");
     agreed = *options;
     if (!(agreed.mm_per_unit > 0)) agreed.mm_per_unit = 1;
@@ -6591,7 +6551,7 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
                                    ms_error *error)
 {
     ms_sss__gather g;
-    double total[3], radius[3], widest = 0;
+    double total[3], radius[3], widest;
     ms_status status;
     size_t needed;
     int c, i, layer, level;
@@ -6603,34 +6563,26 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
     g.options = *options;
     if (back) g.back = *back;
     if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
+    if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK) return status;
     needed = ms_sss_gather_workspace(frame->width, frame->height, back != NULL);
-    if (needed == SIZE_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", frame->width, frame->height, (int)MS_SSS__SIDE_MAX);
-    if (options->pixels_per_mm[0] > 0) return ms__fail(error, MS_UNSUPPORTED, 0, "a gather needs depth, fov_degrees or ortho_height; pixels_per_mm is for textures");
+    if (options->pixels_per_mm[0] > 0)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a gather needs depth, fov_degrees or ortho_height; pixels_per_mm is for textures");
     if (frame->profile) return ms__fail(error, MS_UNSUPPORTED, 0, "a gather has one profile; frame->profile is set");
-    if ((status = ms_sss__check_image(&g.frame.input, "input", 3, 1, frame->width, frame->height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&g.frame.output, "output", 3, 1, frame->width, frame->height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&g.frame.depth, "depth", 1, 1, frame->width, frame->height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&g.frame.strength, "strength", 1, 0, frame->width, frame->height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&g.frame.albedo, "albedo", 3, 0, frame->width, frame->height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&g.frame.specular, "specular", 3, 0, frame->width, frame->height, error)) != MS_OK)
-        return status;
-    if ((status = ms_sss__check_image(&g.frame.normal, "normal", 3, 0, frame->width, frame->height, error)) != MS_OK) return status;
+    if ((status = ms_sss__check_frame(&g.frame, 1, error)) != MS_OK) return status;
     if (back && ((status = ms_sss__check_image(&g.back.normal, "back normal", 3, 0, frame->width, frame->height, error)) != MS_OK ||
                  (status = ms_sss__check_image(&g.back.input, "back input", 3, 1, frame->width, frame->height, error)) != MS_OK ||
                  (status = ms_sss__check_image(&g.back.depth, "back depth", 1, 1, frame->width, frame->height, error)) != MS_OK))
         return status;
     if (!workspace || workspace_size < needed)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
-    ms_sss_profile_reflectance(profile, total);
-    ms_sss_profile_radius(profile, 0.99, radius);
+    widest = ms_sss__extent(profile, total, radius);
     for (c = 0; c < 3; ++c) {
-        if (radius[c] > widest) widest = radius[c];
         g.reflectance[c] = (float)total[c];
         g.elevation[c] = (float)ms_sss_elevation(total[c], 1) * (1 - options->flat);
     }
     if (ms_sss__too_close(&g.frame, options, widest))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a radius of %g mm covers half of the picture: mm_per_unit is needed, 1000 for a scene in metres, 1 if it is in mm", widest);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
+                        "1000 for a scene in metres, 1 if it is in mm", widest);
     if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light in any channel");
     g.reach = (float)(1.5 * widest); /* what is farther is worth less than the pixels' own shape */
     g.layers = back ? 2 : 1;
@@ -7413,23 +7365,34 @@ static const char *const ms_sss__transmission_body[] = {
         "    ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel), ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n"
     "}\n"};
 
-/* What lines are chosen by, and what stands as a number in them. */
-#define MS_SSS__FEATURE_LIST(X)                                                                                        \
-    X(PREPARE) X(SECOND) X(RAW) X(TAPS) X(STRIDE) X(PROFILES) X(CORNERS) X(HALF_KERNEL) X(WITH_STRENGTH) X(WITH_NORMAL)  \
-    X(DEPTH) X(DEPTH_TEXTURE) X(DEPTH_ALPHA) X(PROFILE) X(PROFILE_TEXTURE) X(PROFILE_ALONE) X(READS_PROFILE) \
-    X(BOTH) X(BOTH_ALPHA) X(PERSPECTIVE) X(FOLLOW) X(EXACT) X(SPATIAL) X(FALLOFF) X(TURNED) X(SHAPE) X(COMPUTE) X(TILED) X(LATER) X(GROUP_X)   \
-    X(GROUP_Y) X(APRON_X) X(APRON_Y) X(TILE_X) X(TILE_Y) X(PASS) X(HALVED) X(NEARNESS) X(DOWN) X(NORMAL) X(SMALLER) X(UP) X(TERMS) \
-    X(TOWER) X(BASE) X(SHRINK) X(GATHER) X(RESOLVE) X(GATHERS) X(TILTED) X(SLOPES) X(GIVEN) X(KEEPS) X(SIZES) X(LAST_SIZE)
+/* What lines are chosen by, and what stands as a number in them; the values are of ms_sss__say_shader. */
+#define MS_SSS__FEATURE_LIST(X)                                                                                               \
+    X(PREPARE, s->step == MS_SSS_STEP_PREPARE) X(PASS, pass) X(SECOND, second) X(HALVED, halved)                              \
+    X(DOWN, down) X(NORMAL, normal) X(SMALLER, down || normal) X(UP, up) X(NEARNESS, up || down)                              \
+    X(TOWER, tower) X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve)              \
+    X(GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2)                       \
+    X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s))                         \
+    X(TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2) X(TURNED, turned) X(HALF_KERNEL, s->half_kernel)             \
+    X(RAW, raw) X(WITH_STRENGTH, s->with_strength) X(WITH_NORMAL, s->with_normal && (shape || !tower))                        \
+    X(DEPTH, depth) X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA)                     \
+    X(PROFILE, profile) X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE) X(PROFILE_ALONE, profile && !depth && !tower)        \
+    X(READS_PROFILE, again || (raw && profile && !both_alpha)) X(BOTH, depth && profile && !tower) X(BOTH_ALPHA, both_alpha)  \
+    X(PERSPECTIVE, o->fov_degrees > 0) X(FOLLOW, follow) X(EXACT, o->exact && !follow) X(SPATIAL, shape && !o->exact)         \
+    X(FALLOFF, !follow && !o->exact && !shape) X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass) \
+    X(TILTED, shape) X(SLOPES, shape && (pass || base)) X(GIVEN, s->slopes_kept && second) X(KEEPS, two && !tower)            \
+    X(COMPUTE, s->compute) X(TILED, s->compute && pass) X(LATER, s->later) X(GROUP_X, group[0]) X(GROUP_Y, group[1])          \
+    X(APRON_X, apron[0]) X(APRON_Y, apron[1]) X(TILE_X, pass ? group[0] + 2 * apron[0] : 1)                                   \
+    X(TILE_Y, pass ? group[1] + 2 * apron[1] : 1)
 
 enum {
-#define MS_SSS__FEATURE_ENUM(name) MS_SSS__HAS_##name,
+#define MS_SSS__FEATURE_ENUM(name, value) MS_SSS__HAS_##name,
     MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_ENUM)
 #undef MS_SSS__FEATURE_ENUM
     MS_SSS__FEATURES
 };
 
 static const char *const ms_sss__feature[] = {
-#define MS_SSS__FEATURE_NAME(name) #name,
+#define MS_SSS__FEATURE_NAME(name, value) #name,
     MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_NAME)
 #undef MS_SSS__FEATURE_NAME
 };
@@ -7460,6 +7423,18 @@ typedef struct ms_sss__text {
     int column; /* of ms_sss__word */
     int feature[MS_SSS__FEATURES];
 } ms_sss__text;
+
+/* After a text was said: whether to say it again, into the caller's memory. */
+static int ms_sss__say_again(ms_sss__text *text, char *out, size_t capacity)
+{
+    if (text->out || !out || capacity <= text->length) {
+        if (text->out) text->out[text->length] = 0;
+        return 0;
+    }
+    text->out = out;
+    text->length = 0;
+    return 1;
+}
 
 static void ms_sss__say_part(ms_sss__text *text, const char *s, size_t n)
 {
@@ -7563,7 +7538,8 @@ static void ms_sss__say_line(ms_sss__text *text, const char *s, const char *end,
 /* Lines are indented by braces, with a blank one between functions. No string is longer than what C99 promises to take. */
 static void ms_sss__say_body(ms_sss__text *text, const char *const *part, size_t parts)
 {
-    int skipped = 0, depth = 0, braces = 0, ended = text->length > 0, i; /* skipped: depth of the #if that is not taken, 0: none; ended: a function */
+    int skipped = 0, depth = 0, braces = 0; /* skipped: depth of the #if that is not taken, 0: none */
+    int ended = text->length > 0, i;        /* a function */
     const char *s, *end, *c;
     for (; parts > 0; ++part, --parts) {
         for (s = *part; *s; s = end + 1) {
@@ -7596,7 +7572,10 @@ static void ms_sss__say_body(ms_sss__text *text, const char *const *part, size_t
 
 enum { MS_SSS__PICTURE_HEAD = 3, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 6 }; /* float4 of the structs */
 
-static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + (s->half_kernel ? s->tap_count / 2 + 1 : s->tap_count); }
+static int ms_sss__shader_stride(const ms_sss_shader *s)
+{
+    return MS_SSS__PROFILE_HEAD + (s->half_kernel ? s->tap_count / 2 + 1 : s->tap_count);
+}
 
 static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
 
@@ -7709,78 +7688,32 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     enum { NAMES = 12 };
     static const char *const name[NAMES] = {"colour", "depth", "strength", "input", "profile", "sum", "normal", "",
                                             "surface", "coarse", "coarse_surface", "weight"};
-    const int tower = ms_sss__shader_tower(s), base = s->step == MS_SSS_STEP_BASE, resolve = s->step == MS_SSS_STEP_RESOLVE;
-    const int gathers = resolve || s->step == MS_SSS_STEP_GATHER;
     const ms_sss__dialect *d = &ms_sss__dialects[s->language];
-    const int second = s->step == MS_SSS_STEP_Y, pass = second || s->step == MS_SSS_STEP_X, up = s->step == MS_SSS_STEP_UP;
-    const int halved = pass && s->half_resolution, smaller = s->step == MS_SSS_STEP_DOWN || s->step == MS_SSS_STEP_NORMAL;
-    const int both = s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE;
+    const int tower = ms_sss__shader_tower(s), base = s->step == MS_SSS_STEP_BASE, gather = s->step == MS_SSS_STEP_GATHER;
+    const int resolve = s->step == MS_SSS_STEP_RESOLVE, up = s->step == MS_SSS_STEP_UP, down = s->step == MS_SSS_STEP_DOWN;
+    const int normal = s->step == MS_SSS_STEP_NORMAL, second = s->step == MS_SSS_STEP_Y;
+    const int pass = second || s->step == MS_SSS_STEP_X;
+    const int halved = pass && s->half_resolution, raw = tower ? base : !pass || (!second && !s->prepared && !halved);
+    const int depth = s->depth != MS_SSS_NONE, profile = s->profile != MS_SSS_NONE, follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
     const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
+    const int again = depth && profile && !raw && s->half_target; /* blue of 16 bits can't hold the index as well */
     const int shape = ms_sss__shader_shaped(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
-    const int raw = tower ? base : !pass || (!second && !s->prepared && !halved);
-    const int again = both && !raw && s->half_target; /* blue of 16 bits can't hold the index as well */
-    const int used[NAMES] = {1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || (second && !halved) || resolve), second || up || resolve,
-                             s->profile == MS_SSS_TEXTURE && (raw || (again && !tower)), s->later || up || gathers,
-                             s->with_normal && shape && (pass || base || s->step == MS_SSS_STEP_NORMAL), 0, tower ? !base : s->slopes_kept && second, gathers, gathers, gathers};
     const int two = tower ? !resolve : s->slopes_kept && s->step == MS_SSS_STEP_X; /* targets */
-    int *f = text->feature, i;
+    const int group[2] = {ms_sss_shader_group(s, 0), ms_sss_shader_group(s, 1)};
+    const int apron[2] = {pass && !second ? 32 : 0, second ? 32 : 0};
+    const int used[NAMES] = {
+        1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || (second && !halved) || resolve),
+        second || up || resolve, s->profile == MS_SSS_TEXTURE && (raw || (again && !tower)), s->later || up || gather || resolve,
+        s->with_normal && shape && (pass || base || normal), 0, tower ? !base : s->slopes_kept && second,
+        gather || resolve, gather || resolve, gather || resolve};
+    const int value[MS_SSS__FEATURES] = {
+#define MS_SSS__FEATURE_VALUE(name, value) value,
+        MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_VALUE)
+#undef MS_SSS__FEATURE_VALUE
+    };
+    int i;
+    memcpy(text->feature, value, sizeof value);
     text->column = d->column;
-    f[MS_SSS__HAS_PREPARE] = s->step == MS_SSS_STEP_PREPARE;
-    f[MS_SSS__HAS_PASS] = pass;
-    f[MS_SSS__HAS_HALVED] = halved;
-    f[MS_SSS__HAS_NEARNESS] = up || s->step == MS_SSS_STEP_DOWN;
-    f[MS_SSS__HAS_DOWN] = s->step == MS_SSS_STEP_DOWN;
-    f[MS_SSS__HAS_NORMAL] = s->step == MS_SSS_STEP_NORMAL;
-    f[MS_SSS__HAS_SMALLER] = smaller;
-    f[MS_SSS__HAS_UP] = up;
-    f[MS_SSS__HAS_TERMS] = ms_sss__shader_terms(s);
-    f[MS_SSS__HAS_SECOND] = second;
-    f[MS_SSS__HAS_RAW] = raw;
-    f[MS_SSS__HAS_STRIDE] = ms_sss__shader_stride(s);
-    f[MS_SSS__HAS_TAPS] = s->tap_count;
-    f[MS_SSS__HAS_PROFILES] = ms_sss__shader_profiles(s);
-    f[MS_SSS__HAS_CORNERS] = turned ? 4 : 2;
-    f[MS_SSS__HAS_HALF_KERNEL] = s->half_kernel;
-    f[MS_SSS__HAS_WITH_STRENGTH] = s->with_strength;
-    f[MS_SSS__HAS_WITH_NORMAL] = s->with_normal && (shape || !tower);
-    f[MS_SSS__HAS_DEPTH] = s->depth != MS_SSS_NONE;
-    f[MS_SSS__HAS_DEPTH_TEXTURE] = s->depth == MS_SSS_TEXTURE;
-    f[MS_SSS__HAS_DEPTH_ALPHA] = s->depth == MS_SSS_ALPHA;
-    f[MS_SSS__HAS_PROFILE] = s->profile != MS_SSS_NONE;
-    f[MS_SSS__HAS_PROFILE_TEXTURE] = s->profile == MS_SSS_TEXTURE;
-    f[MS_SSS__HAS_PROFILE_ALONE] = s->profile != MS_SSS_NONE && !both && !tower;
-    f[MS_SSS__HAS_READS_PROFILE] = again || (raw && s->profile != MS_SSS_NONE && !both_alpha);
-    f[MS_SSS__HAS_BOTH] = both && !tower;
-    f[MS_SSS__HAS_BOTH_ALPHA] = both_alpha;
-    f[MS_SSS__HAS_PERSPECTIVE] = o->fov_degrees > 0;
-    f[MS_SSS__HAS_FOLLOW] = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
-    f[MS_SSS__HAS_EXACT] = o->exact && o->depth_mode != MS_SSS_DEPTH_FOLLOW;
-    f[MS_SSS__HAS_SPATIAL] = shape && !o->exact;
-    f[MS_SSS__HAS_FALLOFF] = !f[MS_SSS__HAS_FOLLOW] && !o->exact && !shape;
-    f[MS_SSS__HAS_TURNED] = turned;
-    f[MS_SSS__HAS_SHAPE] = tower ? s->depth != MS_SSS_NONE && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass;
-    f[MS_SSS__HAS_TOWER] = tower;
-    f[MS_SSS__HAS_BASE] = base;
-    f[MS_SSS__HAS_SHRINK] = s->step == MS_SSS_STEP_SHRINK;
-    f[MS_SSS__HAS_GATHER] = s->step == MS_SSS_STEP_GATHER;
-    f[MS_SSS__HAS_RESOLVE] = resolve;
-    f[MS_SSS__HAS_GATHERS] = gathers;
-    f[MS_SSS__HAS_TILTED] = shape;
-    f[MS_SSS__HAS_SLOPES] = shape && (pass || base);
-    f[MS_SSS__HAS_GIVEN] = s->slopes_kept && second;
-    f[MS_SSS__HAS_KEEPS] = two && !tower;
-    f[MS_SSS__HAS_SIZES] = MS_SSS_PYRAMID_SIZES;
-    f[MS_SSS__HAS_LAST_SIZE] = MS_SSS_PYRAMID_SIZES - 2;
-    f[MS_SSS__HAS_COMPUTE] = s->compute;
-    f[MS_SSS__HAS_TILED] = s->compute && pass;
-    f[MS_SSS__HAS_LATER] = s->later;
-    f[MS_SSS__HAS_GROUP_X] = ms_sss_shader_group(s, 0);
-    f[MS_SSS__HAS_GROUP_Y] = ms_sss_shader_group(s, 1);
-    f[MS_SSS__HAS_APRON_X] = pass && !second ? 32 : 0;
-    f[MS_SSS__HAS_APRON_Y] = second ? 32 : 0;
-    f[MS_SSS__HAS_TILE_X] = !pass ? 1 : f[MS_SSS__HAS_GROUP_X] + 2 * f[MS_SSS__HAS_APRON_X];
-    f[MS_SSS__HAS_TILE_Y] = !pass ? 1 : f[MS_SSS__HAS_GROUP_Y] + 2 * f[MS_SSS__HAS_APRON_Y];
-
     if (s->compute && s->language == MS_SSS_GLSL_330) ms_sss__say(text, "#version 430\n" MS_SSS__PICK);
     else ms_sss__say(text, d->version);
     ms_sss__say_dialect(text, d->constants, s, "", 0);
@@ -7798,19 +7731,18 @@ static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filte
     ms_status status;
     if (!s || !o) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "shader or options is NULL");
     if ((status = ms_sss__check_options(o, error)) != MS_OK) return status;
-    if ((int)s->language < 0 || (int)s->language > (int)MS_SSS_WGSL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "language %d is unknown", (int)s->language);
-    if ((int)s->step < 0 || (int)s->step > (int)MS_SSS_STEP_RESOLVE)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d is unknown", (int)s->step);
+    if ((status = ms_sss__within((int)s->language, "language", 0, (int)MS_SSS_WGSL, error)) != MS_OK ||
+        (status = ms_sss__within((int)s->step, "step", 0, (int)MS_SSS_STEP_RESOLVE, error)) != MS_OK ||
+        (status = ms_sss__within((int)s->depth, "depth", 0, (int)MS_SSS_ALPHA, error)) != MS_OK ||
+        (status = ms_sss__within((int)s->profile, "profile", 0, (int)MS_SSS_ALPHA, error)) != MS_OK ||
+        (status = ms_sss__within(s->profile_count, "profile_count", 0, MS_SSS_SHADER_PROFILES_MAX, error)) != MS_OK ||
+        (status = ms_sss__within(s->term_count, "term_count", 0, MS_SSS_TERMS_MAX, error)) != MS_OK)
+        return status;
     if (ms_sss__shader_tower(s)) {
         if (s->compute || s->half_target || !ms_sss__tower_takes(o))
-            return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has fragment shaders and targets of 32 bits, and is round, without rotation, jitter, uv_steps, MS_SSS_DEPTH_FOLLOW");
+            return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has fragment shaders and targets of 32 bits, and is round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
     } else if (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tap_count %d: expected an odd number from 1 to %d", s->tap_count, MS_SSS_TAPS_MAX);
-    if (s->profile_count < 0 || s->profile_count > MS_SSS_SHADER_PROFILES_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile_count %d is not within 0 to %d", s->profile_count, MS_SSS_SHADER_PROFILES_MAX);
-    if ((int)s->depth < 0 || (int)s->depth > (int)MS_SSS_ALPHA || (int)s->profile < 0 || (int)s->profile > (int)MS_SSS_ALPHA)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth %d, profile %d: an unknown source", (int)s->depth, (int)s->profile);
     if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile_count %d needs profile, the source of the index", s->profile_count);
     if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
@@ -7821,8 +7753,6 @@ static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filte
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step NORMAL without with_normal, or where slopes do not count");
     if (s->slopes_kept && (s->compute || s->with_normal || ms_sss__shader_tower(s) || !ms_sss__shader_shaped(s, o)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "slopes_kept in a pyramid, a compute shader, with_normal, or where slopes do not count");
-    if (s->term_count < 0 || s->term_count > MS_SSS_TERMS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term_count %d is not within 0 to %d", s->term_count, (int)MS_SSS_TERMS_MAX);
     if (s->half_target && ms_sss__shader_shaped(s, o))
         return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with flat %g: slopes need more of depth than binary16 holds; flat must be 1", (double)o->flat);
     if (s->half_target && s->depth != MS_SSS_NONE && s->profile == MS_SSS_ALPHA)
@@ -7842,13 +7772,8 @@ MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filte
     ms_sss__text t;
     memset(&t, 0, sizeof t);
     if (ms_sss__check_shader(shader, options, error) != MS_OK) return 0;
-    ms_sss__say_shader(&t, shader, options);
-    if (text && capacity > t.length) {
-        t.out = text;
-        t.length = 0;
-        ms_sss__say_shader(&t, shader, options);
-        text[t.length] = 0;
-    }
+    do ms_sss__say_shader(&t, shader, options);
+    while (ms_sss__say_again(&t, text, capacity));
     return t.length;
 }
 
@@ -7859,13 +7784,8 @@ MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, siz
     memset(&t, 0, sizeof t);
     if ((int)language < 0 || (int)language > (int)MS_SSS_WGSL) return 0;
     t.column = ms_sss__dialects[language].column;
-    ms_sss__say_body(&t, ms_sss__transmission_body, lines);
-    if (text && capacity > t.length) {
-        t.out = text;
-        t.length = 0;
-        ms_sss__say_body(&t, ms_sss__transmission_body, lines);
-        text[t.length] = 0;
-    }
+    do ms_sss__say_body(&t, ms_sss__transmission_body, lines);
+    while (ms_sss__say_again(&t, text, capacity));
     return t.length;
 }
 
@@ -7896,6 +7816,19 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
     return MS_OK;
 }
 
+/* The job that ms_sss_filter would make of a kernel. */
+static void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k, const ms_sss_filter_options *options, int width, int height,
+                               int shaped)
+{
+    memset(job, 0, sizeof *job);
+    job->frame.width = job->full_width = width;
+    job->frame.height = job->full_height = height;
+    job->coarse = 1;
+    job->options = *options;
+    job->shaped = shaped;
+    ms_sss__set_kernel(job, k, 0);
+}
+
 MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options,
                                              int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                              ms_error *error)
@@ -7907,15 +7840,16 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
     double mm, pixels;
     if (!kernels || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernels or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
-    if (ms_sss__shader_tower(shader)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
-    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
+    if (ms_sss__shader_tower(shader))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
+    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     mm = options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1;
     count = ms_sss__shader_profiles(shader);
     stride = ms_sss__shader_stride(shader);
     for (i = 0; i < count; ++i) { /* all are checked before anything is written */
         if (kernels[i].tap_count > shader->tap_count)
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i, "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count, shader->tap_count);
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i, "kernel %d has %d taps, more than the shader's tap_count %d", i,
+                            kernels[i].tap_count, shader->tap_count);
         for (c = up ? 0 : term; c < kernels[i].term_count && (c == term || up); ++c) {
             status = ms_sss_kernel_upload(&kernels[i], c, shader->half_kernel, 0, NULL, error);
             if (status != MS_OK) return status;
@@ -7945,14 +7879,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         float(*at)[4] = out + MS_SSS__PICTURE_HEAD + i * stride;
         ms_sss_shader_profile profile;
         ms_sss__job job;
-        memset(&job, 0, sizeof job);
         memset(&profile, 0, sizeof profile);
-        job.frame.width = job.full_width = width;
-        job.frame.height = job.full_height = height;
-        job.coarse = 1;
-        job.options = *options;
-        job.shaped = ms_sss__shader_shaped(shader, options);
-        ms_sss__set_kernel(&job, k, 0);
+        ms_sss__shader_job(&job, k, options, width, height, ms_sss__shader_shaped(shader, options));
         picture.aspect[0] = job.pass.aspect[0];
         picture.aspect[1] = job.pass.aspect[1];
         picture.focal[0] = (float)(pixels * mm);
@@ -7993,57 +7921,42 @@ MS_API int ms_sss_shader_levels(int width, int height)
 MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width, int height,
                                            const ms_sss_shader *shader, int level, int profile, float (*out)[4], ms_error *error)
 {
-    ms_sss_shader_level at;
     ms_sss_kernel kernel;
+    ms_sss_filter_options round;
     ms_sss__job job;
-    ms_sss__growth growth;
+    ms_sss__growth g;
     ms_status status;
+    float unit;
     int levels, i, c;
     if (!pyramid || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pyramid or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
-    if (!ms_sss__shader_tower(shader)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
-    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
+    if (!ms_sss__shader_tower(shader))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
+    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     levels = ms_sss_shader_levels(width, height);
-    if (level < 0 || level >= levels) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "level %d is not within the picture's %d", level, levels);
+    if (level < 0 || level >= levels)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "level %d is not within the picture's %d", level, levels);
     memset(&kernel, 0, sizeof kernel);
     kernel.tap_count = kernel.term_count = 1;
     kernel.radius_mm = pyramid->radius_mm;
-    memset(&job, 0, sizeof job);
-    job.frame.width = job.full_width = width;
-    job.frame.height = job.full_height = height;
-    job.coarse = 1;
-    job.options = *options;
-    job.options.flat = 1;
-    job.options.exact = 0;
-    ms_sss__set_kernel(&job, &kernel, 0);
-    ms_sss__tower_start(&growth, &job, pyramid, shader->depth != MS_SSS_NONE, options->flat);
-    ms_sss__tower_taps(&growth, level);
-    memset(&at, 0, sizeof at);
-    at.width = (float)width;
-    at.height = (float)height;
-    at.gain = 1.0f - options->fade;
-    at.profile = (float)profile;
-    at.size = growth.perspective ? growth.size / job.depth_scale : growth.size; /* of depth as it is given */
-    at.size_max = growth.size_max;
-    at.step = growth.perspective ? growth.step : growth.step / job.depth_scale;
-    at.tangent = growth.tangent;
-    at.reach = shader->step == MS_SSS_STEP_SHRINK ? growth.join : growth.reach;
-    at.upright = growth.upright;
-    at.cells = (float)(1 << (level + 1));
-    at.square = MS_SSS__GATHER(0, level);
-    at.norm = growth.norm;
-    at.mean = growth.mean;
-    at.spread = growth.spread;
-    at.rough = growth.perspective ? growth.rough : growth.rough * job.depth_scale;
-    at.grain = growth.grain;
-    at.coarser = level + 2 < levels ? 2.0f : level + 1 < levels ? 1.0f : 0.0f;
-    for (c = 0; c < 3; ++c) {
-        at.quarter[c] = growth.quarter[c];
-        at.most[c] = growth.most[c];
+    round = *options;
+    round.flat = 1;
+    round.exact = 0;
+    ms_sss__shader_job(&job, &kernel, &round, width, height, 0);
+    ms_sss__tower_start(&g, &job, pyramid, shader->depth != MS_SSS_NONE, options->flat);
+    ms_sss__tower_taps(&g, level);
+    unit = g.perspective ? 1 : job.depth_scale;
+    {
+        const float head[MS_SSS__LEVEL_HEAD][4] = {
+            {(float)width, (float)height, 1.0f - options->fade, (float)profile},
+            {g.perspective ? g.size / job.depth_scale : g.size, g.size_max, g.step / unit, g.tangent}, /* depth as it is given */
+            {shader->step == MS_SSS_STEP_SHRINK ? g.join : g.reach, g.upright, (float)(1 << (level + 1)), MS_SSS__GATHER(0, level)},
+            {g.quarter[0], g.quarter[1], g.quarter[2], g.norm},
+            {g.most[0], g.most[1], g.most[2], g.mean},
+            {g.spread, g.rough * unit, g.grain, level + 2 < levels ? 2.0f : level + 1 < levels ? 1.0f : 0.0f}};
+        memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
+        memcpy(out, head, sizeof head);
     }
-    memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
-    memcpy(out, &at, sizeof at);
     for (i = 0; i < MS_SSS_PYRAMID_SIZES && ms_sss_shader_constant_count(shader) > MS_SSS__LEVEL_HEAD; ++i) {
         float(*to)[4] = out + MS_SSS__LEVEL_HEAD + i;
         if (level + 1 < MS_SSS_PYRAMID_LEVELS) memcpy(to, pyramid->weight[0][i][level + 1][1], 3 * sizeof(float));

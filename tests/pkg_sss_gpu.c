@@ -114,7 +114,6 @@ static void make_case(one_case *t, int i, ms_sss_language language, int compute,
     else t->options.pixels_per_mm[0] = 1.7f;
     if (i % 6 == 1) t->options.pixels_per_mm[1] = t->options.pixels_per_mm[0] > 0 ? 2.1f : 0;
     t->options.depth_mode = i % 8 == 3 ? MS_SSS_DEPTH_FOLLOW : i % 8 == 6 ? MS_SSS_DEPTH_SCALE : MS_SSS_DEPTH_AWARE;
-    t->options.uv_steps = i % 5 == 0;
     t->options.fade = i % 4 == 1 ? 0.3f : 0.0f;
     if (i % 7 == 3) t->options.rotation = 0.4f;
     if (i % 8 == 5) t->options.jitter = 1;
@@ -164,7 +163,6 @@ static void make_tower_case(one_case *t, int i, ms_sss_language language)
     t->options.pyramids = pyramid;
     t->options.exact = 0; /* the wide gathers are the CPU's */
     t->options.rotation = t->options.jitter = 0;
-    t->options.uv_steps = 0;
     t->options.pixels_per_mm[1] = 0;
     if (t->options.depth_mode == MS_SSS_DEPTH_FOLLOW) t->options.depth_mode = MS_SSS_DEPTH_AWARE;
     if (i % 11 == 5) t->options.mm_per_unit = 4; /* smaller kernels */

@@ -187,7 +187,6 @@ static void plain_size(const plain *p, int i, double size[2])
     size[1] = size[0];
     if (p->o.pixels_per_mm[0] > 0 && p->o.pixels_per_mm[1] > 0)
         size[1] *= (double)p->o.pixels_per_mm[1] / (double)p->o.pixels_per_mm[0];
-    if (p->o.uv_steps && !(p->o.pixels_per_mm[0] > 0)) size[0] *= (double)w / h;
 }
 
 static int plain_small(const plain *p, int i)
@@ -512,7 +511,6 @@ static void case_plain(void)
                 if (variant & 4) o.jitter = 0.8f;
                 o.depth_mode = (ms_sss_depth_mode)((with + variant) % 3);
                 o.albedo_mode = (ms_sss_albedo_mode)((with / 4 + variant) % 3);
-                o.uv_steps = variant % 2;
                 o.fade = variant % 3 ? 0.0f : 0.25f;
                 o.flat = (float)((with + variant + kind) % 3) / 2;
                 o.exact = (with / 2 + variant + kind) % 2;

@@ -669,7 +669,7 @@ static void case_refused(void)
         o.fov_degrees = 20;
         if (i == 0) o.rotation = 1;
         if (i == 1) o.jitter = 0.5f;
-        if (i == 2) o.uv_steps = 1;
+        if (i == 2) o.fov_degrees = 0, o.pixels_per_mm[0] = 2, o.pixels_per_mm[1] = 3; /* not round */
         if (i == 3) o.depth_mode = MS_SSS_DEPTH_FOLLOW;
         if (i == 4) f.profile = profile;
         if (i == 5) --size;
