@@ -251,26 +251,25 @@ typedef struct ms_sss_profile ms_sss_profile;
    Within a ring R_d is linear in r^2, with the ring's energy and the slope of its neighbours where they agree, else flat.
    MS_INVALID_ARGUMENT: counts, edges, values (error->position: the ring). MS_OUT_OF_MEMORY. *profile NULL then. */
 MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
-                                               const double *const value[3], int stride, const ms_allocator *allocator,
-                                               ms_error *error);
+                                           const double *const value[3], int stride, const ms_allocator *allocator,
+                                           ms_error *error);
 
 /* From point samples R_d(r_mm[i]) at increasing distances >= 0, count >= 2; otherwise as above. Between samples R_d is linear
    in r^2; inside the first it is constant, beyond the last 0. A profile with a pole at r = 0 is better given as rings. */
 MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
-                                                 const double *const value[3], int stride,
-                                                 const ms_allocator *allocator, ms_error *error);
+                                             const double *const value[3], int stride, const ms_allocator *allocator,
+                                             ms_error *error);
 
 /* R_d(r) = sum_i weight_i exp(-r^2 / (2 sigma_i^2)) / (2 pi sigma_i^2): d'Eon's skin, fits, and the two-Gaussian artist
    model (5.6), whose separable kernel a_m is the pre-integrated kernel of this profile with count = 2.
    sigma_mm, weight  [count][3]; 1 <= count <= MS_SSS_GAUSSIANS_MAX, sigma > 0; weights >= 0 */
 MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int count, const double (*sigma_mm)[3],
-                                                   const double (*weight)[3], const ms_allocator *allocator,
-                                                   ms_error *error);
+                                               const double (*weight)[3], const ms_allocator *allocator, ms_error *error);
 
 /* Normalised diffusion, R_d(r) = reflectance (exp(-r/d) + exp(-r/(3 d))) / (8 pi d r).
    Burley 2015, Extending the Disney BRDF to a BSDF with integrated subsurface scattering. */
-MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3],
-                                                const double d_mm[3], const ms_allocator *allocator, ms_error *error);
+MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3], const double d_mm[3],
+                                            const ms_allocator *allocator, ms_error *error);
 
 /* Burley's d for a diffuse surface albedo in [0, 1] and a mean free path: Christensen and Burley 2015, Approximate
    reflectance profiles for efficient subsurface scattering, equation 6 (searchlight configuration). */
@@ -281,8 +280,8 @@ MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
    order mark is skipped, UTF-16 is MS_UNSUPPORTED. Where each r is the middle of a ring (edges 0, 2 r_0, 2 r_1 - 2 r_0, ...
    increase), the values are ring averages, else point samples. text need not end with NUL.
    MS_BAD_DATA: error->position is the line. */
-MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
-                                             const ms_allocator *allocator, ms_error *error);
+MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size, const ms_allocator *allocator,
+                                         ms_error *error);
 
 /* NULL is fine. */
 MS_API void ms_sss_profile_destroy(ms_sss_profile *profile);
@@ -402,13 +401,13 @@ typedef struct ms_sss_designer ms_sss_designer;
    matters. The profile is not kept.
    MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: about 2 MB are needed. */
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
-                                            const ms_allocator *allocator, ms_error *error);
+                                        const ms_allocator *allocator, ms_error *error);
 MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
 
 /* One kernel. options NULL: 7 optimised taps. A channel without light gets the identity. designer is only read.
    MS_INVALID_ARGUMENT: an option outside its range (the message names it). MS_OUT_OF_MEMORY. kernel untouched then. */
-MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
-                                         const ms_sss_kernel_options *options, ms_error *error);
+MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer, const ms_sss_kernel_options *options,
+                                     ms_error *error);
 
 /* The two-Gaussian model of least squares to a_p, for artists to start from. A channel without light: near_weight 1 and
    sigmas of a thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
@@ -416,8 +415,8 @@ MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artis
 
 /* The sum of count Gaussians that is closest to the profile in the sense of MS_SSS_GAUSSIANS: sigma_mm and weight
    [count][3], weights sum to 1; 1 <= count <= MS_SSS_TERMS_MAX. */
-MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *designer, int count, double (*sigma_mm)[3],
-                                          double (*weight)[3], ms_error *error);
+MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *designer, int count, double (*sigma_mm)[3], double (*weight)[3],
+                                      ms_error *error);
 
 /* ---- errors ---------------------------------------------------------------------------------------------------- */
 
@@ -439,20 +438,18 @@ typedef struct ms_sss_errors {
 /* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Kernels with frame_count > 1 are
    measured as the mean of their frames. Takes 60 KB from the designer's allocator and gives them back.
    MS_INVALID_ARGUMENT: a NULL. MS_OUT_OF_MEMORY. errors untouched then. */
-MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
-                                           const ms_sss_designer *designer);
+MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer);
 
 /* The cheapest image-optimal or residual kernel whose texture error is at most `tolerance` and whose bands are not seen, at most
    tap_budget taps in all its terms together (each is read once in x and once in y). errors: out, optional
    MS_NOT_CONVERGED: none within the budget; kernel and errors then hold the one that came nearest to both.
    MS_INVALID_ARGUMENT: tolerance not above 0, tap_budget < 3. MS_OUT_OF_MEMORY. kernel untouched by these. */
 MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *designer,
-                                          double tolerance, int tap_budget, ms_error *error);
+                                      double tolerance, int tap_budget, ms_error *error);
 
 /* All of it in one call: designer for radius_px, kernel by options (NULL: 7 optimised taps), errors (optional). */
-MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
-                                        double radius_px, const ms_sss_kernel_options *options,
-                                        const ms_allocator *allocator, ms_error *error);
+MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile, double radius_px,
+                                    const ms_sss_kernel_options *options, const ms_allocator *allocator, ms_error *error);
 
 /* ---- translucency ---------------------------------------------------------------------------------------------- */
 
@@ -467,8 +464,7 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 
 /* The same as a table: out [count][3], entry i at thickness i * max_thickness_mm / (count - 1), count >= 2.
    Read between its entries linearly. MS_INVALID_ARGUMENT: count, a thickness not above 0; out untouched. */
-MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
-                                                float (*out)[3]);
+MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count, float (*out)[3]);
 
 /* For an engine's light loop: what one lamp sends through the object to a point that faces away from it.
    thickness_mm   from the point to where the lamp's light first enters the object, along the light: the lamp's shadow map
@@ -483,7 +479,7 @@ MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, doubl
    sides of the shadow's border. Why max: near that border the filter holds light that came through the body already, and a
    sum would count it twice; far from it the filter knows nothing of the far side. */
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
-                                    const float entry_normal[3], const float to_light[3], const float light[3], float out[3]);
+                                const float entry_normal[3], const float to_light[3], const float light[3], float out[3]);
 
 /* ---- filter ---------------------------------------------------------------------------------------------------- */
 
@@ -529,8 +525,8 @@ typedef struct ms_sss_depth_buffer {
 /* Distances along the view axis for ms_sss_frame.depth, out[height][width], from a depth buffer; out may be its memory where that
    is float and packed. Where nothing was drawn (the far plane or beyond), and for NaN: infinite, that is, no part.
    MS_INVALID_ARGUMENT: a plane out of range, a stride, a NULL; out is untouched then. */
-MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how, float *out,
-                                     ms_error *error);
+MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how,
+                                     float *out, ms_error *error);
 
 /* The angle along y, as options.fov_degrees wants it, of a camera with this angle along x; pixels are square. */
 MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height);
@@ -603,7 +599,7 @@ MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 /* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation or jitter:
    31), 12 more with kernels of several terms; with pyramids at least 43. SIZE_MAX: more than this machine can address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                          const ms_sss_filter_options *options);
+                                      const ms_sss_filter_options *options);
 
 /* Subsurface scattering of a picture or a texture: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y, then
    (1 - strength) E + strength out, once after both passes. E is the input (times albedo, see albedo_mode).
@@ -641,8 +637,7 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range (nothing written). Thesis 5.5, 5.8.2, 5.10;
    Jimenez et al. 2009, "Screen-space perceptual rendering of human skin". */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
-                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                   ms_error *error);
+                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error);
 
 /* ---- pyramid --------------------------------------------------------------------------------------------------- */
 
@@ -681,8 +676,8 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height);
              frame->profile
    Six calls of options.parallel. Bit-equal for any thread count at one level of instructions. No allocation. */
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
-                                           const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                           ms_error *error);
+                                       const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                       ms_error *error);
 
 /* ---- gather ---------------------------------------------------------------------------------------------------- */
 
@@ -705,8 +700,7 @@ typedef struct ms_sss_back {
    pixels_per_mm. */
 MS_API size_t ms_sss_gather_workspace(int width, int height, int with_back);
 MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *back, const ms_sss_profile *profile,
-                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                   ms_error *error);
+                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error);
 
 /* ---- GPU text -------------------------------------------------------------------------------------------------- */
 
@@ -807,8 +801,8 @@ MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis);
 /* The text of a pass for these options, with entry point main.
    text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
    Returns the length; 0 with error filled: MS_INVALID_ARGUMENT or MS_UNSUPPORTED, the message names the field. */
-MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
-                                     size_t capacity, ms_error *error);
+MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text, size_t capacity,
+                                 ms_error *error);
 
 /* The constants, for callers that fill them without this header; the same for both passes. All float, offsets in bytes:
    one ms_sss_shader_picture at 0, then for profile i at 48 + i * (80 + 16 taps), taps being tap_count or with half_kernel
@@ -857,9 +851,8 @@ MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
    over the first; a kernel with fewer terms adds nothing.
    out    [ms_sss_shader_constant_count()][4]
    MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
-MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options,
-                                             int width, int height, const ms_sss_shader *shader, float (*out)[4],
-                                             ms_error *error);
+MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options, int width,
+                                         int height, const ms_sss_shader *shader, float (*out)[4], ms_error *error);
 
 /* ms_sss_transmission as a function for the light loop of an engine's shader:
    float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal,
@@ -872,7 +865,7 @@ MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, siz
           float, or uint16_t that hold binary16 with binary16 = 1; NULL: checks only
    MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
 MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
-                                          ms_error *error);
+                                      ms_error *error);
 
 /* ms_sss_pyramid_filter as fragment shaders: with n = ms_sss_shader_levels(width, height) levels, of which level l has
    ceil(width / 2^l) x ceil(height / 2^l) pixels, draw a full-screen triangle for each line, into two targets but for RESOLVE.
@@ -1293,7 +1286,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 static MS_SSS__APART ms_status ms_sss__within(double x, const char *name, double low, double high, ms_error *error)
 {
     if (x >= low && x <= high) return MS_OK;
-    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g; %g to %g expected", name, x, low, high);
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s %g: %g to %g expected", name, x, low, high);
 }
 
 #ifndef MS_SSS_NO_DESIGN
@@ -1428,17 +1421,17 @@ typedef enum ms_sss__profile_kind { MS_SSS__RINGS, MS_SSS__GAUSSIANS, MS_SSS__BU
 
 struct ms_sss_profile {
     ms_sss__profile_kind kind;
-    int count;                    /* rings or Gaussians */
+    int count;                    /* of rings or Gaussians */
     double *edge;                 /* [count + 1] radii */
     double *mean[3], *slope[3];   /* [count] R_d = mean + slope (r^2 - middle), middle of the ring's r^2 */
     double *inside[3];            /* [count + 1] energy within edge[i] */
-    double sigma[MS_SSS_GAUSSIANS_MAX][3], weight[MS_SSS_GAUSSIANS_MAX][3]; /* Burley: d and reflectance in [0] */
+    double length[MS_SSS_GAUSSIANS_MAX][3], weight[MS_SSS_GAUSSIANS_MAX][3]; /* sigma; Burley: d and reflectance, count 1 */
     size_t bytes;
     ms_allocator allocator;
 };
 
-static ms_status ms_sss__profile_alloc(ms_sss_profile **out, ms_sss__profile_kind kind, int count,
-                                       const ms_allocator *allocator, ms_error *error)
+static ms_status ms_sss__profile_alloc(ms_sss_profile **out, ms_sss__profile_kind kind, int count, const ms_allocator *allocator,
+                                       ms_error *error)
 {
     size_t header = (sizeof(ms_sss_profile) + 63) / 64 * 64, rings = kind == MS_SSS__RINGS ? (size_t)count : 0;
     size_t bytes = ms__size_add(header, ms__size_mul(ms__size_add(ms__size_mul(rings, 10), 4), sizeof(double)));
@@ -1480,8 +1473,8 @@ static void ms_sss__profile_accumulate(ms_sss_profile *p)
     }
 }
 
-static ms_status ms_sss__check_table(int count, int least, const double *radius, int radii,
-                                     const double *const value[3], int stride, ms_error *error)
+static ms_status ms_sss__check_table(int count, int least, const double *radius, int radii, const double *const value[3],
+                                     int stride, ms_error *error)
 {
     int i, c;
     if (count < least || radius == NULL || value == NULL || value[0] == NULL || value[1] == NULL || value[2] == NULL)
@@ -1502,8 +1495,8 @@ static ms_status ms_sss__check_table(int count, int least, const double *radius,
 }
 
 MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
-                                               const double *const value[3], int stride, const ms_allocator *allocator,
-                                               ms_error *error)
+                                           const double *const value[3], int stride, const ms_allocator *allocator,
+                                           ms_error *error)
 {
     ms_sss_profile *p;
     ms_status status;
@@ -1536,8 +1529,8 @@ MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, 
 }
 
 MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
-                                                 const double *const value[3], int stride,
-                                                 const ms_allocator *allocator, ms_error *error)
+                                             const double *const value[3], int stride, const ms_allocator *allocator,
+                                             ms_error *error)
 {
     ms_sss_profile *p;
     ms_status status;
@@ -1566,45 +1559,39 @@ MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count
     return MS_OK;
 }
 
-MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int count, const double (*sigma_mm)[3],
-                                                   const double (*weight)[3], const ms_allocator *allocator,
-                                                   ms_error *error)
+static ms_status ms_sss__from_lengths(ms_sss_profile **profile, ms_sss__profile_kind kind, int count,
+                                      const double (*length_mm)[3], const double (*weight)[3], const ms_allocator *allocator,
+                                      ms_error *error)
 {
     ms_status status;
     int i, c;
     if (profile == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile is NULL");
     *profile = NULL;
-    if (count < 1 || count > MS_SSS_GAUSSIANS_MAX || sigma_mm == NULL || weight == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d Gaussians; 1 to %d expected", count, MS_SSS_GAUSSIANS_MAX);
+    if (count < 1 || count > MS_SSS_GAUSSIANS_MAX || length_mm == NULL || weight == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d Gaussians; 1 to %d and no NULL expected", count, MS_SSS_GAUSSIANS_MAX);
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c)
-            if (!(sigma_mm[i][c] >= 1e-9 && sigma_mm[i][c] <= 1e9 && weight[i][c] >= 0 && weight[i][c] <= 1e9))
-                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                                "Gaussian %d, channel %d: sigma %g mm, weight %g; 1e-9 to 1e9 and 0 to 1e9 expected", i, c,
-                                sigma_mm[i][c], weight[i][c]);
-    status = ms_sss__profile_alloc(profile, MS_SSS__GAUSSIANS, count, allocator, error);
+            if (!(length_mm[i][c] >= 1e-9 && length_mm[i][c] <= 1e9 && weight[i][c] >= 0 && weight[i][c] <= 1e9))
+                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)(kind == MS_SSS__BURLEY ? c : i),
+                                "%s %d, channel %d: %g mm, weight %g; 1e-9 to 1e9 and 0 to 1e9 expected",
+                                kind == MS_SSS__BURLEY ? "part" : "Gaussian", i, c, length_mm[i][c], weight[i][c]);
+    status = ms_sss__profile_alloc(profile, kind, count, allocator, error);
     if (status != MS_OK) return status;
-    memcpy((*profile)->sigma, sigma_mm, sizeof *sigma_mm * (size_t)count);
+    memcpy((*profile)->length, length_mm, sizeof *length_mm * (size_t)count);
     memcpy((*profile)->weight, weight, sizeof *weight * (size_t)count);
     return MS_OK;
 }
 
-MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3],
-                                                const double d_mm[3], const ms_allocator *allocator, ms_error *error)
+MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int count, const double (*sigma_mm)[3],
+                                               const double (*weight)[3], const ms_allocator *allocator, ms_error *error)
 {
-    ms_status status;
-    int c;
-    if (profile == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile is NULL");
-    *profile = NULL;
-    for (c = 0; c < 3; ++c)
-        if (!(reflectance[c] >= 0 && reflectance[c] <= 1e9 && d_mm[c] >= 1e-9 && d_mm[c] <= 1e9))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c,
-                            "channel %d: reflectance %g, d %g mm; 0 to 1e9 and 1e-9 to 1e9 expected", c, reflectance[c], d_mm[c]);
-    status = ms_sss__profile_alloc(profile, MS_SSS__BURLEY, 1, allocator, error);
-    if (status != MS_OK) return status;
-    memcpy((*profile)->sigma[0], d_mm, sizeof(double) * 3);
-    memcpy((*profile)->weight[0], reflectance, sizeof(double) * 3);
-    return MS_OK;
+    return ms_sss__from_lengths(profile, MS_SSS__GAUSSIANS, count, sigma_mm, weight, allocator, error);
+}
+
+MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3], const double d_mm[3],
+                                            const ms_allocator *allocator, ms_error *error)
+{
+    return ms_sss__from_lengths(profile, MS_SSS__BURLEY, 1, (const double(*)[3])d_mm, (const double(*)[3])reflectance, allocator, error);
 }
 
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm)
@@ -1670,8 +1657,8 @@ static int ms_sss__csv_row(const char *line, const char *end, int heading_allowe
     return line == end ? 1 : -1;
 }
 
-MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
-                                             const ms_allocator *allocator, ms_error *error)
+MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size, const ms_allocator *allocator,
+                                         ms_error *error)
 {
     const char *line = text, *end = text + size;
     const double *value[3];
@@ -1755,14 +1742,12 @@ MS_API void ms_sss_profile_value(const ms_sss_profile *p, double r, double out[3
             if (i < 0 || i >= p->count) continue;
             out[c] = p->mean[c][i] + p->slope[c][i] * (r * r - 0.5 * (p->edge[i] * p->edge[i] + p->edge[i + 1] * p->edge[i + 1]));
             if (out[c] < 0) out[c] = 0; /* rounding */
-        } else if (p->kind == MS_SSS__BURLEY) {
-            double d = p->sigma[0][c];
-            if (p->weight[0][c] > 0) out[c] = p->weight[0][c] * (exp(-r / d) + exp(-r / (3 * d))) / (8 * MS_SSS__PI * d * r);
-        } else {
-            for (i = 0; i < p->count; ++i) {
-                double v = p->sigma[i][c] * p->sigma[i][c];
-                out[c] += p->weight[i][c] * exp(-r * r / (2 * v)) / (2 * MS_SSS__PI * v);
-            }
+            continue;
+        }
+        for (i = 0; i < p->count; ++i) {
+            double s = p->length[i][c], w = p->weight[i][c];
+            if (p->kind == MS_SSS__GAUSSIANS) out[c] += w * exp(-r * r / (2 * s * s)) / (2 * MS_SSS__PI * (s * s));
+            else if (w > 0) out[c] = w * (exp(-r / s) + exp(-r / (3 * s))) / (8 * MS_SSS__PI * s * r);
         }
     }
 }
@@ -1778,12 +1763,12 @@ MS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3]
             if (i >= 0) out[c] = p->inside[c][i];
             if (i >= 0 && i < p->count) out[c] += ms_sss__ring_energy(p, c, i, r * r);
             if (out[c] < 0) out[c] = 0; /* rounding */
-        } else if (p->kind == MS_SSS__BURLEY) {
-            double t = r / p->sigma[0][c];
-            out[c] = -p->weight[0][c] * (0.25 * expm1(-t) + 0.75 * expm1(-t / 3));
-        } else {
-            for (i = 0; i < p->count; ++i)
-                out[c] -= p->weight[i][c] * expm1(-r * r / (2 * p->sigma[i][c] * p->sigma[i][c]));
+            continue;
+        }
+        for (i = 0; i < p->count; ++i) {
+            double s = p->length[i][c], t = r / s;
+            out[c] -= p->weight[i][c] * (p->kind == MS_SSS__GAUSSIANS ? expm1(-r * r / (2 * s * s))
+                                                                      : 0.25 * expm1(-t) + 0.75 * expm1(-t / 3));
         }
     }
 }
@@ -1859,15 +1844,12 @@ MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3]
                 out[c] += ms_sss__chord(mean, p->slope[c][i], u1) - ms_sss__chord(mean, p->slope[c][i], u0);
                 u0 = u1;
             }
-        } else if (p->kind == MS_SSS__BURLEY) { /* the integral of exp(-r/d)/r along a line is 2 K_0(x/d) */
-            double d = p->sigma[0][c];
-            if (p->weight[0][c] > 0)
-                out[c] = p->weight[0][c] * (ms_sss__bessel_k0(x / d) + ms_sss__bessel_k0(x / (3 * d))) / (4 * MS_SSS__PI * d);
-        } else {
-            for (i = 0; i < p->count; ++i) {
-                double s = p->sigma[i][c];
-                out[c] += p->weight[i][c] * exp(-x * x / (2 * s * s)) / (s * sqrt(2 * MS_SSS__PI));
-            }
+            continue;
+        }
+        for (i = 0; i < p->count; ++i) { /* the integral of exp(-r/d)/r along a line is 2 K_0(x/d) */
+            double s = p->length[i][c], w = p->weight[i][c];
+            if (p->kind == MS_SSS__GAUSSIANS) out[c] += w * exp(-x * x / (2 * s * s)) / (s * sqrt(2 * MS_SSS__PI));
+            else if (w > 0) out[c] = w * (ms_sss__bessel_k0(x / s) + ms_sss__bessel_k0(x / (3 * s))) / (4 * MS_SSS__PI * s);
         }
     }
 }
@@ -1903,11 +1885,12 @@ MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double out[3
                 u0 = u1;
                 angle0 = angle1;
             }
-        } else if (p->kind == MS_SSS__BURLEY) {
-            double t = x / p->sigma[0][c];
-            out[c] = p->weight[0][c] * (1 - (ms_sss__bickley_1(t) + 3 * ms_sss__bickley_1(t / 3)) / (2 * MS_SSS__PI));
-        } else {
-            for (i = 0; i < p->count; ++i) out[c] += p->weight[i][c] * erf(x / (p->sigma[i][c] * sqrt(2.0)));
+            continue;
+        }
+        for (i = 0; i < p->count; ++i) {
+            double s = p->length[i][c], t = x / s;
+            out[c] += p->weight[i][c] * (p->kind == MS_SSS__GAUSSIANS ? erf(x / (s * sqrt(2.0)))
+                      : 1 - (ms_sss__bickley_1(t) + 3 * ms_sss__bickley_1(t / 3)) / (2 * MS_SSS__PI));
         }
     }
 }
@@ -2004,7 +1987,7 @@ static void ms_sss__fill_cells(const ms_sss_profile *p, int cells, double h, dou
             double g[MS_SSS__CELLS_MAX + 1];
             memset(out[c], 0, sizeof(double) * (size_t)(row * row));
             for (k = 0; k < p->count; ++k) {
-                double s = h / (p->sigma[k][c] * sqrt(2.0));
+                double s = h / (p->length[k][c] * sqrt(2.0));
                 for (i = 0; i <= cells; ++i) g[i] = 0.5 * (erf((i + 0.5) * s) - erf((i - 0.5) * s));
                 for (i = 0; i <= cells; ++i)
                     for (j = 0; j <= cells; ++j) out[c][i * row + j] += p->weight[k][c] * g[i] * g[j];
@@ -2155,7 +2138,7 @@ MS_API double ms_sss_elevation(double reflectance, double index)
 }
 
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
-                                            const ms_allocator *allocator, ms_error *error)
+                                        const ms_allocator *allocator, ms_error *error)
 {
     double radius[3], total[3], widest, *columns;
     size_t header = (sizeof(ms_sss_designer) + 63) / 64 * 64, doubles, bytes, row;
@@ -2288,8 +2271,8 @@ static void ms_sss__curve_waves(const ms_sss_designer *d, const ms_sss__curve *v
 }
 
 /* Spectrum of one bin: delta + sum over the terms, mean over the frames. waves as made above, for one frame only. */
-static void ms_sss__curve_transfer(const ms_sss_designer *d, const ms_sss__curve *v, const ms_sss__waves *waves, int k1,
-                                   int k2, double out[3])
+static void ms_sss__curve_transfer(const ms_sss_designer *d, const ms_sss__curve *v, const ms_sss__waves *waves, int k1, int k2,
+                                   double out[3])
 {
     int f, t, c, i;
     for (c = 0; c < 3; ++c) out[c] = v->delta[c];
@@ -2408,8 +2391,7 @@ static void ms_sss__measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, 
     errors->bands = ms_sss__curve_bands(designer, m);
 }
 
-MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
-                                           const ms_sss_designer *designer)
+MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer)
 {
     ms_sss__measurer *m;
     if (errors == NULL || kernel == NULL || designer == NULL) return MS_INVALID_ARGUMENT;
@@ -2504,12 +2486,8 @@ static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, doubl
         }
     fit->bins = n;
     fit->lines = fit->frames == 1 ? nodes : 2 * fit->frames * n;
-    for (n = 1; n < fit->bins; ++n) {
-        fit->weight[n] *= (1 - dial) / all;
-        if (fit->k2[n] == 0)
-            for (a = 0; a < nodes; ++a)
-                if (node[a] == fit->k1[n]) fit->weight[n] += dial * share[a] / ((double)node[a] * node[a]) / on_axis;
-    }
+    for (n = 1; n < fit->bins; ++n) fit->weight[n] *= (1 - dial) / all;
+    for (a = 1; a < nodes; ++a) fit->weight[a * (a + 1) / 2] += dial * share[a] / ((double)node[a] * node[a]) / on_axis;
 }
 
 /* Hat n of a curve given by its values at offset[n], cells, linear between: its value in a cell, and the transfer of all
@@ -3202,8 +3180,8 @@ static void ms_sss__fit_hops(ms_sss__fit *fit, int sweeps, ms_sss__curve *best)
 }
 
 /* Fits taps over few bins from several starts, which differ in how far out they reach, then the best over all bins. */
-static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve *dense, const ms_sss__curve *model,
-                                  double dial, int pairs, int no_delta, ms_sss__curve *best)
+static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve *dense, const ms_sss__curve *model, double dial,
+                                  int pairs, int no_delta, ms_sss__curve *best)
 {
     static const double reach[] = {0.25, 0.4, 0.6, 0.85};
     ms_sss__curve *v;
@@ -3234,8 +3212,8 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
 }
 
 /* The quadratic spacing with the reach of least texture error. */
-static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curve *dense, int pairs, ms_sss__curve *v, ms_sss__waves *waves,
-                                    ms_sss__curve *best)
+static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curve *dense, int pairs, ms_sss__curve *v,
+                                    ms_sss__waves *waves, ms_sss__curve *best)
 {
     double least = HUGE_VAL, error[MS_SSS__SIGNALS];
     int n;
@@ -3337,8 +3315,8 @@ MS_API ms_sss_artist ms_sss_artist_production(void)
     return production;
 }
 
-MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *d,
-                                         const ms_sss_kernel_options *options, ms_error *error)
+MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *d, const ms_sss_kernel_options *options,
+                                     ms_error *error)
 {
     ms_sss_kernel_options o = options != NULL ? *options : ms_sss_kernel_defaults();
     const size_t bytes = 3 * sizeof(ms_sss__curve) + sizeof(ms_sss__waves);
@@ -3403,7 +3381,7 @@ MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *arti
 }
 
 MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, double (*sigma_mm)[3], double (*weight)[3],
-                                          ms_error *error)
+                                      ms_error *error)
 {
     double q[MS_SSS_TERMS_MAX], sigma[MS_SSS_TERMS_MAX];
     int c, n;
@@ -3419,8 +3397,8 @@ MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, doubl
     return MS_OK;
 }
 
-MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *d,
-                                          double tolerance, int tap_budget, ms_error *error)
+MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *d, double tolerance,
+                                      int tap_budget, ms_error *error)
 {
     static const signed char candidate[][2] = {/* terms, taps; by their product */
         {1, 3}, {1, 5}, {1, 7}, {1, 9}, {2, 5}, {1, 11}, {1, 13}, {2, 7}, {1, 17}, {2, 9}, {1, 21}, {2, 11}, {1, 25},
@@ -3471,9 +3449,8 @@ MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *erro
                                  tap_budget, best.texture, best.bands, tolerance, MS_SSS_BANDS_SEEN);
 }
 
-MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
-                                        double radius_px, const ms_sss_kernel_options *options,
-                                        const ms_allocator *allocator, ms_error *error)
+MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile, double radius_px,
+                                    const ms_sss_kernel_options *options, const ms_allocator *allocator, ms_error *error)
 {
     ms_sss_designer *designer;
     ms_sss__measurer *m = NULL;
@@ -3509,8 +3486,7 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
     for (c = 0; c < 3; ++c) out[c] = ms_sss__slab(total[c], decay[c], thickness_mm > 0 ? thickness_mm : 0);
 }
 
-MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
-                                                float (*out)[3])
+MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count, float (*out)[3])
 {
     double total[3], decay[3];
     int i, c;
@@ -3524,7 +3500,7 @@ MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, doubl
 #endif
 
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
-                                    const float entry_normal[3], const float to_light[3], const float light[3], float out[3])
+                                const float entry_normal[3], const float to_light[3], const float light[3], float out[3])
 {
     float facing = 0, entry = 0, parallel = 0;
     int c;
@@ -5030,6 +5006,14 @@ static ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error 
     return MS_OK;
 }
 
+/* Pixels a mm; in perspective at a depth of 1. */
+static double ms_sss__pixels(const ms_sss_filter_options *o, int height)
+{
+    const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
+    if (o->fov_degrees > 0) return height / (2 * tan((double)o->fov_degrees * (3.14159265358979323846 / 360)) * mm);
+    return o->ortho_height > 0 ? height / ((double)o->ortho_height * mm) : (double)o->pixels_per_mm[0];
+}
+
 /* What one kernel's passes share: pixels a mm, depth units, taps or fixed taps. */
 static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int profile)
 {
@@ -5037,20 +5021,13 @@ static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int pro
     const int width = job->full_width, height = job->full_height;
     const double side = (double)(width > height ? width : height) / (double)job->coarse, radius = (double)k->radius_mm;
     const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
-    double size, widest, kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: differences so small that they count as none */
+    double size = ms_sss__pixels(o, height) / (double)job->coarse, widest, kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: differences so small that they count as none */
     ms_sss__pass *p = &job->pass;
     int c;
     job->kernel = k;
     job->profile = profile;
-    p->aspect[0] = p->aspect[1] = 1.0f;
-    if (o->pixels_per_mm[0] > 0) {
-        size = (double)o->pixels_per_mm[0];
-        if (o->pixels_per_mm[1] > 0) p->aspect[1] = o->pixels_per_mm[1] / o->pixels_per_mm[0];
-    } else {
-        if (o->fov_degrees > 0) size = height / (2 * tan((double)o->fov_degrees * (3.14159265358979323846 / 360)) * mm);
-        else size = height / ((double)o->ortho_height * mm);
-    }
-    size /= (double)job->coarse;
+    p->aspect[0] = 1.0f;
+    p->aspect[1] = o->pixels_per_mm[0] > 0 && o->pixels_per_mm[1] > 0 ? o->pixels_per_mm[1] / o->pixels_per_mm[0] : 1.0f;
     p->perspective = o->fov_degrees > 0;
     p->follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
     p->exact = o->exact;
@@ -6547,8 +6524,7 @@ MS_API size_t ms_sss_gather_workspace(int width, int height, int with_back)
 }
 
 MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *back, const ms_sss_profile *profile,
-                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                   ms_error *error)
+                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error)
 {
     ms_sss__gather g;
     double total[3], radius[3], widest;
@@ -6647,10 +6623,8 @@ static const char *const ms_sss__source_body[] = {
         "#DEPTH_TEXTURE depth = fetch_depth(p).r;\n"
         "#DEPTH_ALPHA depth = c.a;\n"
         "part = part && depth > 0.0 && finite(depth);\n"
-    "#if WITH_STRENGTH\n"
-        "float strength = fetch_strength(p).r;\n"
-        "part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
-    "#endif\n"
+        "#WITH_STRENGTH float strength = fetch_strength(p).r;\n"
+        "#WITH_STRENGTH part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
     "#if PROFILE\n"
     "#if BOTH_ALPHA\n"
         "float profile = float(bits_of(c.a) & 15u);\n"
@@ -6678,10 +6652,8 @@ static const char *const ms_sss__source_body[] = {
     "}\n",
     "float4 texel(int2 p) {\n"
         "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "#if TILED\n"
-        "int2 t = p - ms_sss_corner;\n"
-        "if (t.x >= 0 && t.y >= 0 && t.x < TILE_X && t.y < TILE_Y) { return ms_sss_tile[t.y * TILE_X + t.x]; }\n"
-    "#endif\n"
+        "#TILED int2 t = p - ms_sss_corner;\n"
+        "#TILED if (t.x >= 0 && t.y >= 0 && t.x < TILE_X && t.y < TILE_Y) { return ms_sss_tile[t.y * TILE_X + t.x]; }\n"
         "if (inside(p)) { c = source(p); }\n"
         "return c;\n"
     "}\n",
@@ -6717,20 +6689,14 @@ static const char *const ms_sss__source_body[] = {
         "float b = after.a - own.a;\n"
         "bool on_a = same(before, own);\n"
         "bool on_b = same(after, own);\n"
-    "#if !TOWER\n"
-        "on_a = on_a && abs(a) < reach;\n"
-        "on_b = on_b && abs(b) < reach;\n"
-    "#endif\n"
-    "#if PERSPECTIVE\n"
-        "if (on_a) { a = a / before.a; }\n"
-        "if (on_b) { b = b / after.a; }\n"
-    "#endif\n"
+        "#!TOWER on_a = on_a && abs(a) < reach;\n"
+        "#!TOWER on_b = on_b && abs(b) < reach;\n"
+        "#PERSPECTIVE if (on_a) { a = a / before.a; }\n"
+        "#PERSPECTIVE if (on_b) { b = b / after.a; }\n"
         "a = focal * a;\n"
         "b = focal * b;\n"
-    "#if TOWER\n"
-        "on_a = on_a && abs(a) < reach;\n"
-        "on_b = on_b && abs(b) < reach;\n"
-    "#endif\n"
+        "#TOWER on_a = on_a && abs(a) < reach;\n"
+        "#TOWER on_b = on_b && abs(b) < reach;\n"
         "a = pick(pick(0.0, b, on_b), a, on_a);\n"
         "b = pick(a, b, on_b);\n"
         "float slope = 0.5 * (a + b);\n"
@@ -6744,11 +6710,9 @@ static const char *const ms_sss__source_body[] = {
             "float inner = next - beyond.a;\n"
             "#TOWER float least = own.a * 2.0 * constant[5].z;\n"
             "#!TOWER float least = own.a * 4.7683716e-7;\n"
-    "#if PERSPECTIVE\n"
-            "step = step * beyond.a;\n"
-            "inner = inner * own.a;\n"
-            "least = least * own.a;\n"
-    "#endif\n"
+            "#PERSPECTIVE step = step * beyond.a;\n"
+            "#PERSPECTIVE inner = inner * own.a;\n"
+            "#PERSPECTIVE least = least * own.a;\n"
             "float more = min(abs(step) - abs(inner), abs(inner)) - least;\n"
             "if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n"
                 "more = min(more / abs(inner), 0.85);\n"
@@ -6783,11 +6747,9 @@ static const char *const ms_sss__shader_body[] = {
     "// Of a pixel near another, of the same surface; at: its profile's constants.\n"
     "float nearness(float4 there, float4 own, int at) {\n"
         "float f = 1.0;\n"
-    "#if DEPTH\n"
-        "float dz = (there.a - own.a) * constant[at + 1].w;\n"
-        "f = max(1.0 - dz * dz / constant[at + 2].w, 0.0);\n"
-        "f = f * f * f * f;\n"
-    "#endif\n"
+        "#DEPTH float dz = (there.a - own.a) * constant[at + 1].w;\n"
+        "#DEPTH f = max(1.0 - dz * dz / constant[at + 2].w, 0.0);\n"
+        "#DEPTH f = f * f * f * f;\n"
         "return pick(0.0, f, same(there, own));\n"
     "}\n"
     "#endif\n",
@@ -6919,18 +6881,14 @@ static const char *const ms_sss__shader_body[] = {
         "float pixels = constant[0].z;\n"
         "float most = max(constant[0].x, constant[0].y) / total.w;\n"
         "#PERSPECTIVE pixels = pixels / own.a;\n"
-    "#if HALVED\n"
-        "pixels = 0.5 * pixels;\n"
-        "most = 0.5 * most;\n"
-    "#endif\n"
+        "#HALVED pixels = 0.5 * pixels;\n"
+        "#HALVED most = 0.5 * most;\n"
         "bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n"
         "pixels = min(pixels, most);\n"
         "float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n"
-    "#if TURNED\n"
-        "float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n"
-        "float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n"
-        "axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
-    "#endif\n"
+        "#TURNED float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n"
+        "#TURNED float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n"
+        "#TURNED axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
     "#if SHAPE\n"
         "// Of the tangent plane: depth a column and a row, in perspective relative; mm of scaled depth, times the cosine to the ray.\n"
         "float2 ray = ray_of(p);\n"
@@ -6957,26 +6915,20 @@ static const char *const ms_sss__shader_body[] = {
         "float3 lifted = weight;\n"
         "if (large) {\n",
             "for (int k = 1; k < TAPS; k++) {\n"
-    "#if HALF_KERNEL\n"
-                "float4 tap = constant[at + 5 + (k + 1) / 2];\n"
-                "float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
-    "#else\n"
-                "float4 tap = constant[at + 5 + k];\n"
-                "float offset = tap.w;\n"
-    "#endif\n"
+                "#HALF_KERNEL float4 tap = constant[at + 5 + (k + 1) / 2];\n"
+                "#HALF_KERNEL float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
+                "#!HALF_KERNEL float4 tap = constant[at + 5 + k];\n"
+                "#!HALF_KERNEL float offset = tap.w;\n"
                 "float2 whole = floor(axis * offset);\n"
                 "float2 part = axis * offset - whole;\n"
                 "float4 sum = black;\n"
                 "#SHAPE float below = 0.0;\n"
                 "#SPATIAL float remote = min(constant[2].w * deep * deep / max(offset * offset, 1e-30), 1e6);\n"
                 "for (int i = 0; i < CORNERS; i++) {\n"
-    "#if TURNED\n"
-                    "int2 corner = int2(i % 2, i / 2);\n"
-                    "float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n"
-    "#else\n"
-                    "int2 corner = int2(i - i * SECOND, i * SECOND);\n"
-                    "float share = abs(1.0 - float(i) - part.x - part.y);\n"
-    "#endif\n"
+                    "#TURNED int2 corner = int2(i % 2, i / 2);\n"
+                    "#TURNED float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n"
+                    "#!TURNED int2 corner = int2(i - i * SECOND, i * SECOND);\n"
+                    "#!TURNED float share = abs(1.0 - float(i) - part.x - part.y);\n"
                     "if (!(share > 0.0)) { continue; }\n"
                     "int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n"
                     "float4 c = texel(p + beside);\n"
@@ -6995,10 +6947,8 @@ static const char *const ms_sss__shader_body[] = {
                     "#SPATIAL f = share * (1.0 - dz * dz) / (remote * dz * dz + 1.0);\n"
                     "#FOLLOW f = share * (1.0 - abs(dz));\n"
                     "#EXACT f = share * exp2(-dz * dz);\n"
-    "#if FALLOFF\n"
-                    "f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
-                    "f = share * f * f;\n"
-    "#endif\n"
+                    "#FALLOFF f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
+                    "#FALLOFF f = share * f * f;\n"
                     "#SHAPE below = below + f * dz;\n"
     "#endif\n"
                     "sum = sum + float4(c.rgb * f, f);\n"
@@ -7022,20 +6972,16 @@ static const char *const ms_sss__shader_body[] = {
     "#endif\n"
     "#endif\n"
                 "weight = weight + tap.rgb * sum.a;\n"
-    "#if SHAPE\n"
-                "float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n"
-                "lift = lift * lift;\n"
-                "tap = float4(tap.rgb * lift * lift, tap.w);\n"
-                "lifted = lifted + tap.rgb * sum.a;\n"
-    "#endif\n"
+                "#SHAPE float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n"
+                "#SHAPE lift = lift * lift;\n"
+                "#SHAPE tap = float4(tap.rgb * lift * lift, tap.w);\n"
+                "#SHAPE lifted = lifted + tap.rgb * sum.a;\n"
                 "result = result + tap.rgb * sum.rgb;\n"
             "}\n"
             "int mixed = int(constant[at + 3].w);\n"
-    "#if SHAPE\n"
-            "lifted = max(weight, lifted * constant[at + 4].rgb);\n"
-            "weight = float3(pick(lifted.r, weight.r, (mixed & 1) != 0), pick(lifted.g, weight.g, (mixed & 2) != 0),\n"
-            "    pick(lifted.b, weight.b, (mixed & 4) != 0));\n"
-    "#endif\n"
+            "#SHAPE lifted = max(weight, lifted * constant[at + 4].rgb);\n"
+            "#SHAPE weight = float3(pick(lifted.r, weight.r, (mixed & 1) != 0), pick(lifted.g, weight.g, (mixed & 2) != 0),\n"
+            "#SHAPE     pick(lifted.b, weight.b, (mixed & 4) != 0));\n"
             "result = float3(restore(result.r, weight.r, own.r, total.r, (mixed & 1) != 0),\n"
             "    restore(result.g, weight.g, own.g, total.g, (mixed & 2) != 0),\n"
             "    restore(result.b, weight.b, own.b, total.b, (mixed & 4) != 0));\n"
@@ -7078,12 +7024,9 @@ static const char *const ms_sss__shader_body[] = {
     "#endif\n"
         "#SMALLER if (inside(p * 2)) {\n"
         "#!SMALLER if (inside(p)) {\n"
-    "#if LATER\n"
-            "float4 before = fetch_sum(p);\n"
-            "store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n"
-    "#else\n"
-            "store(p, filter_pixel(p));\n"
-    "#endif\n"
+            "#LATER float4 before = fetch_sum(p);\n"
+            "#LATER store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n"
+            "#!LATER store(p, filter_pixel(p));\n"
         "}\n"
     "}\n"
     "#endif\n"};
@@ -7444,13 +7387,11 @@ static void ms_sss__say_part(ms_sss__text *text, const char *s, size_t n)
 
 static void ms_sss__say(ms_sss__text *text, const char *s) { ms_sss__say_part(text, s, strlen(s)); }
 
-static void ms_sss__say_number(ms_sss__text *text, const char *before, int number, const char *after)
+static void ms_sss__say_number(ms_sss__text *text, int number)
 {
     char digits[32];
     ms__format_number(digits, number);
-    ms_sss__say(text, before);
     ms_sss__say(text, digits);
-    ms_sss__say(text, after);
 }
 
 static size_t ms_sss__name_length(const char *s)
@@ -7460,23 +7401,18 @@ static size_t ms_sss__name_length(const char *s)
     return n;
 }
 
-static int ms_sss__same_name(const char *s, size_t n, const char *name) { return strlen(name) == n && strncmp(s, name, n) == 0; }
-
-static int ms_sss__find_feature(const char *s, size_t n)
+/* Which of names, step apart, the n characters at s are; -1: none. */
+static int ms_sss__find(const char *s, size_t n, const char *const *name, int step, int count)
 {
     int i;
-    for (i = 0; i < MS_SSS__FEATURES; ++i)
-        if (ms_sss__same_name(s, n, ms_sss__feature[i])) return i;
+    for (i = 0; i < count; ++i)
+        if (strlen(name[i * step]) == n && strncmp(s, name[i * step], n) == 0) return i;
     return -1;
 }
 
-static int ms_sss__find_word(const char *s, size_t n)
-{
-    int i;
-    for (i = 0; i < MS_SSS__WORDS; ++i)
-        if (ms_sss__same_name(s, n, ms_sss__word[i][0])) return i;
-    return -1;
-}
+static int ms_sss__find_feature(const char *s, size_t n) { return ms_sss__find(s, n, ms_sss__feature, 1, MS_SSS__FEATURES); }
+
+static int ms_sss__find_word(const char *s, size_t n) { return ms_sss__find(s, n, ms_sss__word[0], 4, MS_SSS__WORDS); }
 
 /* One word of a line, or one character that is in none. Returns how far it went. */
 static size_t ms_sss__say_word(ms_sss__text *text, const char *s)
@@ -7488,7 +7424,7 @@ static size_t ms_sss__say_word(ms_sss__text *text, const char *s)
         return 1;
     }
     if (word >= 0) ms_sss__say(text, ms_sss__word[word][text->column]);
-    else if (feature >= 0) ms_sss__say_number(text, "", text->feature[feature], "");
+    else if (feature >= 0) ms_sss__say_number(text, text->feature[feature]);
     else ms_sss__say_part(text, s, n);
     return n;
 }
@@ -7665,12 +7601,12 @@ static void ms_sss__say_dialect(ms_sss__text *text, const char *s, const ms_sss_
         }
         switch (*++s) {
         case 's': ms_sss__say(text, name); break;
-        case 't': ms_sss__say_number(text, "", index, ""); break;
-        case 'b': ms_sss__say_number(text, "", index + 1, ""); break;
-        case 'n': ms_sss__say_number(text, "", ms_sss_shader_constant_count(shader), ""); break;
-        case 'x': ms_sss__say_number(text, "", ms_sss_shader_group(shader, 0), ""); break;
-        case 'y': ms_sss__say_number(text, "", ms_sss_shader_group(shader, 1), ""); break;
-        case 'z': ms_sss__say_number(text, "", text->feature[MS_SSS__HAS_TILE_X] * text->feature[MS_SSS__HAS_TILE_Y], ""); break;
+        case 't': ms_sss__say_number(text, index); break;
+        case 'b': ms_sss__say_number(text, index + 1); break;
+        case 'n': ms_sss__say_number(text, ms_sss_shader_constant_count(shader)); break;
+        case 'x': ms_sss__say_number(text, ms_sss_shader_group(shader, 0)); break;
+        case 'y': ms_sss__say_number(text, ms_sss_shader_group(shader, 1)); break;
+        case 'z': ms_sss__say_number(text, text->feature[MS_SSS__HAS_TILE_X] * text->feature[MS_SSS__HAS_TILE_Y]); break;
         default: ms_sss__say(text, text->column < 3 ? (shader->half_target ? "rgba16f" : "rgba32f")
                                                     : (shader->half_target ? "rgba16float" : "rgba32float"));
         }
@@ -7766,8 +7702,8 @@ static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filte
     return MS_OK;
 }
 
-MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
-                                     size_t capacity, ms_error *error)
+MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text, size_t capacity,
+                                 ms_error *error)
 {
     ms_sss__text t;
     memset(&t, 0, sizeof t);
@@ -7790,7 +7726,7 @@ MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, siz
 }
 
 MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
-                                          ms_error *error)
+                                      ms_error *error)
 {
     ms_status status;
     int i, c;
@@ -7817,8 +7753,8 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
 }
 
 /* The job that ms_sss_filter would make of a kernel. */
-static void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k, const ms_sss_filter_options *options, int width, int height,
-                               int shaped)
+static void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k, const ms_sss_filter_options *options, int width,
+                               int height, int shaped)
 {
     memset(job, 0, sizeof *job);
     job->frame.width = job->full_width = width;
@@ -7829,21 +7765,19 @@ static void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k, const m
     ms_sss__set_kernel(job, k, 0);
 }
 
-MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options,
-                                             int width, int height, const ms_sss_shader *shader, float (*out)[4],
-                                             ms_error *error)
+MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options, int width,
+                                         int height, const ms_sss_shader *shader, float (*out)[4], ms_error *error)
 {
     const int up = shader && shader->step == MS_SSS_STEP_UP;
-    ms_sss_shader_picture picture;
+    ms_sss__job job;
     ms_status status;
     int count, stride, terms = 0, blocks, i, c;
-    double mm, pixels;
+    double focal;
     if (!kernels || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernels or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
     if (ms_sss__shader_tower(shader))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
-    mm = options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1;
     count = ms_sss__shader_profiles(shader);
     stride = ms_sss__shader_stride(shader);
     for (i = 0; i < count; ++i) { /* all are checked before anything is written */
@@ -7859,18 +7793,15 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
     if (term < 0 || term >= terms)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term %d is not within the kernels' %d", term, terms);
     memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
-    memset(&picture, 0, sizeof picture);
-    picture.width = (float)width;
-    picture.height = (float)height;
-    pixels = (double)options->pixels_per_mm[0];
-    if (options->fov_degrees > 0) pixels = height / (2 * tan((double)options->fov_degrees * (3.14159265358979323846 / 360)) * mm);
-    if (options->ortho_height > 0) pixels = height / ((double)options->ortho_height * mm);
-    picture.pixels = (float)pixels;
-    picture.gain = 1.0f - options->fade;
-    picture.rotation = options->rotation;
-    picture.jitter = options->jitter;
-    picture.first = term == 0 ? 1.0f : 0.0f;
-    picture.upright = 1.0f - options->flat;
+    ms_sss__shader_job(&job, kernels, options, width, height, 0);
+    focal = ms_sss__pixels(options, height) * (options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1);
+    {
+        const ms_sss_shader_picture picture = {
+            (float)width, (float)height, (float)ms_sss__pixels(options, height), 1.0f - options->fade,
+            {job.pass.aspect[0], job.pass.aspect[1]}, options->rotation, options->jitter, term == 0 ? 1.0f : 0.0f,
+            {(float)focal, (float)(focal * (double)job.pass.aspect[1])}, 1.0f - options->flat};
+        memcpy(out, &picture, sizeof picture);
+    }
     blocks = up ? ms_sss__shader_terms(shader) * count : count;
     if (up) term = 0;
     for (i = 0; i < blocks; ++i) {
@@ -7878,13 +7809,8 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         const int t = term + i / count;
         float(*at)[4] = out + MS_SSS__PICTURE_HEAD + i * stride;
         ms_sss_shader_profile profile;
-        ms_sss__job job;
         memset(&profile, 0, sizeof profile);
         ms_sss__shader_job(&job, k, options, width, height, ms_sss__shader_shaped(shader, options));
-        picture.aspect[0] = job.pass.aspect[0];
-        picture.aspect[1] = job.pass.aspect[1];
-        picture.focal[0] = (float)(pixels * mm);
-        picture.focal[1] = (float)(pixels * mm * (options->pixels_per_mm[0] > 0 ? (double)job.pass.aspect[1] : 1));
         profile.radius_mm = k->radius_mm;
         profile.depth_scale = job.depth_scale;
         profile.cut = job.pass.apart * job.pass.apart;
@@ -7903,7 +7829,6 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
         }
         memcpy(at, &profile, sizeof profile);
     }
-    memcpy(out, &picture, sizeof picture);
     return MS_OK;
 }
 
@@ -7919,7 +7844,7 @@ MS_API int ms_sss_shader_levels(int width, int height)
 }
 
 MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width, int height,
-                                           const ms_sss_shader *shader, int level, int profile, float (*out)[4], ms_error *error)
+                                       const ms_sss_shader *shader, int level, int profile, float (*out)[4], ms_error *error)
 {
     ms_sss_kernel kernel;
     ms_sss_filter_options round;

@@ -896,6 +896,9 @@ static void case_constants(void)
     static float from_struct[200][4];
     ms_sss_shader_picture picture;
     ms_sss_shader_profile first;
+    static ms_sss_pyramid pyramid;
+    const double reflectance[3] = {0.5, 0.4, 0.3}, d_mm[3] = {1, 0.5, 0.2};
+    ms_sss_profile *profile;
     one_case t;
     ms_error error;
     int i;
@@ -911,11 +914,6 @@ static void case_constants(void)
     CHECK_INT(offsetof(ms_sss_shader_profile, curve), 48);
     CHECK_INT(offsetof(ms_sss_shader_profile, mixed), 60);
     CHECK_INT(offsetof(ms_sss_shader_profile, reach), 76);
-    CHECK_INT(sizeof(ms_sss_shader_level), 96);
-    CHECK_INT(offsetof(ms_sss_shader_level, reach), 32);
-    CHECK_INT(offsetof(ms_sss_shader_level, quarter), 48);
-    CHECK_INT(offsetof(ms_sss_shader_level, mean), 76);
-    CHECK_INT(offsetof(ms_sss_shader_level, coarser), 92);
     CHECK_INT(ms_sss_shader_levels(97, 75), LEVELS);
     CHECK_INT(ms_sss_shader_levels(1, 2), 1);
     CHECK_INT(ms_sss_shader_levels(65536, 65536), MS_SSS_PYRAMID_LEVELS);
@@ -942,6 +940,22 @@ static void case_constants(void)
         CHECK_NEAR((double)(&from_struct[0][0])[i], (double)(&constants[0][0])[i], 1e-6 * fabs((double)(&constants[0][0])[i]));
     memcpy(&first, constants[3], sizeof first);
     CHECK_NEAR((double)first.radius_mm, (double)t.kernel[0].radius_mm, 0);
+    /* those of a pyramid lie where the text's first lines say */
+    if (ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, &error) != MS_OK ||
+        ms_sss_pyramid_make(&pyramid, profile, &error) != MS_OK)
+        TEST_FAIL("%s", error.message);
+    ms_sss_profile_destroy(profile);
+    t.shader.step = MS_SSS_STEP_SHRINK;
+    t.shader.half_resolution = t.shader.compute = t.shader.half_target = 0;
+    t.options.fade = 0.25f;
+    for (i = 0; i < 3; ++i) {
+        if (ms_sss_shader_pyramid(&pyramid, &t.options, 640, 360, &t.shader, i, 5, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
+        CHECK(constants[0][0] == 640 && constants[0][1] == 360 && constants[0][2] == 0.75f && constants[0][3] == 5);
+        CHECK_NEAR((double)constants[1][3], tan(20 * 3.14159265358979 / 180) / 180, 1e-9); /* of a pixel's ray */
+        CHECK(constants[2][1] == 1 && constants[2][2] == (float)(2 << i));
+        CHECK_NEAR((double)constants[3][0], ms_sss_elevation(0.5, 1) / 4, 1e-6);
+        CHECK_NEAR((double)constants[4][0], 2, 1e-6);
+    }
 }
 
 static void case_transmission(void)
