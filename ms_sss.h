@@ -2152,7 +2152,7 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "radius_px is %g; above 0, at most 1e9 expected", radius_px);
     widest = ms_sss__extent(profile, total, radius);
     if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light in any channel");
-    if (radius_px > MS_SSS__CELLS_MAX) radius_px = MS_SSS__CELLS_MAX;
+    if (radius_px > (int)MS_SSS__CELLS_MAX) radius_px = (int)MS_SSS__CELLS_MAX;
     row = (size_t)(radius_px + 0.5) + 1;
     doubles = 3 * row * (row + 1) + 3 * MS_SSS__OCTANT + (MS_SSS__HALF + 1) * row;
     bytes = header + doubles * sizeof(double) + MS_SSS__SIGNALS * MS_SSS__OCTANT * sizeof(float);
