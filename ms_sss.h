@@ -3544,6 +3544,11 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #else
 #define MS_SSS__PREFETCH(p) ((void)(p))
 #endif
+#if defined(__GNUC__)
+#define MS_SSS__ALIGNED __attribute__((aligned(64))) /* no vector lies in two lines of the cache */
+#else
+#define MS_SSS__ALIGNED
+#endif
 
 enum {
     MS_SSS__LEFT = 16,  /* floats before a row's first pixel: one vector of any level */
@@ -3623,20 +3628,21 @@ static MS_SSS__INLINE float ms_sss__bulge(const ms_sss__pass *p, float mm, float
 /* Both passes of a kernel: the second follows the first in slabs of rows, which lie in a ring, in groups of one vector each of
    red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share stand 16 times. */
 typedef struct ms_sss__sweep {
+    float offset[2][MS_SSS__PAIRS][16]; /* mm; of the axes in their own pixels */
+    float nearness[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* 1 / offset; centre, pairs */
+    float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16], lift[MS_SSS__LEANING][3][2][16]; /* lift: K / 4 and 1, times the fourth root of the weight */
     struct ms_sss__job *job;
     int pairs;         /* of taps that weigh the same; 0: any taps */
     int shaped, reach, bands, band, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
-    float offset[2][MS_SSS__PAIRS][16]; /* mm; of the axes in their own pixels */
     int simple;        /* weights of one sign that add up to 1 */
-    float nearness[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* 1 / offset; centre, pairs */
-    float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16];
+    int plain, steep;  /* with slopes: no weight below 0; whether sines can reach their bounds */
     float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
     int rows;          /* of a window: 5 with slopes, else 1 */
     ptrdiff_t plan_row, window_row, window_size;
     unsigned char *plan;
     int *slot, *held;  /* of each row in the ring, 0: nothing takes part; of each slot the columns that hold something */
     ptrdiff_t *row, *column; /* the same in floats, from MARGIN rows above the picture on; 0 1 2 ..., from -MARGIN on */
-} ms_sss__sweep;
+} MS_SSS__ALIGNED ms_sss__sweep;
 
 /* Axes of each pixel's own: the picture lies in planes with an empty row above and below. */
 typedef struct ms_sss__turning {
@@ -4662,6 +4668,10 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
     float inner = 0;
     int i, c;
     if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS) || p->follow || (s->shaped && (p->exact || s->lanes == 1))) return 0;
+    s->plain = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
+    /* dz / (1 + remote dz^2) is at most half of 1 / sqrt(remote), which is the offset over that of upright; 1 + the square of a ray's tangent is the most that facing adds */
+    s->steep = !(0.25 * (1 + (double)(p->tangent * p->tangent) * ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1])) <
+                 0.999 * (double)p->upright * (double)(p->least * p->least));
     for (c = 0; c < 3; ++c) ms_sss__splat(s->weight[0][c], (double)p->weight[0][c]);
     for (i = 0; i < pairs; ++i) {
         const double x = (double)k->offset_mm[2 * i + 2];
@@ -4673,7 +4683,14 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
         for (c = 0; c < 2; ++c) ms_sss__splat(s->offset[c][i], fabs(x) * (double)p->aspect[c]);
         ms_sss__splat(s->nearness[i], 1 / fabs(x));
         ms_sss__splat(s->remote[i], (double)ms_sss__remote(p, (float)x));
+        if (s->remote[i][0] * (float)(x * x) < 0.999f * p->remote) s->steep = 1;
         ms_sss__splat(s->bulge[i], (double)ms_sss__bulge(p, (float)x, &inner));
+        for (c = 0; c < 3 && s->shaped; ++c) {
+            const double root = sqrt(sqrt((double)s->weight[i + 1][c][0]));
+            if (!(s->weight[i + 1][c][0] >= 0)) s->plain = 0;
+            ms_sss__splat(s->lift[i][c][0], root * (double)p->curve[c]);
+            ms_sss__splat(s->lift[i][c][1], root);
+        }
     }
     return pairs;
 }
@@ -7895,6 +7912,7 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #undef MS_SSS__PICK
 #undef MS_SSS__INLINE
 #undef MS_SSS__APART
+#undef MS_SSS__ALIGNED
 #undef MS_SSS__PREFETCH
 #undef MS_SSS__AWAY
 #undef MS_SSS__SPARSE
@@ -8622,130 +8640,223 @@ static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_s
 }
 
 #if MS_SSS__LANES > 1
-/* The same with slopes. */
-static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, MS_SSS__V (*out)[3])
+/* With slopes: what the pixels of one side of a pair weigh, of depths dz over the tangent plane, and the height of the side. One division serves all. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean)(const MS_SSS__V *dz, const MS_SSS__V *share, const float *remote, const int two, MS_SSS__V least, MS_SSS__V *w)
+{
+    const MS_SSS__V one = MS_SSS__SET(1.0f), r = MS_SSS__LOAD(remote);
+    MS_SSS__V square = MS_SSS__MIN(MS_SSS__MUL(dz[0], dz[0]), one), over, next, both, below;
+    w[0] = MS_SSS__LESSEN(share[0], square, share[0]);
+    over = MS_SSS__MADD(r, square, one);
+    square = MS_SSS__MIN(MS_SSS__MUL(dz[1], dz[1]), one);
+    w[1] = MS_SSS__LESSEN(share[1], square, share[1]);
+    next = MS_SSS__MADD(r, square, one);
+    both = MS_SSS__MUL(over, next);
+    w[0] = MS_SSS__MUL(w[0], next);
+    w[1] = MS_SSS__MUL(w[1], over);
+    if (two) {
+        square = MS_SSS__MIN(MS_SSS__MUL(dz[2], dz[2]), one);
+        next = MS_SSS__MADD(r, square, one);
+        w[0] = MS_SSS__MUL(w[0], next);
+        w[1] = MS_SSS__MUL(w[1], next);
+        w[2] = MS_SSS__MUL(MS_SSS__LESSEN(share[2], square, share[2]), both);
+        both = MS_SSS__MUL(both, next);
+    }
+    both = MS_SSS__DIV(one, both);
+    w[0] = MS_SSS__MUL(w[0], both);
+    w[1] = MS_SSS__MUL(w[1], both);
+    below = MS_SSS__MADD(w[1], dz[1], MS_SSS__MUL(w[0], dz[0]));
+    if (two) {
+        w[2] = MS_SSS__MUL(w[2], both);
+        below = MS_SSS__MADD(w[2], dz[2], below);
+    }
+    return MS_SSS__NAME(beyond)(below, least);
+}
+
+/* How much more surface a side of weight sum at height `below` stands for; away: from the height of the pair before to this one's. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean_area)(MS_SSS__V sum, MS_SSS__V below, MS_SSS__V bulge, MS_SSS__V *away)
+{
+    MS_SSS__V more = MS_SSS__DIV(MS_SSS__LESSEN(sum, *away, below), MS_SSS__ADD(sum, MS_SSS__SET(MS_SSS__SPARSE)));
+    *away = MS_SSS__ADD(*away, more);
+    more = MS_SSS__MUL(more, bulge);
+    return MS_SSS__MIN(MS_SSS__MADD(more, more, MS_SSS__SET(1.0f)), MS_SSS__SET(MS_SSS__AREA_MAX));
+}
+
+/* The group at column x where lanes differ or weights are of both signs. */
+static MS_SSS__APART void MS_SSS__NAME(leaning_two)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
 {
     const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f);
     const ptrdiff_t *step = l->step, plane = l->plane;
-    MS_SSS__V h[MS_SSS__LEANING][MS_SSS__CHUNK][6], sum[MS_SSS__LEANING][MS_SSS__CHUNK][2], sine[MS_SSS__LEANING][MS_SSS__CHUNK][2], away[2];
-    int g, k, j, side, c;
-    for (g = 0; g < n; ++g) {
-        const unsigned char *plan = l->plan + (x / MS_SSS__LANES + g) * s->plan_size;
-        const float *here = l->from + (x / MS_SSS__LANES + g) * l->group;
-        const MS_SSS__V z = MS_SSS__LOAD(here + step[0] + 3 * plane), grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
-        const MS_SSS__V size = MS_SSS__LOAD(l->own[0] + x + g * MS_SSS__LANES), rise = MS_SSS__LOAD(l->own[1] + x + g * MS_SSS__LANES);
-        const MS_SSS__V facing = MS_SSS__LOAD(l->own[2] + x + g * MS_SSS__LANES);
-        if (plan[0] < MS_SSS__SOME) continue;
-        away[0] = away[1] = zero;
-        for (k = 0; k < s->pairs; ++k) {
-            const int two = plan[k + 1] & MS_SSS__BESIDE, i = plan[k + 1] - two;
-            const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[l->axis][k])), base = MS_SSS__SET(ms_sss__whole[i]), r = MS_SSS__SUB(t, base);
-            const MS_SSS__V start = MS_SSS__MUL(rise, base), least = MS_SSS__MADD(grain, t, MS_SSS__ADD(grain, grain));
-            MS_SSS__V share[3];
-            share[0] = MS_SSS__SUB(one, r);
-            share[1] = r;
-            share[2] = zero;
-            if (two) {
-                share[0] = MS_SSS__MAX(share[0], zero);
-                share[2] = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
-                share[1] = MS_SSS__SUB(one, MS_SSS__ADD(share[0], share[2]));
+    const float *here = l->from + x / MS_SSS__LANES * l->group, *deep = here + 3 * plane;
+    const unsigned char *plan = l->plan + x / MS_SSS__LANES * s->plan_size;
+    const MS_SSS__V z = MS_SSS__LOAD(deep + step[0]), grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
+    const MS_SSS__V size = MS_SSS__LOAD(l->own[0] + x), rise = MS_SSS__LOAD(l->own[1] + x), facing = MS_SSS__LOAD(l->own[2] + x);
+    MS_SSS__V away[2], v[3], m[3], most[3];
+    int k, j, side, c;
+    away[0] = away[1] = zero;
+    for (c = 0; c < 3; ++c) {
+        m[c] = most[c] = MS_SSS__LOAD(s->weight[0][c]);
+        v[c] = MS_SSS__MUL(m[c], MS_SSS__LOAD(here + step[0] + c * plane));
+    }
+    for (k = 0; k < s->pairs; ++k) {
+        const int i = plan[k + 1] & (MS_SSS__BESIDE - 1);
+        const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[l->axis][k])), base = MS_SSS__SET(ms_sss__whole[i]), r = MS_SSS__SUB(t, base);
+        const MS_SSS__V least = MS_SSS__MADD(grain, t, MS_SSS__ADD(grain, grain)), near_by = MS_SSS__MUL(facing, MS_SSS__LOAD(s->nearness[k]));
+        const MS_SSS__V bulge = MS_SSS__MUL(facing, MS_SSS__LOAD(s->bulge[k]));
+        MS_SSS__V share[3];
+        share[0] = MS_SSS__MAX(MS_SSS__SUB(one, r), zero);
+        share[2] = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
+        share[1] = MS_SSS__SUB(one, MS_SSS__ADD(share[0], share[2]));
+        for (side = 0; side < 2; ++side) {
+            const MS_SSS__V more = side ? MS_SSS__SUB(zero, rise) : rise;
+            const ptrdiff_t *at = side ? step - i : step + i;
+            MS_SSS__V gain = MS_SSS__MUL(more, base), dz[3], f[3], sum, below, sine, area;
+            for (j = 0; j < 3; ++j) {
+                const MS_SSS__V there = MS_SSS__LOAD(deep + at[side ? -j : j]);
+                dz[j] = MS_SSS__SUB(there, z);
+                dz[j] = p->perspective ? MS_SSS__LESSEN(gain, there, dz[j]) : MS_SSS__SUB(dz[j], gain);
+                gain = MS_SSS__ADD(gain, more);
             }
-            MS_SSS__UNROLL
-            for (side = 0; side < 2; ++side) {
-                MS_SSS__V gain = side ? MS_SSS__SUB(zero, start) : start, f[3], dz[3], over[3], all, below, both, inverse, lies;
-                MS_SSS__UNROLL
-                for (j = 0; j < 3; ++j) {
-                    MS_SSS__V there, square;
-                    if (j == 2 && !two) break;
-                    there = MS_SSS__LOAD(here + step[side ? -i - j : i + j] + 3 * plane);
-                    dz[j] = MS_SSS__SUB(there, z);
-                    dz[j] = p->perspective ? MS_SSS__LESSEN(gain, there, dz[j]) : MS_SSS__SUB(dz[j], gain);
-                    gain = side ? MS_SSS__SUB(gain, rise) : MS_SSS__ADD(gain, rise);
-                    square = MS_SSS__MIN(MS_SSS__MUL(dz[j], dz[j]), one);
-                    f[j] = MS_SSS__LESSEN(share[j], square, share[j]);
-                    over[j] = MS_SSS__MADD(MS_SSS__LOAD(s->remote[k]), square, one);
-                }
-                /* f / over, by one division that serves 1 / (all + SPARSE) too */
-                both = MS_SSS__MUL(over[0], over[1]);
-                f[0] = MS_SSS__MUL(f[0], over[1]);
-                f[1] = MS_SSS__MUL(f[1], over[0]);
-                if (two) {
-                    f[0] = MS_SSS__MUL(f[0], over[2]);
-                    f[1] = MS_SSS__MUL(f[1], over[2]);
-                    f[2] = MS_SSS__MUL(f[2], both);
-                    both = MS_SSS__MUL(both, over[2]);
-                }
-                all = MS_SSS__ADD(f[0], f[1]);
-                below = MS_SSS__MADD(f[1], dz[1], MS_SSS__MUL(f[0], dz[0]));
-                if (two) {
-                    all = MS_SSS__ADD(all, f[2]);
-                    below = MS_SSS__MADD(f[2], dz[2], below);
-                }
-                lies = MS_SSS__MADD(MS_SSS__SET(MS_SSS__SPARSE), both, all);
-                inverse = MS_SSS__DIV(one, MS_SSS__MUL(both, lies));
-                lies = MS_SSS__MUL(inverse, lies); /* 1 / both */
-                below = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(MS_SSS__MUL(below, lies), least));
-                sine[k][g][side] = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(below, MS_SSS__LOAD(s->nearness[k])), one), MS_SSS__SET(p->least));
-                below = MS_SSS__MUL(MS_SSS__MADD(MS_SSS__SET(MS_SSS__SPARSE), away[side], below), MS_SSS__MUL(inverse, MS_SSS__MUL(both, both)));
-                inverse = MS_SSS__MUL(MS_SSS__SUB(below, away[side]), MS_SSS__LOAD(s->bulge[k]));
-                away[side] = below;
-                lies = MS_SSS__MUL(lies, MS_SSS__MIN(MS_SSS__MADD(inverse, inverse, one), MS_SSS__SET(MS_SSS__AREA_MAX)));
-                sum[k][g][side] = MS_SSS__MUL(all, lies);
-                MS_SSS__UNROLL
-                for (j = 0; j < 3; ++j) {
-                    if (j == 2 && !two) break;
-                    h[k][g][3 * side + j] = MS_SSS__MUL(f[j], lies);
-                }
+            below = MS_SSS__NAME(lean)(dz, share, s->remote[k], 1, least, f);
+            sum = MS_SSS__ADD(MS_SSS__ADD(f[0], f[1]), f[2]);
+            area = MS_SSS__NAME(lean_area)(sum, below, bulge, &away[side]);
+            sine = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(below, near_by), one), MS_SSS__SET(p->least));
+            sum = MS_SSS__MUL(sum, area);
+            for (c = 0; c < 3; ++c) {
+                const float *from = here + c * plane;
+                const MS_SSS__V w = MS_SSS__LOAD(s->weight[k + 1][c]), lifted = MS_SSS__MUL(w, MS_SSS__NAME(lift)(p, c, sine));
+                MS_SSS__V u = MS_SSS__MADD(f[1], MS_SSS__LOAD(from + at[side ? -1 : 1]), MS_SSS__MUL(f[0], MS_SSS__LOAD(from + at[0])));
+                u = MS_SSS__MUL(area, MS_SSS__MADD(f[2], MS_SSS__LOAD(from + at[side ? -2 : 2]), u));
+                m[c] = MS_SSS__MADD(w, sum, m[c]);
+                most[c] = MS_SSS__MADD(lifted, sum, most[c]);
+                v[c] = MS_SSS__MADD(lifted, u, v[c]);
             }
         }
     }
-    for (g = 0; g < n; ++g) {
-        const unsigned char *plan = l->plan + (x / MS_SSS__LANES + g) * s->plan_size;
-        const float *here = l->from + (x / MS_SSS__LANES + g) * l->group;
-        MS_SSS__V r[3], norm[3], lifted[3];
-        if (plan[0] < MS_SSS__SOME) {
-            MS_SSS__UNROLL
-            for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__MUL(MS_SSS__LOAD(here + step[0] + c * plane), MS_SSS__SET(p->total[c]));
-            continue;
+    for (c = 0; c < 3; ++c) {
+        if (!p->mixed[c]) m[c] = MS_SSS__MAX(m[c], MS_SSS__MUL(most[c], MS_SSS__SET(p->root[c])));
+        out[c] = MS_SSS__NAME(restore)(v[c], m[c], MS_SSS__LOAD(here + step[0] + c * plane), p->total[c], p->mixed[c]);
+    }
+}
+
+/* Of pair k what its pixels weigh and the heights of its sides. */
+static MS_SSS__INLINE void MS_SSS__NAME(lean_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const float *deep, const ptrdiff_t *step, int k, int i, const float *offset, MS_SSS__V z,
+                                                   MS_SSS__V size, MS_SSS__V rise, MS_SSS__V grain, MS_SSS__V *to)
+{
+    const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(offset)), base = MS_SSS__SET(ms_sss__whole[i]), gain = MS_SSS__MUL(rise, base), gain1 = MS_SSS__ADD(gain, rise);
+    const MS_SSS__V z0 = MS_SSS__LOAD(deep + step[i]), z1 = MS_SSS__LOAD(deep + step[i + 1]), z2 = MS_SSS__LOAD(deep + step[-i]), z3 = MS_SSS__LOAD(deep + step[-i - 1]);
+    const MS_SSS__V least = MS_SSS__MADD(grain, t, MS_SSS__ADD(grain, grain));
+    MS_SSS__V share[2], dz[2], ez[2];
+    share[1] = MS_SSS__SUB(t, base);
+    share[0] = MS_SSS__SUB(MS_SSS__SET(1.0f), share[1]);
+    dz[0] = MS_SSS__SUB(z0, z);
+    dz[1] = MS_SSS__SUB(z1, z);
+    ez[0] = MS_SSS__SUB(z2, z);
+    ez[1] = MS_SSS__SUB(z3, z);
+    if (p->perspective) {
+        dz[0] = MS_SSS__LESSEN(gain, z0, dz[0]);
+        dz[1] = MS_SSS__LESSEN(gain1, z1, dz[1]);
+        ez[0] = MS_SSS__MADD(gain, z2, ez[0]);
+        ez[1] = MS_SSS__MADD(gain1, z3, ez[1]);
+    } else {
+        dz[0] = MS_SSS__SUB(dz[0], gain);
+        dz[1] = MS_SSS__SUB(dz[1], gain1);
+        ez[0] = MS_SSS__ADD(ez[0], gain);
+        ez[1] = MS_SSS__ADD(ez[1], gain1);
+    }
+    to[4] = MS_SSS__NAME(lean)(dz, share, s->remote[k], 0, least, to);
+    to[5] = MS_SSS__NAME(lean)(ez, share, s->remote[k], 0, least, to + 2);
+}
+
+/* n groups from column x on, with slopes. Chains are long: the weights of a group's pairs among the sums of the group before. */
+static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, MS_SSS__V (*out)[3])
+{
+    const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f);
+    const ptrdiff_t *step = l->step, plane = l->plane, group = l->group;
+    const int pairs = s->pairs, plan_size = s->plan_size;
+    const float *from = l->from + x / MS_SSS__LANES * group, (*offset)[16] = s->offset[l->axis];
+    const unsigned char *plan = l->plan + x / MS_SSS__LANES * plan_size;
+    MS_SSS__V held[2][MS_SSS__LEANING][6], sums[MS_SSS__LEANING];
+    int g, k, c, lift = 0;
+    for (g = 0; g <= n; ++g, from += group, plan += plan_size) {
+        const unsigned char *plan0 = plan - plan_size;
+        const int here = x + g * MS_SSS__LANES;
+        const float *red = from - group, *deep = from + 3 * plane;
+        MS_SSS__V z = zero, grain = zero, size = zero, rise = zero, facing = zero, away[2], v[3], most[3];
+        int lean = 0;
+        if (g < n && plan[0] >= MS_SSS__SOME) {
+            int two = !s->plain;
+            for (k = 0; k < pairs; ++k) two |= plan[k + 1] & MS_SSS__BESIDE;
+            if (two) MS_SSS__NAME(leaning_two)(s, p, l, here, out[g]);
+            else lean = 1;
         }
-        MS_SSS__UNROLL
-        for (c = 0; c < 3; ++c) {
-            norm[c] = lifted[c] = MS_SSS__LOAD(s->weight[0][c]);
-            r[c] = MS_SSS__MUL(norm[c], MS_SSS__LOAD(here + step[0] + c * plane));
+        if (lean) {
+            z = MS_SSS__LOAD(deep + step[0]);
+            grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
+            size = MS_SSS__LOAD(l->own[0] + here);
+            rise = MS_SSS__LOAD(l->own[1] + here);
+            if (l->axis)
+                for (c = 0; c < 3; ++c) MS_SSS__PREFETCH((const char *)(l->own[c] + here + 4 * MS_SSS__LANES));
         }
-        for (k = 0; k < s->pairs; ++k) {
-            const int two = plan[k + 1] & MS_SSS__BESIDE, i = plan[k + 1] - two;
-            const float *a0 = here + step[i], *a1 = here + step[i + 1], *b0 = here + step[-i], *b1 = here + step[-i - 1];
-            const MS_SSS__V *q = h[k][g];
-            if (l->axis) /* rows lie far apart: the next groups of the taps' outer ones */
-                for (c = 0; c < 4; c += 16 / MS_SSS__LANES) {
-                    MS_SSS__PREFETCH((const char *)(a1 + MS_SSS__CHUNK * l->group + c * plane));
-                    MS_SSS__PREFETCH((const char *)(b0 + MS_SSS__CHUNK * l->group + c * plane));
-                }
+        v[0] = v[1] = v[2] = most[0] = most[1] = most[2] = zero;
+        if (lift) {
+            facing = MS_SSS__LOAD(l->own[2] + here - MS_SSS__LANES);
             MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) {
-                const MS_SSS__V w = MS_SSS__LOAD(s->weight[k + 1][c]);
-                MS_SSS__V u = MS_SSS__MADD(q[1], MS_SSS__LOAD(a1 + c * plane), MS_SSS__MUL(q[0], MS_SSS__LOAD(a0 + c * plane))), v, rise, drop;
-                v = MS_SSS__MUL(q[3], MS_SSS__LOAD(b0 + c * plane));
-                v = MS_SSS__MADD(q[4], MS_SSS__LOAD(b1 + c * plane), v);
-                if (two) {
-                    const MS_SSS__V a2 = MS_SSS__LOAD(here + step[i + 2] + c * plane), b2 = MS_SSS__LOAD(here + step[-i - 2] + c * plane);
-                    u = MS_SSS__MADD(q[2], a2, u);
-                    v = MS_SSS__MADD(q[5], b2, v);
-                }
-                norm[c] = MS_SSS__MADD(w, MS_SSS__ADD(sum[k][g][0], sum[k][g][1]), norm[c]);
-                rise = MS_SSS__NAME(lift)(p, c, sine[k][g][0]);
-                drop = MS_SSS__NAME(lift)(p, c, sine[k][g][1]);
-                v = MS_SSS__MADD(rise, u, MS_SSS__MUL(drop, v));
-                lifted[c] = MS_SSS__MADD(w, MS_SSS__MADD(rise, sum[k][g][0], MS_SSS__MUL(drop, sum[k][g][1])), lifted[c]);
-                r[c] = MS_SSS__MADD(w, v, r[c]);
+                most[c] = MS_SSS__LOAD(s->weight[0][c]);
+                v[c] = MS_SSS__MUL(most[c], MS_SSS__LOAD(red + step[0] + c * plane));
             }
         }
-        MS_SSS__UNROLL
-        for (c = 0; c < 3; ++c) {
-            if (!p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(lifted[c], MS_SSS__SET(p->root[c])));
-            out[g][c] = MS_SSS__NAME(restore)(r[c], norm[c], MS_SSS__LOAD(here + step[0] + c * plane), p->total[c], p->mixed[c]);
+        away[0] = away[1] = zero;
+        for (k = 0; k < pairs; ++k) {
+            if (lean) {
+                MS_SSS__NAME(lean_pair)(s, p, deep, step, k, plan[k + 1], offset[k], z, size, rise, grain, held[g & 1][k]);
+                if (l->axis) /* rows lie far apart: the next groups of the taps' outer ones */
+                    for (c = 0; c < 4; c += 16 / MS_SSS__LANES) {
+                        MS_SSS__PREFETCH((const char *)(from + step[plan[k + 1] + 1] + MS_SSS__CHUNK * group + c * plane));
+                        MS_SSS__PREFETCH((const char *)(from + step[-plan[k + 1]] + MS_SSS__CHUNK * group + c * plane));
+                    }
+            }
+            if (lift) {
+                const int i = plan0[k + 1];
+                const ptrdiff_t up0 = step[i], up1 = step[i + 1], down0 = step[-i], down1 = step[-i - 1];
+                const MS_SSS__V *h = held[~g & 1][k], near_by = MS_SSS__MUL(facing, MS_SSS__LOAD(s->nearness[k])), bulge = MS_SSS__MUL(facing, MS_SSS__LOAD(s->bulge[k]));
+                const MS_SSS__V high = MS_SSS__NAME(lean_area)(MS_SSS__ADD(h[0], h[1]), h[4], bulge, &away[0]), low = MS_SSS__NAME(lean_area)(MS_SSS__ADD(h[2], h[3]), h[5], bulge, &away[1]);
+                const MS_SSS__V q0 = MS_SSS__MUL(h[0], high), q1 = MS_SSS__MUL(h[1], high), q2 = MS_SSS__MUL(h[2], low), q3 = MS_SSS__MUL(h[3], low);
+                const MS_SSS__V up = MS_SSS__ADD(q0, q1), down = MS_SSS__ADD(q2, q3);
+                MS_SSS__V sine[2];
+                sine[0] = MS_SSS__MUL(h[4], near_by);
+                sine[1] = MS_SSS__MUL(h[5], near_by);
+                if (s->steep) {
+                    sine[0] = MS_SSS__MAX(MS_SSS__MIN(sine[0], one), MS_SSS__SET(p->least));
+                    sine[1] = MS_SSS__MAX(MS_SSS__MIN(sine[1], one), MS_SSS__SET(p->least));
+                }
+                sums[k] = MS_SSS__ADD(up, down);
+                MS_SSS__UNROLL
+                for (c = 0; c < 3; ++c) {
+                    const float *light = red + c * plane;
+                    const MS_SSS__V root = MS_SSS__LOAD(s->lift[k][c][1]), slope = MS_SSS__LOAD(s->lift[k][c][0]);
+                    MS_SSS__V a = MS_SSS__MADD(sine[0], slope, root), b = MS_SSS__MADD(sine[1], slope, root);
+                    a = MS_SSS__MUL(a, a);
+                    b = MS_SSS__MUL(b, b);
+                    a = MS_SSS__MUL(a, a);
+                    b = MS_SSS__MUL(b, b);
+                    most[c] = MS_SSS__MADD(a, up, most[c]);
+                    v[c] = MS_SSS__MADD(a, MS_SSS__MADD(q1, MS_SSS__LOAD(light + up1), MS_SSS__MUL(q0, MS_SSS__LOAD(light + up0))), v[c]);
+                    most[c] = MS_SSS__MADD(b, down, most[c]);
+                    v[c] = MS_SSS__MADD(b, MS_SSS__MADD(q3, MS_SSS__LOAD(light + down1), MS_SSS__MUL(q2, MS_SSS__LOAD(light + down0))), v[c]);
+                }
+            }
         }
+        if (lift) {
+            MS_SSS__UNROLL
+            for (c = 0; c < 3; ++c) {
+                MS_SSS__V m = MS_SSS__LOAD(s->weight[0][c]);
+                for (k = 0; k < pairs; ++k) m = MS_SSS__MADD(sums[k], MS_SSS__LOAD(s->weight[k + 1][c]), m);
+                m = MS_SSS__MAX(m, MS_SSS__MUL(most[c], MS_SSS__SET(p->root[c])));
+                out[g - 1][c] = MS_SSS__NAME(restore)(v[c], m, MS_SSS__LOAD(red + step[0] + c * plane), p->total[c], 0);
+            }
+        }
+        lift = lean;
     }
 }
 #endif
