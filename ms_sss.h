@@ -4686,8 +4686,8 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
         if (s->remote[i][0] * (float)(x * x) < 0.999f * p->remote) s->steep = 1;
         ms_sss__splat(s->bulge[i], (double)ms_sss__bulge(p, (float)x, &inner));
         for (c = 0; c < 3 && s->shaped; ++c) {
-            const double root = sqrt(sqrt((double)s->weight[i + 1][c][0]));
-            if (!(s->weight[i + 1][c][0] >= 0)) s->plain = 0;
+            const double w = (double)s->weight[i + 1][c][0], root = w > 0 ? sqrt(sqrt(w)) : 0;
+            if (!(w >= 0)) s->plain = 0;
             ms_sss__splat(s->lift[i][c][0], root * (double)p->curve[c]);
             ms_sss__splat(s->lift[i][c][1], root);
         }
