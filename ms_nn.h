@@ -91,7 +91,7 @@
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights and of dense
-   layers of up to two million weights and 4096 inputs, the first eight million of a network; float copies of F64 and of folded
+   layers of up to two million weights and 16384 inputs, the first eight million of a network; float copies of F64 and of folded
    dense weights. Larger layers are read where they lie. The products allocate nothing when they are given a
    workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples or directions at most: more run in blocks. Stack: below
    32 kB, 64 kB when compiled without optimisation.
@@ -2251,8 +2251,7 @@ typedef struct ms_nn__dims {
 static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
 
 /* A dense layer's matrix where it lies. Rows are cols elements long without padding. One that a cache may hold is there once more, as the
-   level in use likes it: in panels of two vectors of rows, [panel][column][row of the panel], zeros behind the last row. The last of an odd number of panels
-   is of floats. */
+   level in use likes it: in panels of two vectors of rows, [panel][column][row of the panel], zeros behind the last row. */
 typedef struct ms_nn__matrix {
     const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
     ms_nn_dtype dtype;                     /* F32, F16, BF16, I8 */
@@ -3195,6 +3194,7 @@ typedef struct ms_nn__kernels {
     size_t panel; /* rows of a panel of packed weights */
     int widen;    /* packed weights are floats, whatever they were */
     void (*packed)(const ms_nn__dense *job, size_t row0, size_t row1);
+    void (*packed_back)(const ms_nn__dense *job, size_t col0, size_t col1);
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out);
@@ -3229,12 +3229,11 @@ static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
     unsigned char *w;
     m->packed = NULL;
     m->packed_dtype = dtype;
-    if (m->cols > 4096 || m->rows > 2000000 / m->cols || nn->packed + m->rows * m->cols > 8000000) return 1;
-    m->packed = w = (unsigned char *)ms_nn__hold(nn, m->rows * ms_nn__bytes_of(dtype) + 4 * panel, m->cols);
+    if (m->cols > 16384 || m->rows > 2000000 / m->cols || nn->packed + m->rows * m->cols > 8000000) return 1;
+    m->packed = w = (unsigned char *)ms_nn__hold(nn, (m->rows + panel - 1) / panel * panel * ms_nn__bytes_of(dtype), m->cols);
     if (w == NULL) return 0;
     nn->packed += m->rows * m->cols;
     for (row0 = 0; row0 < m->rows; row0 += panel) {
-        if (row0 / panel % 2 == 0 && row0 + panel >= m->rows) dtype = MS_NN_F32;
         for (k = 0; k < m->cols; ++k)
             for (row = row0; row < row0 + panel; ++row, w += ms_nn__bytes_of(dtype)) {
                 size_t from = row * m->cols + k;
@@ -3338,7 +3337,7 @@ static void ms_nn__digits_make(ms_nn__digits *digits, signed char *d, int32_t *s
     }
 }
 
-static void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y, int linear, void *scratch)
+static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y, int linear, void *scratch)
 {
     const ms_nn__matrix *m = &op->matrix;
     ms_nn__dense job;
@@ -3378,6 +3377,13 @@ static void ms_nn__dense_back_task(void *context, int index)
                              ms_nn__min(col0 + job->chunk_cols, job->m->cols), job->y + part * (size_t)job->batch * job->m->cols);
 }
 
+static void ms_nn__packed_back_task(void *context, int index)
+{
+    const ms_nn__dense *job = (const ms_nn__dense *)context;
+    size_t col0 = (size_t)index * job->chunk_cols;
+    job->kernels->packed_back(job, col0, ms_nn__min(col0 + job->chunk_cols, job->m->cols));
+}
+
 /* A wide matrix is cut into stripes of columns, a narrow one into parts of rows whose sums are added in order. */
 #define MS_NN__STRIPE 4096u
 static size_t ms_nn__back_parts(const ms_nn__matrix *m)
@@ -3386,7 +3392,21 @@ static size_t ms_nn__back_parts(const ms_nn__matrix *m)
     return parts < 64 ? parts : 64;
 }
 
-static void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *op, int batch, const float *g_y, float *g_x, void *scratch)
+/* Rows of a packed matrix with those behind the last. */
+static size_t ms_nn__padded_rows(const ms_nn *nn, const ms_nn__matrix *m)
+{
+    return (m->rows + nn->kernels->panel - 1) / nn->kernels->panel * nn->kernels->panel;
+}
+
+/* Floats of scratch memory that going back takes. */
+static size_t ms_nn__back_floats(const ms_nn *nn, const ms_nn__matrix *m, size_t count)
+{
+    size_t parts = ms_nn__back_parts(m);
+    return m->packed ? ms__size_mul(ms_nn__padded_rows(nn, m), count) : parts > 1 ? ms__size_mul(ms__size_mul(parts, count), m->cols) : 0;
+}
+
+/* The gradients of packed rows are multiplied by the rows' scales first, zeros behind the last. */
+static MS_NN__COLD void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *op, int batch, const float *g_y, float *g_x, void *scratch)
 {
     const ms_nn__matrix *m = &op->matrix;
     size_t parts = ms_nn__back_parts(m), n = (size_t)batch * m->cols, p, i;
@@ -3394,6 +3414,21 @@ static void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *op, int batc
     memset(&job, 0, sizeof job);
     job.m = m;
     job.batch = batch;
+    if (m->packed) {
+        size_t rows = ms_nn__padded_rows(nn, m), b;
+        float *padded = (float *)scratch;
+        job.kernels = nn->kernels;
+        job.x = padded;
+        job.y = g_x;
+        for (b = 0; b < (size_t)batch; ++b, padded += rows) {
+            for (i = 0; i < m->rows; ++i) padded[i] = g_y[b * m->rows + i] * (m->scale ? ms_nn__float_at(m->scale, i) : 1.0f);
+            for (; i < rows; ++i) padded[i] = 0;
+        }
+        job.chunk_cols = ms_nn__min(MS_NN__TASK_BYTES / (rows * ms_nn__bytes_of(m->packed_dtype)), MS_NN__TASK_PRODUCTS / (rows * (size_t)batch));
+        job.chunk_cols = (job.chunk_cols / 64 + 1) * 64;
+        ms_nn__chunks(nn, m->cols, &job.chunk_cols, ms_nn__packed_back_task, &job);
+        return;
+    }
     job.x = g_y;
     job.y = parts == 1 ? g_x : (float *)scratch;
     job.kernels = nn->kernels;
@@ -3473,7 +3508,7 @@ static void ms_nn__run_conv(const ms_nn *nn, ms_nn__conv_job *job)
 }
 
 /* All groups and phases of a sample; back: from the gradient of the outputs to that of the inputs. */
-static void ms_nn__conv_all(const ms_nn *nn, const ms_nn__op *op, const float *from, float *to, int linear, int back, void *scratch)
+static MS_NN__COLD void ms_nn__conv_all(const ms_nn *nn, const ms_nn__op *op, const float *from, float *to, int linear, int back, void *scratch)
 {
     size_t in = op->in.h * op->in.w, out = op->out.h * op->out.w, phases = (size_t)op->phases, n;
     for (n = 0; n < phases * op->groups; ++n) {
@@ -3675,7 +3710,7 @@ static const float *ms_nn__input_value(const ms_nn__run *r, int v) { return v ==
 
 /* Applies operation k to count vectors. With point NULL they are points themselves; else directions, of which each
    point has `each`, and point and argument hold the operation's input and what its activation is applied to there. */
-static void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, const float *skip, float *y, const float *point,
+static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, const float *skip, float *y, const float *point,
                          const float *argument, size_t each, void *scratch)
 {
     const ms_nn__op *op = &nn->op[k];
@@ -3717,7 +3752,7 @@ static void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, c
 }
 
 /* g_x = J_k' g_y at the points; g_y is used up. */
-static void ms_nn__apply_back(const ms_nn *nn, int k, size_t count, float *g_y, float *g_x, float *g_skip, const float *point,
+static MS_NN__COLD void ms_nn__apply_back(const ms_nn *nn, int k, size_t count, float *g_y, float *g_x, float *g_skip, const float *point,
                               const float *argument, size_t each, void *scratch)
 {
     const ms_nn__op *op = &nn->op[k];
@@ -3816,8 +3851,7 @@ static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn, size_t count, int
                 need = ms_nn__digits_size(op->matrix.cols, count);
                 if (need > most) most = need;
             }
-            need = backward && ms_nn__back_parts(&op->matrix) > 1
-                       ? ms__size_mul(ms__size_mul(ms_nn__back_parts(&op->matrix), count), ms__size_mul(op->matrix.cols, sizeof(float))) : 0;
+            need = backward ? ms__size_mul(ms_nn__back_floats(nn, &op->matrix, count), sizeof(float)) : 0;
             if (need > most) most = need;
         }
         for (p = 0; op->step == MS_NN__DO_CONV && p < op->phases * (int)op->groups; ++p) {
@@ -5093,7 +5127,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     job.target = target;
     job.parts = ms_nn__min(16, c->m->rows / 1024 + 1);
     bytes = ms__size_mul(job.parts * sizeof(double), ms__size_add(n + 1, ms__size_mul(MS_NN__PASS_ROWS, h + c->channels)));
-    bytes = ms__size_add(bytes, ms__size_mul(outputs + n * (ms_nn__back_parts(c->m) + 1), sizeof(float)));
+    bytes = ms__size_add(bytes, ms__size_mul(ms__size_add(outputs + n, ms_nn__back_floats(c->nn, c->m, c->channels)), sizeof(float)));
     job.sum = (double *)ms_nn__alloc(&c->nn->options, bytes);
     if (job.sum == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
     job.wide = job.sum + job.parts * (n + 1);
@@ -6348,6 +6382,23 @@ MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_
             }
         }
 }
+
+MS_NN__KERNEL void MS_NN__FN(packed_back)(const ms_nn__dense *job, size_t col0, size_t col1)
+{
+    size_t panels = (job->m->rows + 3) / 4, cols = job->m->cols, b, k, p;
+    for (b = 0; b < (size_t)job->batch; ++b)
+        for (k = col0; k < col1; ++k) {
+            const float *w = (const float *)(const void *)job->m->packed + 4 * k, *g = job->x + 4 * b * panels;
+            float s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+            for (p = 0; p < panels; ++p, w += 4 * cols, g += 4) {
+                s0 += w[0] * g[0];
+                s1 += w[1] * g[1];
+                s2 += w[2] * g[2];
+                s3 += w[3] * g[3];
+            }
+            job->y[b * cols + k] = (s0 + s2) + (s1 + s3);
+        }
+}
 #else
 #define MS_NN__P_ROWS (2 * MS_NN__V_LANES)
 #if MS_NN__ISA == 4 || defined(MS__NEON)
@@ -6383,40 +6434,40 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, s
     }
 }
 
-/* dtype, vectors (4 or 2) and batch are constants. */
+/* Two panels, or one twice where there is no other. dtype and batch are constants. */
 MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int vectors, int batch)
 {
-    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = 2 * MS_NN__V_LANES * size, half = (cols + 1) / 2, k, end;
-    const unsigned char *w = job->m->packed + row * cols * ms_nn__bytes_of(job->m->packed_dtype);
+    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = 2 * MS_NN__V_LANES * size, half = (cols + 1) / 2, k, end, second = vectors == 4 ? cols * wide : 0;
+    const unsigned char *w = job->m->packed + row * cols * size;
     const float *x = job->x + sample * cols;
     MS_NN__V_FLOATS total[2][4 * MS_NN__P_SAMPLES], s[4][MS_NN__P_SAMPLES], u, value[MS_NN__P_SAMPLES];
     int v, b, h;
     if (batch == 1) {
         MS_NN__V_FLOATS t[4];
         MS_NN__UNROLL
-        for (v = 0; v < vectors; ++v) s[v][0] = t[v] = MS_NN__V_SET(0.0f);
+        for (v = 0; v < 4; ++v) s[v][0] = t[v] = MS_NN__V_SET(0.0f);
         for (k = 0; k < half; ++k) {
             const unsigned char *p = w + k * wide;
             value[0] = MS_NN__V_SET(x[k]);
             MS_NN__UNROLL
-            for (v = 0; v < vectors; ++v)
-                s[v][0] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)(v / 2) * cols * wide + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0], s[v][0]);
+            for (v = 0; v < 4; ++v)
+                s[v][0] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0], s[v][0]);
             if (k + half == cols) break; /* the first half may have one more */
             value[0] = MS_NN__V_SET(x[k + half]);
             p += half * wide;
             MS_NN__UNROLL
-            for (v = 0; v < vectors; ++v)
-                t[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)(v / 2) * cols * wide + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0], t[v]);
+            for (v = 0; v < 4; ++v)
+                t[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0], t[v]);
         }
         MS_NN__UNROLL
-        for (v = 0; v < vectors; ++v) {
+        for (v = 0; v < 4; ++v) {
             total[0][v] = s[v][0];
             total[1][v] = t[v];
         }
     }
     for (h = 0; batch > 1 && h < 2; ++h) {
         MS_NN__UNROLL
-        for (v = 0; v < vectors; ++v) {
+        for (v = 0; v < 4; ++v) {
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_SET(0.0f);
         }
@@ -6426,15 +6477,15 @@ MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, siz
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
             MS_NN__UNROLL
-            for (v = 0; v < vectors; ++v) {
-                u = MS_NN__FN(weight)(p + (size_t)(v / 2) * cols * wide + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype);
+            for (v = 0; v < 4; ++v) {
+                u = MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype);
                 MS_NN__V_KEEP(u);
                 MS_NN__UNROLL
                 for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_MADD(u, value[b], s[v][b]);
             }
         }
         MS_NN__UNROLL
-        for (v = 0; v < vectors; ++v) {
+        for (v = 0; v < 4; ++v) {
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) total[h][v * batch + b] = s[v][b];
         }
@@ -6442,31 +6493,93 @@ MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, siz
     MS_NN__FN(packed_end)(job, row, sample, vectors, batch, total[0], total[1]);
 }
 
-MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int batch)
+MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int vectors, int batch)
 {
 #if MS_NN__P_SAMPLES > 3
-    if (batch > 3) MS_NN__FN(packed_of)(job, row, sample, dtype, 4, MS_NN__P_SAMPLES);
+    if (batch > 3) MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, MS_NN__P_SAMPLES);
     else
 #endif
-    if (batch == 3) MS_NN__FN(packed_of)(job, row, sample, dtype, 4, 3);
-    else MS_NN__FN(packed_of)(job, row, sample, dtype, 4, 1);
+    if (batch == 3) MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, 3);
+    else MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, 1);
 }
 
 MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
     size_t row, b, batch = (size_t)job->batch;
-    int together;
+    int vectors, together;
     for (row = row0; row < row1; row += 2 * MS_NN__P_ROWS) {
-        int pair = row + MS_NN__P_ROWS < row1;
+        vectors = row + MS_NN__P_ROWS < row1 ? 4 : 2;
         for (b = 0; b < batch; b += (size_t)together) {
-            together = batch - b >= MS_NN__P_SAMPLES && pair ? MS_NN__P_SAMPLES : batch - b >= 3 ? 3 : 1;
-            if (!pair && together == 3) MS_NN__FN(packed_of)(job, row, b, MS_NN_F32, 2, 3);
-            else if (!pair) MS_NN__FN(packed_of)(job, row, b, MS_NN_F32, 2, 1);
+            together = batch - b >= MS_NN__P_SAMPLES ? MS_NN__P_SAMPLES : batch - b >= 3 ? 3 : 1;
 #if !MS_NN__B_WIDEN
-            else if (job->m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_F16, together);
-            else if (job->m->packed_dtype == MS_NN_BF16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_BF16, together);
+            if (job->m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_F16, vectors, together);
+            else if (job->m->packed_dtype == MS_NN_BF16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_BF16, vectors, together);
+            else
 #endif
-            else MS_NN__FN(packed_typed)(job, row, b, MS_NN_F32, together);
+            MS_NN__FN(packed_typed)(job, row, b, MS_NN_F32, vectors, together);
+        }
+    }
+}
+#endif
+
+#if MS_NN__V_LANES > 1
+/* Adds the products of a panel to the sums of n columns, a vector each; dtype and batch are constants. */
+#define MS_NN__P_COLS 64
+MS_NN__INLINE void MS_NN__FN(packed_columns)(const unsigned char *w, ms_nn_dtype dtype, const float *g, size_t rows, size_t n, MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch)
+{
+    size_t size = ms_nn__bytes_of(dtype) * MS_NN__V_LANES, c;
+    MS_NN__V_FLOATS g0[3], g1[3];
+    int b;
+    MS_NN__UNROLL
+    for (b = 0; b < batch; ++b) {
+        g0[b] = MS_NN__V_LOAD(g + (size_t)b * rows);
+        g1[b] = MS_NN__V_LOAD(g + (size_t)b * rows + MS_NN__V_LANES);
+    }
+    for (c = 0; c < n; ++c, w += 2 * size) {
+        MS_NN__V_FLOATS u0 = MS_NN__FN(weight)(w, dtype), u1 = MS_NN__FN(weight)(w + size, dtype);
+        if (batch > 1) MS_NN__V_KEEP(u0);
+        if (batch > 1) MS_NN__V_KEEP(u1);
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) sum[b][c] = MS_NN__V_MADD(u1, g1[b], MS_NN__V_MADD(u0, g0[b], sum[b][c]));
+    }
+}
+
+MS_NN__INLINE void MS_NN__FN(packed_columns_typed)(const unsigned char *w, ms_nn_dtype dtype, const float *g, size_t rows, size_t n, MS_NN__V_FLOATS sum[3][MS_NN__P_COLS],
+                                                   int batch)
+{
+    if (batch == 3) MS_NN__FN(packed_columns)(w, dtype, g, rows, n, sum, 3);
+    else MS_NN__FN(packed_columns)(w, dtype, g, rows, n, sum, 1);
+}
+
+/* Output gradients times columns: the lanes of a column's sum go over the panels from the first, whatever the batch. */
+MS_NN__KERNEL void MS_NN__FN(packed_back)(const ms_nn__dense *job, size_t col0, size_t col1)
+{
+    const ms_nn__matrix *m = job->m;
+    size_t rows = (m->rows + MS_NN__P_ROWS - 1) / MS_NN__P_ROWS * MS_NN__P_ROWS, size = ms_nn__bytes_of(m->packed_dtype), batch = (size_t)job->batch, k, b, p, c, n;
+    int together, i;
+    for (k = col0; k < col1; k += n) {
+        n = ms_nn__min(MS_NN__P_COLS, col1 - k);
+        for (b = 0; b < batch; b += (size_t)together) {
+            MS_NN__V_FLOATS sum[3][MS_NN__P_COLS];
+            together = batch - b >= 3 ? 3 : 1;
+            for (i = 0; i < together; ++i)
+                for (c = 0; c < MS_NN__P_COLS; ++c) sum[i][c] = MS_NN__V_SET(0.0f);
+            for (p = 0; p < rows; p += MS_NN__P_ROWS) {
+                const unsigned char *w = m->packed + (p * m->cols + k * MS_NN__P_ROWS) * size;
+                const float *g = job->x + b * rows + p;
+#if !MS_NN__B_WIDEN
+                if (m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_columns_typed)(w, MS_NN_F16, g, rows, n, sum, together);
+                else if (m->packed_dtype == MS_NN_BF16) MS_NN__FN(packed_columns_typed)(w, MS_NN_BF16, g, rows, n, sum, together);
+                else
+#endif
+                MS_NN__FN(packed_columns_typed)(w, MS_NN_F32, g, rows, n, sum, together);
+            }
+            for (i = 0; i < together; ++i)
+                for (c = 0; c < n; c += 4) {
+                    float out[4];
+                    MS_NN__FN(sum4)(sum[i] + c, MS_NN__Q_SET(1.0f), MS_NN__Q_SET(0.0f), out);
+                    memcpy(job->y + (b + (size_t)i) * m->cols + k + c, out, ms_nn__min(4, n - c) * sizeof(float));
+                }
         }
     }
 }
@@ -6526,10 +6639,14 @@ MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const fl
 
 MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
-    if (dtype == MS_NN_F32) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_F32, batch);
-    else if (dtype == MS_NN_F16) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_F16, batch);
+#if !MS_NN__B_WIDEN
+    if (dtype == MS_NN_F16) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_F16, batch);
     else if (dtype == MS_NN_BF16) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_BF16, batch);
-    else MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_I8, batch);
+    else if (dtype == MS_NN_I8) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_I8, batch);
+    else
+#endif
+    MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_F32, batch);
+    (void)dtype;
 }
 
 /* n weights as floats. */
@@ -6562,7 +6679,7 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, si
     float g[3][4], scale[4];
     float wide[4][MS_NN__COLS]; /* narrow weights are widened once for all samples */
     const unsigned char *w[4];
-    ms_nn_dtype dtype = b1 - b0 >= 3 ? MS_NN_F32 : m->dtype;
+    ms_nn_dtype dtype = MS_NN__B_WIDEN || b1 - b0 >= 3 ? MS_NN_F32 : m->dtype;
     int r, i, together;
     for (r = 0; r < 4; ++r) {
         int real = row + (size_t)r < last;
@@ -6590,7 +6707,7 @@ MS_NN__KERNEL void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, s
 {
     size_t batch = (size_t)job->batch, row, b0, b1, from, to, first, last, at, n;
     for (from = col0; from < col1; from = to) {
-        to = batch > 1 ? ms_nn__min(from + MS_NN__COLS, col1) : col1;
+        to = batch > 1 || MS_NN__B_WIDEN ? ms_nn__min(from + MS_NN__COLS, col1) : col1;
         for (first = row0; first < row1; first = last) {
             last = batch > 1 ? ms_nn__min(first + 64, row1) : row1;
             for (b0 = 0; b0 < batch; b0 = b1) {
@@ -6864,7 +6981,8 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
     for (; j < n; ++j) y[j] = ms_nn__max_nan(ms_nn__max_nan(x[2 * j], x[2 * j + row]), ms_nn__max_nan(x[2 * j + 1], x[2 * j + row + 1]));
 }
 
-#if !defined(MS_NN_NO_COLLAPSE) && !(MS_NN__ISA == 2 && defined(MS__X64)) /* SSE2 takes plain C's, for the size */
+/* For the size SSE2 takes plain C's, and AVX-512 AVX2's, which are as fast on Zen 4. */
+#if !defined(MS_NN_NO_COLLAPSE) && MS_NN__ISA != 4 && !(MS_NN__ISA == 2 && defined(MS__X64))
 /* --- double precision, for the collapse: vectors of MS_NN__D_LANES --- */
 
 #if MS_NN__ISA == 1
@@ -6894,15 +7012,6 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
 #define MS_NN__D_WIDEN(p) _mm256_cvtps_pd(_mm_loadu_ps(p))
 #define MS_NN__D_MUL(a, b) _mm256_mul_pd(a, b)
 #define MS_NN__D_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
-#else
-#define MS_NN__D_LANES 8
-#define MS_NN__D_DOUBLES __m512d
-#define MS_NN__D_LOAD(p) _mm512_loadu_pd(p)
-#define MS_NN__D_STORE(p, v) _mm512_storeu_pd(p, v)
-#define MS_NN__D_SET(x) _mm512_set1_pd(x)
-#define MS_NN__D_WIDEN(p) _mm512_maskz_cvtps_pd(0xFF, _mm256_loadu_ps(p))
-#define MS_NN__D_MUL(a, b) _mm512_mul_pd(a, b)
-#define MS_NN__D_MADD(a, b, c) _mm512_fmadd_pd(a, b, c)
 #endif
 
 /* out[i][k] = a_i . b_k for na x nb columns (at most 4 x 2) of n elements, `stride` apart. */
@@ -7043,8 +7152,8 @@ MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double fac
 #endif
 #if MS_NN__ISA == 5
 static const ms_nn__kernels ms_nn__table_avx512vnni = {
-    MS_NN__V_BLOCK, 32, 0, ms_nn__packed_avx512, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
-    ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512 MS_NN__D_KERNELS(avx512)};
+    MS_NN__V_BLOCK, 32, 0, ms_nn__packed_avx512, ms_nn__packed_back_avx512, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
+    ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512 MS_NN__D_KERNELS(avx2)};
 #else
 #if MS_NN__ISA == 4
 #define MS_NN__INT8 ms_nn__dense_int8_avx2
@@ -7053,11 +7162,13 @@ static const ms_nn__kernels ms_nn__table_avx512vnni = {
 #endif
 #if MS_NN__ISA == 2 && defined(MS__X64)
 #define MS_NN__DOUBLES scalar
+#elif MS_NN__ISA == 4
+#define MS_NN__DOUBLES avx2
 #else
 #define MS_NN__DOUBLES MS_NN__LEVEL
 #endif
 static const ms_nn__kernels MS_NN__FN(table) = {
-    MS_NN__V_BLOCK, MS_NN__P_ROWS, MS_NN__B_WIDEN, MS_NN__FN(packed), MS_NN__FN(dense), MS_NN__INT8, MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
+    MS_NN__V_BLOCK, MS_NN__P_ROWS, MS_NN__B_WIDEN, MS_NN__FN(packed), MS_NN__FN(packed_back), MS_NN__FN(dense), MS_NN__INT8, MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
     MS_NN__FN(derive), MS_NN__FN(pool2) MS_NN__D_KERNELS(MS_NN__DOUBLES)};
 #endif
 
@@ -7086,6 +7197,7 @@ static const ms_nn__kernels MS_NN__FN(table) = {
 #undef MS_NN__B_WIDEN
 #undef MS_NN__P_ROWS
 #undef MS_NN__P_SAMPLES
+#undef MS_NN__P_COLS
 #undef MS_NN__B_ASK
 #undef MS_NN__V_MAX_NAN
 #undef MS_NN__V_PAIR_MAX
