@@ -574,8 +574,8 @@ typedef struct ms_sss_filter_options {
     float mm_per_unit;       /* millimetres in a scene unit, 1000 where that is the metre; 0: 1, refused where that makes kernels
                                 cover half of the picture */
     ms_sss_depth_mode depth_mode;
-    float depth_sigma_mm;    /* of MS_SSS_DEPTH_AWARE: |dz| / 3.0746 from which on nothing counts; 0: such that this is 1.5 times the
-                                profile's 99% radius (flat 1: 0.37 times, between: between) */
+    float depth_sigma_mm;    /* of MS_SSS_DEPTH_AWARE: |dz| / 3.0746 from which on nothing counts; 0: such that this is 1.5 times
+                                the profile's 99% radius (flat 1: 0.37 times, between: between) */
     float follow_mm;         /* of MS_SSS_DEPTH_FOLLOW: |dz| at which nothing of the tap is left; 0: the kernel's radius */
     ms_sss_albedo_mode albedo_mode;
     float fade;              /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
@@ -586,8 +586,8 @@ typedef struct ms_sss_filter_options {
     ms_parallel parallel;
     float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                                 1: not at all, as if every pixel faced the camera; between: slopes are that much less */
-    int exact;               /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1: 0.12),
-                                and no more, for comparisons. Pyramid: 1 gathers more widely, see there */
+    int exact;               /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1:
+                                0.12), and no more, for comparisons. Pyramid: 1 gathers more widely, see there */
     ms_sss_method method;
     float budget;            /* AUTO: root mean square that half resolution may differ by from taps, over the picture's standard
                                 deviation (0.03 + 0.35 / radius in pixels on pictures with edges); 0: nothing, so never half */
@@ -725,16 +725,10 @@ typedef enum ms_sss_source {
 
 /* The steps of the filter: see ms_sss_shader; from BASE on of a pyramid: see ms_sss_shader_levels. */
 typedef enum ms_sss_step {
-    MS_SSS_STEP_X = 0,
-    MS_SSS_STEP_Y = 1,
+    MS_SSS_STEP_X = 0, MS_SSS_STEP_Y = 1,
     MS_SSS_STEP_PREPARE = 2,
-    MS_SSS_STEP_DOWN = 3,
-    MS_SSS_STEP_NORMAL = 4,
-    MS_SSS_STEP_UP = 5,
-    MS_SSS_STEP_BASE = 6,
-    MS_SSS_STEP_SHRINK = 7,
-    MS_SSS_STEP_GATHER = 8,
-    MS_SSS_STEP_RESOLVE = 9
+    MS_SSS_STEP_DOWN = 3, MS_SSS_STEP_NORMAL = 4, MS_SSS_STEP_UP = 5,
+    MS_SSS_STEP_BASE = 6, MS_SSS_STEP_SHRINK = 7, MS_SSS_STEP_GATHER = 8, MS_SSS_STEP_RESOLVE = 9
 } ms_sss_step;
 
 /* One step, as a fragment shader for a full-screen triangle or as a compute shader. All zero but tap_count: the first
@@ -1278,8 +1272,10 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #if defined(__GNUC__) || defined(__clang__)
 #define MS_SSS__APART __attribute__((noinline))
+#define MS_SSS__COLD __attribute__((cold, noinline)) /* runs once a call or less: size counts more than speed */
 #else
 #define MS_SSS__APART
+#define MS_SSS__COLD
 #endif
 
 /* Refuses a number outside [low, high], and NaN. */
@@ -1473,8 +1469,8 @@ static void ms_sss__profile_accumulate(ms_sss_profile *p)
     }
 }
 
-static ms_status ms_sss__check_table(int count, int least, const double *radius, int radii, const double *const value[3],
-                                     int stride, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_table(int count, int least, const double *radius, int radii,
+                                                  const double *const value[3], int stride, ms_error *error)
 {
     int i, c;
     if (count < least || radius == NULL || value == NULL || value[0] == NULL || value[1] == NULL || value[2] == NULL)
@@ -1494,9 +1490,9 @@ static ms_status ms_sss__check_table(int count, int least, const double *radius,
     return MS_OK;
 }
 
-MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
-                                           const double *const value[3], int stride, const ms_allocator *allocator,
-                                           ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
+                                                        const double *const value[3], int stride, const ms_allocator *allocator,
+                                                        ms_error *error)
 {
     ms_sss_profile *p;
     ms_status status;
@@ -1528,9 +1524,9 @@ MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, 
     return MS_OK;
 }
 
-MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
-                                             const double *const value[3], int stride, const ms_allocator *allocator,
-                                             ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
+                                                          const double *const value[3], int stride, const ms_allocator *allocator,
+                                                          ms_error *error)
 {
     ms_sss_profile *p;
     ms_status status;
@@ -1559,9 +1555,9 @@ MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count
     return MS_OK;
 }
 
-static ms_status ms_sss__from_lengths(ms_sss_profile **profile, ms_sss__profile_kind kind, int count,
-                                      const double (*length_mm)[3], const double (*weight)[3], const ms_allocator *allocator,
-                                      ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__from_lengths(ms_sss_profile **profile, ms_sss__profile_kind kind, int count,
+                                                   const double (*length_mm)[3], const double (*weight)[3],
+                                                   const ms_allocator *allocator, ms_error *error)
 {
     ms_status status;
     int i, c;
@@ -1591,7 +1587,8 @@ MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int cou
 MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3], const double d_mm[3],
                                             const ms_allocator *allocator, ms_error *error)
 {
-    return ms_sss__from_lengths(profile, MS_SSS__BURLEY, 1, (const double(*)[3])d_mm, (const double(*)[3])reflectance, allocator, error);
+    typedef const double (*rows)[3];
+    return ms_sss__from_lengths(profile, MS_SSS__BURLEY, 1, (rows)d_mm, (rows)reflectance, allocator, error);
 }
 
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm)
@@ -1602,7 +1599,7 @@ MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm)
 
 /* Reads a number at *at, before end, without locale, '.' or `comma` before its decimals: up to 19 digits exact, the rest by
    their magnitude. 0: there is none. */
-static int ms_sss__read_number(const char **at, const char *end, char comma, double *value)
+static MS_SSS__COLD int ms_sss__read_number(const char **at, const char *end, char comma, double *value)
 {
     const char *p = *at;
     uint64_t mantissa = 0;
@@ -1640,7 +1637,7 @@ static int ms_sss__read_number(const char **at, const char *end, char comma, dou
 }
 
 /* One line of the file: 1: four numbers in row, 0: nothing to read, -1: malformed. */
-static int ms_sss__csv_row(const char *line, const char *end, int heading_allowed, double row[4])
+static MS_SSS__COLD int ms_sss__csv_row(const char *line, const char *end, int heading_allowed, double row[4])
 {
     char between = line < end && memchr(line, ';', (size_t)(end - line)) ? ';' : ',';
     int column;
@@ -1657,8 +1654,8 @@ static int ms_sss__csv_row(const char *line, const char *end, int heading_allowe
     return line == end ? 1 : -1;
 }
 
-MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size, const ms_allocator *allocator,
-                                         ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
+                                                      const ms_allocator *allocator, ms_error *error)
 {
     const char *line = text, *end = text + size;
     const double *value[3];
@@ -2278,7 +2275,8 @@ static void ms_sss__curve_transfer(const ms_sss_designer *d, const ms_sss__curve
     for (c = 0; c < 3; ++c) out[c] = v->delta[c];
     if (v->frames == 1) {
         for (c = 0; c < 3; ++c)
-            for (t = 0; t < v->terms; ++t) out[c] += v->sign[c][t] * (double)waves->line[c][t][k1] * (double)waves->line[c][t][k2];
+            for (t = 0; t < v->terms; ++t)
+                out[c] += v->sign[c][t] * (double)waves->line[c][t][k1] * (double)waves->line[c][t][k2];
         return;
     }
     for (f = 0; f < v->frames; ++f) {
@@ -2677,7 +2675,7 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
     int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, coarse, node, share);
     int lines = v->frames == 1 ? nodes : v->frames * nodes * (nodes + 1);
     size_t header = (sizeof(ms_sss__fit) + 63) / 64 * 64;
-    size_t doubles = (size_t)(2 * lines * v->pairs + 3 * MS_SSS_TERMS_MAX * lines + 2 * unknowns * unknowns + 2 * unknowns + local);
+    size_t doubles = (size_t)((2 * v->pairs + 3 * MS_SSS_TERMS_MAX) * lines + 2 * unknowns * (unknowns + 1) + local);
     size_t bytes = header + doubles * sizeof(double);
     ms_sss__fit *fit = (ms_sss__fit *)ms__alloc(&d->allocator, bytes);
     double *at;
@@ -2804,7 +2802,8 @@ static void ms_sss__eigen(const double *A, int n, int count, double *value, doub
     for (round = 0; round < 12; ++round)
         for (a = 0; a < block; ++a)
             for (b = a + 1; b < block; ++b) {
-                double theta, t, c, s, least = 1e-17 * (fabs(projected[a][a]) + fabs(projected[b][b])) + 1e-150; /* theta^2 fits */
+                double least = 1e-17 * (fabs(projected[a][a]) + fabs(projected[b][b])) + 1e-150; /* theta^2 in range */
+                double theta, t, c, s;
                 if (!(fabs(projected[a][b]) > least)) continue;
                 theta = (projected[b][b] - projected[a][a]) / (2 * projected[a][b]);
                 t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(1 + theta * theta));
@@ -3120,9 +3119,8 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
     return status;
 }
 
-/* The image-optimal kernel with a weight for every cell; v holds a_p. The curve is given by its values at every cell
-   near the centre and at growing distances farther out, linear between: all cells on their own would fit what lies
-   between the bins. */
+/* The image-optimal kernel with a weight for every cell; v holds a_p. The curve is given by its values at every cell near the
+   centre and at growing distances farther out, linear between: all cells on their own would fit what lies between the bins. */
 static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, int no_delta, ms_sss__curve *hats, ms_sss__curve *v)
 {
     ms_sss__fit *fit;
@@ -3227,7 +3225,8 @@ static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curv
     }
 }
 
-static void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *v, double index, ms_sss_kernel *kernel)
+static MS_SSS__APART void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *v, double index,
+                                               ms_sss_kernel *kernel)
 {
     int order[MS_SSS__CELLS_MAX + 1], n, i, t, c, side;
     memset(kernel, 0, sizeof *kernel);
@@ -3265,7 +3264,7 @@ static void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *
     kernel->radius_mm = (float)(d->cell_mm * (1.5 * v->offset[order[n]] - 0.5 * (n ? v->offset[order[n - 1]] : 0)));
 }
 
-static ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms_error *error)
+static MS_SSS__APART ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms_error *error)
 {
     const int dense = o->tap_count == MS_SSS_DENSE, most = o->placement == MS_SSS_OPTIMISED ? 33 : MS_SSS_TAPS_MAX;
     ms_status status;
@@ -3397,8 +3396,8 @@ MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, doubl
     return MS_OK;
 }
 
-MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *d, double tolerance,
-                                      int tap_budget, ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *d,
+                                                   double tolerance, int tap_budget, ms_error *error)
 {
     static const signed char candidate[][2] = {/* terms, taps; by their product */
         {1, 3}, {1, 5}, {1, 7}, {1, 9}, {2, 5}, {1, 11}, {1, 13}, {2, 7}, {1, 17}, {2, 9}, {1, 21}, {2, 11}, {1, 25},
@@ -4844,7 +4843,7 @@ static int ms_sss__may_shape(const ms_sss_filter_options *o) { return o->flat < 
 
 static int ms_sss__turns(const ms_sss_filter_options *o) { return ms_sss__differ(o->rotation, 0) || o->jitter > 0; }
 
-static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                    const ms_sss_filter_options *options, int kind)
 {
     const size_t lanes = (size_t)ms_sss__pick(options->simd)->lanes, rows = (size_t)height;
@@ -4876,7 +4875,7 @@ static ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *k
 
 /* Tap sums of a term; those within rounding of 1 become 1 where delta adds nothing, so that what is left alone is left
    alone to the bit. */
-static void ms_sss__totals(const ms_sss_kernel *k, int term, int follow, float total[3], int mixed[3])
+static MS_SSS__COLD void ms_sss__totals(const ms_sss_kernel *k, int term, int follow, float total[3], int mixed[3])
 {
     int c, i;
     for (c = 0; c < 3; ++c) {
@@ -4918,7 +4917,7 @@ static void ms_sss__fix(ms_sss__fixed *f, const ms_sss_kernel *k, int term, doub
 
 static int ms_sss__positive(float x) { return ms__finite_f(x) && x > 0; }
 
-static ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_error *error)
 {
     int i, c, t;
     if (k->tap_count < 1 || k->tap_count > MS_SSS_TAPS_MAX || k->tap_count % 2 == 0)
@@ -4944,7 +4943,7 @@ static ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_erro
 }
 
 /* Fills in the strides. */
-static ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int channels, int needed, int width, int height,
+static MS_SSS__COLD ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int channels, int needed, int width, int height,
                                      ms_error *error)
 {
     const ptrdiff_t limit = PTRDIFF_MAX / 8;
@@ -4966,14 +4965,14 @@ static ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int 
     return MS_OK;
 }
 
-static MS_SSS__APART ms_status ms_sss__check_sides(int width, int height, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_sides(int width, int height, ms_error *error)
 {
     if (width >= 1 && height >= 1 && width <= MS_SSS__SIDE_MAX && height <= MS_SSS__SIDE_MAX) return MS_OK;
     return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
 }
 
 /* Fills in the strides. */
-static ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_depth, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_depth, ms_error *error)
 {
     const int w = f->width, h = f->height;
     ms_status status;
@@ -4991,7 +4990,7 @@ static ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_depth, ms_error 
     return MS_OK;
 }
 
-static ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
 {
     const int sizes = ms_sss__differ(o->pixels_per_mm[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
     if (sizes != 1)
@@ -5032,7 +5031,7 @@ static double ms_sss__pixels(const ms_sss_filter_options *o, int height)
 }
 
 /* What one kernel's passes share: pixels a mm, depth units, taps or fixed taps. */
-static void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int profile)
+static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int profile)
 {
     const ms_sss_filter_options *o = &job->options;
     const int width = job->full_width, height = job->full_height;
@@ -5217,7 +5216,7 @@ MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height
 
 /* Whether a scene in other units than millimetres is the likelier reading: mm_per_unit was not given, and the smallest kernel
    covers half of the picture, as the mean over up to 64 x 64 pixels. */
-static int ms_sss__too_close(const ms_sss_frame *f, const ms_sss_filter_options *o, double radius_mm)
+static MS_SSS__COLD int ms_sss__too_close(const ms_sss_frame *f, const ms_sss_filter_options *o, double radius_mm)
 {
     const int side = f->width > f->height ? f->width : f->height, step_x = (f->width + 63) / 64, step_y = (f->height + 63) / 64;
     double sum = 0, size;
@@ -5248,7 +5247,7 @@ static void ms_sss__clear_around(ms_sss__job *job)
 }
 
 /* Checks everything and lays the workspace out; *end: the first float behind it. */
-static ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
+static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size, size_t needed,
                                int kind, float **end, ms_error *error)
 {
@@ -5375,7 +5374,7 @@ typedef struct ms_sss__half {
     int plain, bold; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or depth can keep a pixel from taking part */
 } ms_sss__half;
 
-static size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count, const ms_sss_filter_options *options)
+static MS_SSS__COLD size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count, const ms_sss_filter_options *options)
 {
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16), (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
@@ -6039,7 +6038,7 @@ static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
 }
 
 /* As the plan of a filter with one term and without slopes, the levels, and what is too large for the stack. */
-static size_t ms_sss__tower_plan(int width, int height, size_t *before)
+static MS_SSS__COLD size_t ms_sss__tower_plan(int width, int height, size_t *before)
 {
     ms_sss_filter_options options;
     size_t floats;
@@ -6066,7 +6065,7 @@ static int ms_sss__tower_takes(const ms_sss_filter_options *o)
 }
 
 /* What all levels share, of a job whose kernel is set. */
-static void ms_sss__tower_start(ms_sss__growth *growth, const ms_sss__job *job, const ms_sss_pyramid *pyramid, int with_depth, float flat)
+static MS_SSS__COLD void ms_sss__tower_start(ms_sss__growth *growth, const ms_sss__job *job, const ms_sss_pyramid *pyramid, int with_depth, float flat)
 {
     const ms_sss_filter_options *o = &job->options;
     double sigma;
@@ -6220,7 +6219,7 @@ static ms_sss_method ms_sss__choose(ms_sss__job *job, const ms_sss_kernel *k, in
     return half ? MS_SSS_METHOD_HALF : MS_SSS_METHOD_TAPS;
 }
 
-MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                           const ms_sss_filter_options *options)
 {
     size_t size = 0, needed;
@@ -6392,7 +6391,7 @@ static void ms_sss__gather_load(void *context, int task)
 }
 
 /* Four patches as one, by their areas. */
-static void ms_sss__gather_join(const ms_sss__gather *g, int layer, int level)
+static MS_SSS__APART void ms_sss__gather_join(const ms_sss__gather *g, int layer, int level)
 {
     const int w = g->width[level], h = g->height[level], below_w = g->width[level - 1], below_h = g->height[level - 1];
     int x, y, i, c;
@@ -6540,14 +6539,15 @@ MS_API size_t ms_sss_gather_workspace(int width, int height, int with_back)
     return ms__size_add(ms__size_mul(patches, sizeof(ms_sss__patch)), 64 + 3 * sizeof(float) * (MS_SSS__GATHER_STEPS + 2));
 }
 
-MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *back, const ms_sss_profile *profile,
-                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *back, const ms_sss_profile *profile,
+                                            const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                            ms_error *error)
 {
     ms_sss__gather g;
     double total[3], radius[3], widest;
     ms_status status;
     size_t needed;
-    int c, i, layer, level;
+    int c, i, w, h, layer, level;
     ms_sss__patch *at;
     if (!frame || !profile || !options)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, profile or options is NULL");
@@ -6559,12 +6559,14 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
     if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK) return status;
     needed = ms_sss_gather_workspace(frame->width, frame->height, back != NULL);
     if (options->pixels_per_mm[0] > 0)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a gather needs depth, fov_degrees or ortho_height; pixels_per_mm is for textures");
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a gather needs fov_degrees or ortho_height; pixels_per_mm is for textures");
     if (frame->profile) return ms__fail(error, MS_UNSUPPORTED, 0, "a gather has one profile; frame->profile is set");
     if ((status = ms_sss__check_frame(&g.frame, 1, error)) != MS_OK) return status;
-    if (back && ((status = ms_sss__check_image(&g.back.normal, "back normal", 3, 0, frame->width, frame->height, error)) != MS_OK ||
-                 (status = ms_sss__check_image(&g.back.input, "back input", 3, 1, frame->width, frame->height, error)) != MS_OK ||
-                 (status = ms_sss__check_image(&g.back.depth, "back depth", 1, 1, frame->width, frame->height, error)) != MS_OK))
+    w = frame->width;
+    h = frame->height;
+    if (back && ((status = ms_sss__check_image(&g.back.normal, "back normal", 3, 0, w, h, error)) != MS_OK ||
+                 (status = ms_sss__check_image(&g.back.input, "back input", 3, 1, w, h, error)) != MS_OK ||
+                 (status = ms_sss__check_image(&g.back.depth, "back depth", 1, 1, w, h, error)) != MS_OK))
         return status;
     if (!workspace || workspace_size < needed)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
@@ -7317,7 +7319,8 @@ static const char *const ms_sss__transmission_body[] = {
         "slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));\n"
         "return slab * (1.0 + dark / R * max(parallel, 0.0));\n"
     "}\n",
-    "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal, float3 to_light, float3 light) {\n"
+    "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal, "
+        "float3 to_light, float3 light) {\n"
         "float entry = dot(entry_normal, to_light);\n"
         "float parallel = -dot(normal, entry_normal);\n"
         "if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) { return float3(0.0, 0.0, 0.0); }\n"
@@ -7432,7 +7435,7 @@ static int ms_sss__find_feature(const char *s, size_t n) { return ms_sss__find(s
 static int ms_sss__find_word(const char *s, size_t n) { return ms_sss__find(s, n, ms_sss__word[0], 4, MS_SSS__WORDS); }
 
 /* One word of a line, or one character that is in none. Returns how far it went. */
-static size_t ms_sss__say_word(ms_sss__text *text, const char *s)
+static MS_SSS__COLD size_t ms_sss__say_word(ms_sss__text *text, const char *s)
 {
     const size_t n = ms_sss__name_length(s);
     const int word = ms_sss__find_word(s, n), feature = ms_sss__find_feature(s, n);
@@ -7448,7 +7451,7 @@ static size_t ms_sss__say_word(ms_sss__text *text, const char *s)
 
 /* A declaration "TYPE name" at s in WGSL's order: "var name: TYPE", or of a function "fn name(a: TYPE) -> TYPE". Returns
    how far it went, 0 where there is none. */
-static size_t ms_sss__say_declaration(ms_sss__text *text, const char *s, int outside)
+static MS_SSS__COLD size_t ms_sss__say_declaration(ms_sss__text *text, const char *s, int outside)
 {
     const size_t n = ms_sss__name_length(s), m = n && s[n] == ' ' ? ms_sss__name_length(s + n + 1) : 0;
     const int type = ms_sss__find_word(s, n);
@@ -7475,7 +7478,7 @@ static size_t ms_sss__say_declaration(ms_sss__text *text, const char *s, int out
     return at + 1;
 }
 
-static void ms_sss__say_line(ms_sss__text *text, const char *s, const char *end, int outside)
+static MS_SSS__COLD void ms_sss__say_line(ms_sss__text *text, const char *s, const char *end, int outside)
 {
     if (s[0] != '/') {
         if (strncmp(s, "for (", 5) == 0) {
@@ -7489,7 +7492,7 @@ static void ms_sss__say_line(ms_sss__text *text, const char *s, const char *end,
 }
 
 /* Lines are indented by braces, with a blank one between functions. No string is longer than what C99 promises to take. */
-static void ms_sss__say_body(ms_sss__text *text, const char *const *part, size_t parts)
+static MS_SSS__COLD void ms_sss__say_body(ms_sss__text *text, const char *const *part, size_t parts)
 {
     int skipped = 0, depth = 0, braces = 0; /* skipped: depth of the #if that is not taken, 0: none */
     int ended = text->length > 0, i;        /* a function */
@@ -7501,7 +7504,8 @@ static void ms_sss__say_body(ms_sss__text *text, const char *const *part, size_t
                 const int open = strncmp(s, "#if ", 4) == 0, not_it = s[open ? 4 : 1] == '!';
                 const char *name = s + (open ? 4 : 1) + not_it;
                 const size_t n = ms_sss__name_length(name);
-                const int feature = ms_sss__find_feature(name, n), taken = feature >= 0 && (text->feature[feature] != 0) != not_it;
+                const int feature = ms_sss__find_feature(name, n);
+                const int taken = feature >= 0 && (text->feature[feature] != 0) != not_it;
                 depth += open;
                 if (open) {
                     if (!skipped && !taken) skipped = depth;
@@ -7535,7 +7539,10 @@ static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_c
 static int ms_sss__shader_tower(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
 
 /* Terms whose constants a step reads. */
-static int ms_sss__shader_terms(const ms_sss_shader *s) { return s->step == MS_SSS_STEP_UP && s->term_count > 1 ? s->term_count : 1; }
+static int ms_sss__shader_terms(const ms_sss_shader *s)
+{
+    return s->step == MS_SSS_STEP_UP && s->term_count > 1 ? s->term_count : 1;
+}
 
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
@@ -7547,14 +7554,16 @@ MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 
 MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis)
 {
-    return shader && shader->step == MS_SSS_STEP_Y ? (axis ? 32 : 8) : (axis ? 4 : 64); /* along the pass, and rows of at least 128 bytes */
+    const int second = shader && shader->step == MS_SSS_STEP_Y; /* along the pass, and rows of at least 128 bytes */
+    return second ? (axis ? 32 : 8) : (axis ? 4 : 64);
 }
 
 /* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register, $f a format, $x and $y the
    work group, $z texels of the tile. */
 typedef struct ms_sss__dialect {
     int column; /* of ms_sss__word */
-    const char *version, *constants, *texture, *tile, *fragment, *other, *fragments; /* other: a variable; fragments: to two targets */
+    const char *version, *constants, *texture, *tile, *fragment;
+    const char *other, *fragments; /* a variable; to two targets */
 } ms_sss__dialect;
 
 #define MS_SSS__PICK "#define pick(b, a, c) ((c) ? (a) : (b))\n"
@@ -7609,7 +7618,8 @@ static const ms_sss__dialect ms_sss__dialects[5] = {
 #undef MS_SSS__GLSL_TILE
 #undef MS_SSS__GLSL_TEXTURE
 
-static void ms_sss__say_dialect(ms_sss__text *text, const char *s, const ms_sss_shader *shader, const char *name, int index)
+static MS_SSS__COLD void ms_sss__say_dialect(ms_sss__text *text, const char *s, const ms_sss_shader *shader, const char *name,
+                                             int index)
 {
     for (; *s; ++s) {
         if (*s != '$') {
@@ -7636,7 +7646,7 @@ static int ms_sss__shader_shaped(const ms_sss_shader *s, const ms_sss_filter_opt
     return s->depth != MS_SSS_NONE && o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
 }
 
-static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
+static MS_SSS__COLD void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
     enum { NAMES = 12 };
     static const char *const name[NAMES] = {"colour", "depth", "strength", "input", "profile", "sum", "normal", "",
@@ -7679,7 +7689,7 @@ static void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const
     else ms_sss__say_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
 }
 
-static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filter_options *o, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filter_options *o, ms_error *error)
 {
     ms_status status;
     if (!s || !o) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "shader or options is NULL");
@@ -7693,21 +7703,26 @@ static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filte
         return status;
     if (ms_sss__shader_tower(s)) {
         if (s->compute || s->half_target || !ms_sss__tower_takes(o))
-            return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has fragment shaders and targets of 32 bits, and is round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
+            return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has fragment shaders and targets of 32 bits, and is round, "
+                            "without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
     } else if (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tap_count %d: expected an odd number from 1 to %d", s->tap_count, MS_SSS_TAPS_MAX);
     if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile_count %d needs profile, the source of the index", s->profile_count);
     if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fov_degrees %g needs depth", (double)o->fov_degrees);
-    if (!ms_sss__shader_tower(s) && (s->half_resolution ? s->step == MS_SSS_STEP_PREPARE || s->prepared : (int)s->step >= (int)MS_SSS_STEP_DOWN))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "half_resolution %d: its first step is DOWN, that of others is PREPARE or X", s->half_resolution);
+    if (!ms_sss__shader_tower(s) &&
+        (s->half_resolution ? s->step == MS_SSS_STEP_PREPARE || s->prepared : (int)s->step >= (int)MS_SSS_STEP_DOWN))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "half_resolution %d: its first step is DOWN, that of others PREPARE or X",
+                        s->half_resolution);
     if (s->step == MS_SSS_STEP_NORMAL && !(s->with_normal && ms_sss__shader_shaped(s, o)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step NORMAL without with_normal, or where slopes do not count");
     if (s->slopes_kept && (s->compute || s->with_normal || ms_sss__shader_tower(s) || !ms_sss__shader_shaped(s, o)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "slopes_kept in a pyramid, a compute shader, with_normal, or where slopes do not count");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                        "slopes_kept in a pyramid, a compute shader, with_normal, or where slopes do not count");
     if (s->half_target && ms_sss__shader_shaped(s, o))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with flat %g: slopes need more of depth than binary16 holds; flat must be 1", (double)o->flat);
+        return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with flat %g: slopes need more of depth than binary16 holds",
+                        (double)o->flat);
     if (s->half_target && s->depth != MS_SSS_NONE && s->profile == MS_SSS_ALPHA)
         return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with depth needs profile MS_SSS_TEXTURE");
     if (s->half_target && s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE && s->half_resolution)
@@ -7719,8 +7734,8 @@ static ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filte
     return MS_OK;
 }
 
-MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text, size_t capacity,
-                                 ms_error *error)
+MS_SSS__COLD MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
+                                              size_t capacity, ms_error *error)
 {
     ms_sss__text t;
     memset(&t, 0, sizeof t);
@@ -7730,7 +7745,7 @@ MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filte
     return t.length;
 }
 
-MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity)
+MS_SSS__COLD MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity)
 {
     const size_t lines = sizeof ms_sss__transmission_body / sizeof ms_sss__transmission_body[0];
     ms_sss__text t;
@@ -7742,8 +7757,8 @@ MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, siz
     return t.length;
 }
 
-MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
-                                      ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16,
+                                                   void *out, ms_error *error)
 {
     ms_status status;
     int i, c;
@@ -7770,8 +7785,8 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
 }
 
 /* The job that ms_sss_filter would make of a kernel. */
-static void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k, const ms_sss_filter_options *options, int width,
-                               int height, int shaped)
+static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k, const ms_sss_filter_options *options,
+                                            int width, int height, int shaped)
 {
     memset(job, 0, sizeof *job);
     job->frame.width = job->full_width = width;
@@ -7782,8 +7797,9 @@ static void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k, const m
     ms_sss__set_kernel(job, k, 0);
 }
 
-MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options, int width,
-                                         int height, const ms_sss_shader *shader, float (*out)[4], ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
+                                                      const ms_sss_filter_options *options, int width, int height,
+                                                      const ms_sss_shader *shader, float (*out)[4], ms_error *error)
 {
     const int up = shader && shader->step == MS_SSS_STEP_UP;
     ms_sss__job job;
@@ -7860,8 +7876,9 @@ MS_API int ms_sss_shader_levels(int width, int height)
     return levels;
 }
 
-MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width, int height,
-                                       const ms_sss_shader *shader, int level, int profile, float (*out)[4], ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options,
+                                                    int width, int height, const ms_sss_shader *shader, int level, int profile,
+                                                    float (*out)[4], ms_error *error)
 {
     ms_sss_kernel kernel;
     ms_sss_filter_options round;
@@ -7913,6 +7930,7 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 #undef MS_SSS__INLINE
 #undef MS_SSS__APART
 #undef MS_SSS__ALIGNED
+#undef MS_SSS__COLD
 #undef MS_SSS__PREFETCH
 #undef MS_SSS__AWAY
 #undef MS_SSS__SPARSE
