@@ -7621,22 +7621,15 @@ static const ms_sss__dialect ms_sss__dialects[5] = {
 static MS_SSS__COLD void ms_sss__say_dialect(ms_sss__text *text, const char *s, const ms_sss_shader *shader, const char *name,
                                              int index)
 {
+    static const char marks[] = "tbnxyz";
+    const int value[] = {index, index + 1, ms_sss_shader_constant_count(shader), ms_sss_shader_group(shader, 0),
+                         ms_sss_shader_group(shader, 1), text->feature[MS_SSS__HAS_TILE_X] * text->feature[MS_SSS__HAS_TILE_Y]};
     for (; *s; ++s) {
-        if (*s != '$') {
-            ms_sss__say_part(text, s, 1);
-            continue;
-        }
-        switch (*++s) {
-        case 's': ms_sss__say(text, name); break;
-        case 't': ms_sss__say_number(text, index); break;
-        case 'b': ms_sss__say_number(text, index + 1); break;
-        case 'n': ms_sss__say_number(text, ms_sss_shader_constant_count(shader)); break;
-        case 'x': ms_sss__say_number(text, ms_sss_shader_group(shader, 0)); break;
-        case 'y': ms_sss__say_number(text, ms_sss_shader_group(shader, 1)); break;
-        case 'z': ms_sss__say_number(text, text->feature[MS_SSS__HAS_TILE_X] * text->feature[MS_SSS__HAS_TILE_Y]); break;
-        default: ms_sss__say(text, text->column < 3 ? (shader->half_target ? "rgba16f" : "rgba32f")
-                                                    : (shader->half_target ? "rgba16float" : "rgba32float"));
-        }
+        if (*s != '$') ms_sss__say_part(text, s, 1);
+        else if (*++s == 's') ms_sss__say(text, name);
+        else if (*s != 'f') ms_sss__say_number(text, value[strchr(marks, *s) - marks]);
+        else if (text->column < 3) ms_sss__say(text, shader->half_target ? "rgba16f" : "rgba32f");
+        else ms_sss__say(text, shader->half_target ? "rgba16float" : "rgba32float");
     }
 }
 
@@ -7740,8 +7733,7 @@ MS_SSS__COLD MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const
     ms_sss__text t;
     memset(&t, 0, sizeof t);
     if (ms_sss__check_shader(shader, options, error) != MS_OK) return 0;
-    do ms_sss__say_shader(&t, shader, options);
-    while (ms_sss__say_again(&t, text, capacity));
+    do ms_sss__say_shader(&t, shader, options); while (ms_sss__say_again(&t, text, capacity));
     return t.length;
 }
 
@@ -7752,8 +7744,7 @@ MS_SSS__COLD MS_API size_t ms_sss_transmission_text(ms_sss_language language, ch
     memset(&t, 0, sizeof t);
     if ((int)language < 0 || (int)language > (int)MS_SSS_WGSL) return 0;
     t.column = ms_sss__dialects[language].column;
-    do ms_sss__say_body(&t, ms_sss__transmission_body, lines);
-    while (ms_sss__say_again(&t, text, capacity));
+    do ms_sss__say_body(&t, ms_sss__transmission_body, lines); while (ms_sss__say_again(&t, text, capacity));
     return t.length;
 }
 
