@@ -597,7 +597,7 @@ typedef struct ms_sss_filter_options {
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
 /* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation or jitter:
-   31), 12 more with kernels of several terms; with pyramids at least 43. SIZE_MAX: more than this machine can address. */
+   31), 12 more with kernels of several terms; with pyramids at least 39. SIZE_MAX: more than this machine can address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                       const ms_sss_filter_options *options);
 
@@ -3687,7 +3687,7 @@ typedef struct ms_sss__halving {
 /* A pixel that a pixel of the finer level gathers from: floats from the one that its four lie around, place, its square. */
 typedef struct ms_sss__tap {
     ptrdiff_t at;
-    float x, y, square;
+    float x, y, square, rest; /* rest: 1 - its square over the gather's */
 } ms_sss__tap;
 
 /* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective, else
@@ -3706,6 +3706,7 @@ typedef struct ms_sss__growth {
     const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four lie around the pixel */
     int taps, core, sums; /* core: that reach pixels that face the camera; sums: whether the coarser level has any */
     ptrdiff_t plane;      /* of the coarser level */
+    float inner;          /* 1 / radius of the gather */
     float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
     float blur;           /* variance of a place in a pixel of the next level */
     float grain; /* twice the relative error of d */
@@ -3737,9 +3738,9 @@ typedef struct ms_sss__kernels {
                  int count, float *blur);
     void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first, int count, float *const out[3]);
     void (*shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count, float *const out[7]);
-    int (*gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6]);
-    int (*settle)(const ms_sss__growth *s, const float *row[3][4], const float *const slope[3], const float *const sum[6], int first, int count,
-                  float *const out[3]);
+    void (*gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6]);
+    void (*settle)(const ms_sss__growth *s, const float *row[3][4], const float *const slope[3], const float *const sum[6], int first, int count,
+                   int stream, float *const out[3]);
     void (*invert)(const ms_sss__growth *s, const float *depth, int count, float *d);
     int (*halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit, int count, float *const out[4]);
     void (*soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3], const float *depth, int count, float *const out[4]);
@@ -4071,6 +4072,26 @@ static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int 
     return out;
 }
 
+/* memcpy past the caches: what takes no part is not looked at again. */
+static void ms_sss__pass_by(char *to, const char *from, size_t size)
+{
+#if defined(MS__X64)
+    const size_t head = (0 - (size_t)(uintptr_t)to) % 64;
+    if (size >= 256) {
+        memcpy(to, from, head);
+        for (to += head, from += head, size -= head; size >= 64; to += 64, from += 64, size -= 64) {
+            const __m128 a = _mm_loadu_ps((const float *)(const void *)from), b = _mm_loadu_ps((const float *)(const void *)(from + 16));
+            const __m128 c = _mm_loadu_ps((const float *)(const void *)(from + 32)), d = _mm_loadu_ps((const float *)(const void *)(from + 48));
+            _mm_stream_ps((float *)(void *)to, a);
+            _mm_stream_ps((float *)(void *)(to + 16), b);
+            _mm_stream_ps((float *)(void *)(to + 32), c);
+            _mm_stream_ps((float *)(void *)(to + 48), d);
+        }
+    }
+#endif
+    memcpy(to, from, size);
+}
+
 /* Copies those of pixels [begin, end) of row y that take no part: depth INFINITY, or all where depth is NULL. */
 static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, const float *depth)
 {
@@ -4083,7 +4104,7 @@ static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, cons
         char *to = (char *)f->output.channel[c] + y * f->output.row_stride * (ptrdiff_t)size;
         const ptrdiff_t from_step = f->input.pixel_stride * (ptrdiff_t)size, to_step = f->output.pixel_stride * (ptrdiff_t)size;
         if (job->raw && !depth && !f->profile && f->input.pixel_stride == 1 && f->output.pixel_stride == 1) {
-            if (begin < end) memcpy(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
+            if (begin < end) ms_sss__pass_by(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
             continue;
         }
         for (x = begin; x < end; ++x) {
@@ -4261,15 +4282,15 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
 }
 
 /* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E and
-   composes. tiny: a pixel whose kernel is under half a pixel may have been changed. */
-static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], const float *depth, int tiny)
+   composes. */
+static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
     const ms_sss_kernel *k = job->kernel;
     float *in_buffer[3], *own_buffer[3], *albedo_buffer[3];
     const float *in[3], *albedo[3], *const *factor;
     const int last_term = job->term + 1 == k->term_count;
-    int c, i, need_own = tiny || job->gain < 1.0f || !job->whole[y];
+    int c, i, need_own = job->gain < 1.0f || !job->whole[y];
     for (c = 0; c < 3; ++c) {
         const float scale = k->scale[job->term][c];
         float *sum = k->term_count > 1 ? job->sum[c] + (ptrdiff_t)y * job->stride + x : blur[c];
@@ -4499,7 +4520,7 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
                 }
             if (job->fixed) memcpy(depth + first, own + 3 * s->padded + first, (size_t)(last - first) * sizeof(float));
             for (c = 0; c < 3; ++c) blur[c] = l->to[c] + first;
-            ms_sss__finish(job, task, y, first, last - first, blur, depth + first, 0);
+            ms_sss__finish(job, task, y, first, last - first, blur, depth + first);
         }
         if (first < last && direct[y - begin] == 2)
             for (c = 0; c < 3; ++c)
@@ -4820,7 +4841,7 @@ static void ms_sss__turned_pass(const ms_sss__job *job, int task, int second)
         if (job->shaped) ms_sss__slopes(job, task, y, depth, slope);
         job->simd->sweep[0](&s, &job->pass, &l, 1, first, last);
         for (c = 0; c < 3; ++c) l.to[c] += first;
-        if (second) ms_sss__finish(job, task, y, first, last - first, l.to, job->depth + y * job->stride + first, 0);
+        if (second) ms_sss__finish(job, task, y, first, last - first, l.to, job->depth + y * job->stride + first);
     }
 }
 
@@ -4858,7 +4879,7 @@ static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_
     l.padded = ms_sss__round_up(width, l.block);
     l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
     l.plane = ms__size_mul(l.stride, rows + 2); /* an empty row above and below */
-    l.planes = kind == MS_SSS__PLANES ? 4 : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 : 0;
+    l.planes = kind == MS_SSS__PLANES ? 3 : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 : 0;
     l.ring = l.sweep = 0;
     if (kind == MS_SSS__PASSES && !ms_sss__turns(options)) {
         l.ring = ms__size_mul(rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
@@ -5845,6 +5866,28 @@ static void ms_sss__tower_lie(const ms_sss__tower *tower, int task, int y, int f
     job->simd->lie(&tower->growth, d, given ? normal : NULL, y, first, last, out);
 }
 
+/* Clears what lies beside the columns that rows [begin, end) of a level hold, as far as those of rows up to `beyond` away make others read
+   it: where such rows are not known, whole. */
+static void ms_sss__tower_clear(const ms_sss__level *v, int begin, int end, int beyond, int planes)
+{
+    int y, i, c;
+    for (y = begin; y < end; ++y) {
+        const int whole = (begin > 0 && y - beyond < begin) || (end < v->height && y + beyond >= end);
+        const int right = (int)v->stride - MS_SSS__LEFT, first = v->first[y] < v->last[y] ? v->first[y] : 0, last = v->first[y] < v->last[y] ? v->last[y] : 0;
+        int low = right, high = -MS_SSS__LEFT;
+        for (i = whole ? y : y - beyond < 0 ? 0 : y - beyond; i <= (whole ? y : y + beyond) && i < v->height; ++i) {
+            if (!whole && v->first[i] >= v->last[i]) continue;
+            low = whole || v->first[i] - 48 < -MS_SSS__LEFT ? -MS_SSS__LEFT : v->first[i] - 48 < low ? v->first[i] - 48 : low;
+            high = whole || v->last[i] + 48 > right ? right : v->last[i] + 48 > high ? v->last[i] + 48 : high;
+        }
+        for (c = 0; c < planes && low < high; ++c) {
+            float *row = v->plane[c] + y * v->stride;
+            if (low < first) memset(row + low, 0, (size_t)((high < first ? high : first) - low) * sizeof(float));
+            if (last < high) memset(row + (low > last ? low : last), 0, (size_t)(high - (low > last ? low : last)) * sizeof(float));
+        }
+    }
+}
+
 /* Rows [begin, end) of level at + 1 from those of level at. */
 static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin, int end)
 {
@@ -5879,17 +5922,13 @@ static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin
                 if (at >= 0 && at < fine->height && fine->first[at] < fine->last[at]) ms_sss__tower_lie(tower, task, at, fine->first[at], fine->last[at], lie);
             }
         }
-        for (c = 0; c < (int)MS_SSS__TOWER_PLANES; ++c) {
-            float *p = v->plane[c] + y * v->stride;
-            memset(p - MS_SSS__LEFT, 0, (size_t)(MS_SSS__LEFT + first) * sizeof(float));
-            memset(p + last, 0, (size_t)((int)v->stride - MS_SSS__LEFT - last) * sizeof(float));
-        }
         if (first >= last) continue;
         for (i = 0; i < 7; ++i) out[i] = v->plane[i < 5 ? i : (int)MS_SSS__CHANGES + i - 5] + y * v->stride;
         tower->job.simd->shrink(&growth, row, first, last, out);
         for (i = 0; i < 7; ++i)
             for (c = v->width; c < last; ++c) out[i][c] = 0;
     }
+    ms_sss__tower_clear(v, begin, end, 4, MS_SSS__TOWER_PLANES); /* a gather reads 4 rows up and down */
 }
 
 /* The rows of level 1 that a band of the picture makes without its neighbours. */
@@ -5911,13 +5950,12 @@ static void ms_sss__tower_load(void *context, int task)
     float *colour[3];
     int y, c, first, last;
     for (y = begin; y < end; ++y) {
-        float *depth = job->depth + y * job->stride, *d = v->plane[MS_SSS__D] + y * v->stride;
+        float *depth = ms_sss__buffer(job, task, 17), *d = v->plane[MS_SSS__D] + y * v->stride;
         for (c = 0; c < 3; ++c) colour[c] = v->plane[c] + y * v->stride;
         ms_sss__prepare(job, y, task, colour, depth);
-        job->simd->invert(&tower->growth, depth, job->padded, d);
-        memset(d - MS_SSS__LEFT, 0, MS_SSS__LEFT * sizeof(float));
-        memset(d + job->padded, 0, MS_SSS__RIGHT * sizeof(float));
+        job->simd->invert(&tower->growth, depth + job->first[y], job->last[y] - job->first[y], d + job->first[y]);
     }
+    ms_sss__tower_clear(v, begin, end, 2, MS_SSS__D + 1);
     if (job->idle || tower->levels < 2) return;
     ms_sss__tower_inside(tower, begin, end, &first, &last);
     ms_sss__tower_shrink(tower, task, first, last);
@@ -5976,14 +6014,22 @@ static void ms_sss__tower_grow(void *context, int task)
             job->simd->gather(&tower->growth, own, coarse->plane[0] + y / 2 * coarse->stride, first / 2, last / 2, y, sum);
         }
         if (tower->at == 0) {
+            const ms_sss_image *image = &job->frame.output;
+            const int direct = job->direct && job->whole[y] && high <= v->width && ms_sss__solid(job, y, low, high);
+            int stream = direct;
             const float *row[3][4];
-            int tiny;
+            float *depth = ms_sss__buffer(job, task, 17);
             for (i = 0; i < 3; ++i)
                 for (c = 0; c < 4; ++c) row[i][c] = v->plane[c] + (y + i - 1) * v->stride;
-            for (c = 0; c < 3; ++c) blur[c] = ms_sss__buffer(job, task, c);
-            tiny = job->simd->settle(&tower->growth, row, (const float *const *)lie, (const float *const *)sum, low, high, blur);
+            for (c = 0; c < 3; ++c) {
+                blur[c] = direct ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(job, task, c);
+                if ((uintptr_t)blur[c] % 64) stream = 0;
+            }
+            job->simd->settle(&tower->growth, row, (const float *const *)lie, (const float *const *)sum, low, high, stream, blur);
+            if (direct) continue;
             for (c = 0; c < 3; ++c) blur[c] += low;
-            ms_sss__finish(job, task, y, low, high - low, blur, job->depth + y * job->stride + low, tiny);
+            for (c = low; c < high; ++c) depth[c] = own[0][c] < 0 || own[0][c] > 0 ? 0 : INFINITY;
+            ms_sss__finish(job, task, y, low, high - low, blur, depth + low);
         }
     }
 }
@@ -6000,6 +6046,7 @@ static void ms_sss__tower_order(ms_sss__growth *growth, ms_sss__tap tap[2][2][64
                 t.x = (x ? -3.25f : -3.75f) + (float)(i % 8);
                 t.y = (y ? -3.25f : -3.75f) + (float)(i / 8);
                 t.square = t.x * t.x + t.y * t.y;
+                t.rest = 1 - t.square / MS_SSS__GATHER(growth->wide, growth->level);
                 if (!growth->wide && (t.x < -3 || t.x > 3 || t.y < -3 || t.y > 3)) continue;
                 for (j = n++; j > 0 && tap[y][x][j - 1].square > t.square; --j) tap[y][x][j] = tap[y][x][j - 1];
                 tap[y][x][j] = t;
@@ -6028,6 +6075,7 @@ static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
         r4 += w * r * r;
     }
     growth->level = level;
+    growth->inner = 1 / sqrtf(MS_SSS__GATHER(growth->wide, level));
     growth->norm = (float)(1 / n);
     growth->mean = (float)(r1 / r2);
     growth->spread = (float)(r2 / r4);
@@ -6128,9 +6176,9 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
     tower->stride = ms_sss__tower_stride(frame->width);
 
     tower->at = 0;
-    job->whole_first = 1; /* colours are 0 where nothing takes part */
     ms_sss__set_kernel(job, &tower->kernel, profile);
     ms_sss__set_term(job, 0);
+    job->direct = ms_sss__plain(job);
     if (!(job->gain > 0)) job->idle = 1;
     ms_sss__tower_start(growth, job, pyramid, frame->depth.channel[0] != NULL, options->flat); /* the job's own is 1 */
     ms_sss__run(job, 0, frame->height, ms_sss__tower_load);
@@ -7966,6 +8014,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__SQRT(a) _mm512_maskz_sqrt_ps(0xffff, a)
 #define MS_SSS__RSQRT(a) _mm512_maskz_rsqrt14_ps(0xffff, a)
 #define MS_SSS__ABS(a) _mm512_abs_ps(a)
+#define MS_SSS__RCP(a) _mm512_rcp14_ps(a)
 #define MS_SSS__FLOOR(a) _mm512_floor_ps(a)
 #define MS_SSS__TRUNC(a) _mm512_floor_ps(a)
 #define MS_SSS__SCALE(a, n) _mm512_maskz_scalef_ps(0xffff, a, _mm512_sub_ps(_mm512_setzero_ps(), n))
@@ -7999,6 +8048,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__MAX(a, b) _mm256_max_ps(a, b)
 #define MS_SSS__SQRT(a) _mm256_sqrt_ps(a)
 #define MS_SSS__RSQRT(a) _mm256_rsqrt_ps(a)
+#define MS_SSS__RCP(a) _mm256_rcp_ps(a)
 #define MS_SSS__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
 #define MS_SSS__FLOOR(a) _mm256_floor_ps(a)
 #define MS_SSS__TRUNC(a) _mm256_floor_ps(a)
@@ -8031,6 +8081,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__MAX(a, b) _mm_max_ps(a, b)
 #define MS_SSS__SQRT(a) _mm_sqrt_ps(a)
 #define MS_SSS__RSQRT(a) _mm_rsqrt_ps(a)
+#define MS_SSS__RCP(a) _mm_rcp_ps(a)
 #define MS_SSS__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
 #define MS_SSS__FLOOR(a) ms_sss__floor_sse2(a)
 #define MS_SSS__TRUNC(a) _mm_cvtepi32_ps(_mm_cvttps_epi32(a))
@@ -8117,6 +8168,17 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(exp2_minus)(MS_SSS__V q)
     MS_SSS__V p = MS_SSS__MADD(MS_SSS__MADD(MS_SSS__SET(-9.4490301e-4f), d, MS_SSS__SET(9.2057967e-3f)), d2, MS_SSS__MADD(MS_SSS__SET(-5.5297357e-2f), d, MS_SSS__SET(2.4018014e-1f)));
     p = MS_SSS__MADD(p, d2, MS_SSS__MADD(MS_SSS__SET(-6.9314372e-1f), d, MS_SSS__SET(1.0f)));
     return MS_SSS__SCALE(p, n);
+}
+
+/* 1 / a within 2e-7 of itself, a from 1e-30 to 1e30 */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(inverse)(MS_SSS__V a)
+{
+#ifdef MS_SSS__RCP
+    const MS_SSS__V r = MS_SSS__RCP(a);
+    return MS_SSS__MUL(r, MS_SSS__LESSEN(a, r, MS_SSS__SET(2.0f)));
+#else
+    return MS_SSS__DIV(MS_SSS__SET(1.0f), a);
+#endif
 }
 
 /* Where before[i] is finite and value[i] > 0 depth[i] becomes scale * value[i], else INFINITY; before may be depth. span:
@@ -9153,17 +9215,15 @@ static MS_SSS__APART void MS_SSS__NAME(share)(const ms_sss__halving *h, const fl
 /* The same of pixels at depth z; what takes no part, AWAY, may get any. */
 static MS_SSS__INLINE void MS_SSS__NAME(keep)(const ms_sss__halving *h, MS_SSS__V z, MS_SSS__V share[3])
 {
+    float depth[MS_SSS__LANES], to[3 * MS_SSS__LANES];
     int c;
-    if (MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(h->beyond), z), MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2))))) {
-        float depth[MS_SSS__LANES], to[3 * MS_SSS__LANES];
-        MS_SSS__STORE(depth, z);
-        MS_SSS__NAME(share)(h, depth, to);
-        MS_SSS__UNROLL
-        for (c = 0; c < 3; ++c) share[c] = MS_SSS__LOAD(to + c * MS_SSS__LANES);
-    } else {
-        MS_SSS__UNROLL
-        for (c = 0; c < 3; ++c) share[c] = MS_SSS__SET(h->share[c]);
-    }
+    MS_SSS__UNROLL
+    for (c = 0; c < 3; ++c) share[c] = MS_SSS__SET(h->share[c]);
+    if (!MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(h->beyond), z), MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2))))) return;
+    MS_SSS__STORE(depth, z);
+    MS_SSS__NAME(share)(h, depth, to);
+    MS_SSS__UNROLL
+    for (c = 0; c < 3; ++c) share[c] = MS_SSS__LOAD(to + c * MS_SSS__LANES);
 }
 
 /* A coarse row of light and what became of it, without what pixels keep of their own; depth in units of the falloff, AWAY
@@ -9180,62 +9240,89 @@ static void MS_SSS__NAME(soften)(const ms_sss__halving *h, const float *const li
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
             const MS_SSS__V e = MS_SSS__LOAD(light[c] + x), change = MS_SSS__SUB(MS_SSS__LOAD(blur[c] + x), e);
-            const MS_SSS__V soft = MS_SSS__ADD(e, MS_SSS__DIV(change, MS_SSS__SUB(MS_SSS__SET(1.0f), share[c])));
+            const MS_SSS__V soft = MS_SSS__MADD(change, MS_SSS__NAME(inverse)(MS_SSS__SUB(MS_SSS__SET(1.0f), share[c])), e);
             MS_SSS__STORE(out[c] + x, MS_SSS__SELECT(part, soft, MS_SSS__SET(0.0f)));
         }
         MS_SSS__STORE(out[3] + x, MS_SSS__MUL(z, MS_SSS__SET(h->within)));
     }
 }
 
-/* A row of the picture from its colour and depth (times unit) and the two softened rows beside it, of which the first is nearer if odd.
+/* What is left of LANES times two columns from x on where pixels differ in what they keep, or have no neighbours: sum: of each side's
+   neighbours light and weights. */
+static MS_SSS__APART void MS_SSS__NAME(refine_rest)(const ms_sss__halving *h, const float *const own[4], float unit, float (*sum)[4][MS_SSS__LANES], int x, float *const out[3])
+{
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), tiny = MS_SSS__SET(1e-6f);
+    MS_SSS__V change[2][3], stay[2][3];
+    int side, c;
+    for (side = 0; side < 2; ++side) {
+        const MS_SSS__V a = MS_SSS__LOAD(own[3] + 2 * x), b = MS_SSS__LOAD(own[3] + 2 * x + MS_SSS__LANES), n = MS_SSS__LOAD(sum[side][3]);
+        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__MUL(side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b), MS_SSS__SET(unit)), MS_SSS__SET(MS_SSS__AWAY));
+        const MS_SSS__MASK some = MS_SSS__BOTH(MS_SSS__LESS(tiny, n), MS_SSS__LESS(z, MS_SSS__SET(h->tiny)));
+        MS_SSS__V share[3];
+        MS_SSS__NAME(keep)(h, z, share);
+        for (c = 0; c < 3; ++c) {
+            const MS_SSS__V mean = MS_SSS__MUL(MS_SSS__LOAD(sum[side][c]), MS_SSS__NAME(inverse)(MS_SSS__MAX(n, tiny)));
+            change[side][c] = MS_SSS__SELECT(some, MS_SSS__MUL(MS_SSS__SUB(one, share[c]), mean), zero);
+            stay[side][c] = MS_SSS__SELECT(some, share[c], one);
+        }
+    }
+    for (c = 0; c < 3; ++c) {
+        const MS_SSS__V a = MS_SSS__LOAD(own[c] + 2 * x), b = MS_SSS__LOAD(own[c] + 2 * x + MS_SSS__LANES);
+        MS_SSS__STORE(out[c] + 2 * x, MS_SSS__MADD(MS_SSS__ZIP_LOW(stay[0][c], stay[1][c]), a, MS_SSS__ZIP_LOW(change[0][c], change[1][c])));
+        MS_SSS__STORE(out[c] + 2 * x + MS_SSS__LANES, MS_SSS__MADD(MS_SSS__ZIP_HIGH(stay[0][c], stay[1][c]), b, MS_SSS__ZIP_HIGH(change[0][c], change[1][c])));
+    }
+}
+
+/* A row of the picture from its colour and depth (times unit) and the two softened rows beside it, whose planes lie equally far apart; the first is nearer if odd.
    Weights 0.8 and 0.2 each way, sharper than the linear 0.75 and 0.25, make up for part of what averaging pixels blurs. */
 static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4], int odd, int stream,
                                  int count, float *const out[3])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), tiny = MS_SSS__SET(1e-6f);
-    const MS_SSS__V near_row = MS_SSS__SET(odd ? 0.16f : 0.04f), far_row = MS_SSS__SET(odd ? 0.04f : 0.16f);
+    static const float root[3] = {0.44721360f, 0.63245553f, 0.89442719f}; /* of 0.2 0.2, 0.2 0.8, 0.8 0.8: the fourth */
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), within = MS_SSS__SET(unit * h->within);
+    const MS_SSS__V even = MS_SSS__SET((h->beyond < h->tiny ? h->beyond : h->tiny) / unit); /* depth up to which all keep the same share */
+    const MS_SSS__V share[3] = {MS_SSS__SET(h->share[0]), MS_SSS__SET(h->share[1]), MS_SSS__SET(h->share[2])};
+    const unsigned every = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
+    const ptrdiff_t plane = coarse[0][1] - coarse[0][0];
     int x, side, i, j, c;
     for (x = 0; 2 * x < count; x += MS_SSS__LANES) {
-        MS_SSS__V result[2][3];
+        const MS_SSS__V a = MS_SSS__LOAD(own[3] + 2 * x), b = MS_SSS__LOAD(own[3] + 2 * x + MS_SSS__LANES);
+        const unsigned uneven = MS_SSS__BITS(MS_SSS__LESS(even, MS_SSS__MAX(a, b)));
+        MS_SSS__V sum[2][4];
         MS_SSS__UNROLL
         for (side = 0; side < 2; ++side) {
-            MS_SSS__V sum[3], n = zero, share[3], z;
-            MS_SSS__MASK large, some;
-            {
-                const MS_SSS__V a = MS_SSS__LOAD(own[3] + 2 * x), b = MS_SSS__LOAD(own[3] + 2 * x + MS_SSS__LANES);
-                z = MS_SSS__MIN(MS_SSS__MUL(side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b), MS_SSS__SET(unit)), MS_SSS__SET(MS_SSS__AWAY));
-            }
-            MS_SSS__NAME(keep)(h, z, share);
-            large = MS_SSS__LESS(z, MS_SSS__SET(h->tiny));
-            z = MS_SSS__MUL(z, MS_SSS__SET(h->within));
-            sum[0] = sum[1] = sum[2] = zero;
+            const MS_SSS__V z = MS_SSS__MUL(side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b), within);
+            MS_SSS__V *of = sum[side];
+            of[0] = of[1] = of[2] = of[3] = zero;
             MS_SSS__UNROLL
             for (j = 0; j < 2; ++j) {
-                const float *const *row = coarse[j];
-                const MS_SSS__V share_y = j ? far_row : near_row;
                 MS_SSS__UNROLL
                 for (i = 0; i < 2; ++i) {
-                    const int at = x + i - 1 + side;
-                    const MS_SSS__V f = MS_SSS__MUL(MS_SSS__NAME(falloff)(MS_SSS__SUB(MS_SSS__LOAD(row[3] + at), z)),
-                                                    i == side ? share_y : MS_SSS__MUL(share_y, MS_SSS__SET(4.0f)));
-                    n = MS_SSS__ADD(n, f);
+                    const float *from = coarse[j][0] + x + i - 1 + side;
+                    const MS_SSS__V weight = MS_SSS__SET(root[(i != side) + ((j == 0) == odd)]), d = MS_SSS__SUB(MS_SSS__LOAD(from + 3 * plane), z);
+                    MS_SSS__V f = MS_SSS__MAX(MS_SSS__LESSEN(MS_SSS__MUL(d, d), weight, weight), zero);
+                    f = MS_SSS__MUL(f, f);
+                    f = MS_SSS__MUL(f, f);
+                    of[3] = MS_SSS__ADD(of[3], f);
                     MS_SSS__UNROLL
-                    for (c = 0; c < 3; ++c) sum[c] = MS_SSS__MADD(f, MS_SSS__LOAD(row[c] + at), sum[c]);
+                    for (c = 0; c < 3; ++c) of[c] = MS_SSS__MADD(f, MS_SSS__LOAD(from + c * plane), of[c]);
                 }
             }
-            some = MS_SSS__LESS(tiny, n);
-            n = MS_SSS__DIV(one, MS_SSS__MAX(n, tiny));
-            MS_SSS__UNROLL
-            for (c = 0; c < 3; ++c) {
-                const MS_SSS__V a = MS_SSS__LOAD(own[c] + 2 * x), b = MS_SSS__LOAD(own[c] + 2 * x + MS_SSS__LANES);
-                const MS_SSS__V e = side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b);
-                const MS_SSS__V to = MS_SSS__MADD(MS_SSS__SUB(one, share[c]), MS_SSS__SUB(MS_SSS__MUL(sum[c], n), e), e);
-                result[side][c] = MS_SSS__SELECT(MS_SSS__BOTH(large, some), to, e);
-            }
         }
+        if (uneven || MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1e-6f), MS_SSS__MIN(sum[0][3], sum[1][3]))) != every) {
+            float kept[2][4][MS_SSS__LANES];
+            for (side = 0; side < 2; ++side)
+                for (c = 0; c < 4; ++c) MS_SSS__STORE(kept[side][c], sum[side][c]);
+            MS_SSS__NAME(refine_rest)(h, own, unit, kept, x, out);
+            continue;
+        }
+        sum[0][3] = MS_SSS__NAME(inverse)(sum[0][3]);
+        sum[1][3] = MS_SSS__NAME(inverse)(sum[1][3]);
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
-            const MS_SSS__V low = MS_SSS__ZIP_LOW(result[0][c], result[1][c]), high = MS_SSS__ZIP_HIGH(result[0][c], result[1][c]);
+            const MS_SSS__V change = MS_SSS__SUB(one, share[c]), p = MS_SSS__MUL(sum[0][c], MS_SSS__MUL(sum[0][3], change)), q = MS_SSS__MUL(sum[1][c], MS_SSS__MUL(sum[1][3], change));
+            const MS_SSS__V low = MS_SSS__MADD(share[c], MS_SSS__LOAD(own[c] + 2 * x), MS_SSS__ZIP_LOW(p, q));
+            const MS_SSS__V high = MS_SSS__MADD(share[c], MS_SSS__LOAD(own[c] + 2 * x + MS_SSS__LANES), MS_SSS__ZIP_HIGH(p, q));
             if (stream) {
                 MS_SSS__STREAM(out[c] + 2 * x, low);
                 MS_SSS__STREAM(out[c] + 2 * x + MS_SSS__LANES, high);
@@ -9261,11 +9348,13 @@ static void MS_SSS__NAME(invert)(const ms_sss__growth *s, const float *depth, in
     }
 }
 
-/* Steps of d a pixel wide are this many pixels deep. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(deep)(const ms_sss__growth *s, MS_SSS__V d)
+/* Steps of d a pixel wide are this many pixels deep; quick: within 2e-7 of itself, where no step is as deep as another or a bound. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(deep)(const ms_sss__growth *s, MS_SSS__V d, const int quick)
 {
+    const MS_SSS__V scale = MS_SSS__SET((s->perspective ? -1.0f : 1.0f) / s->step);
     if (!s->shaped) return MS_SSS__SET(0.0f);
-    return s->perspective ? MS_SSS__DIV(MS_SSS__SET(-1.0f / s->step), d) : MS_SSS__SET(1.0f / s->step);
+    if (quick) return s->perspective ? MS_SSS__MUL(scale, MS_SSS__NAME(inverse)(d)) : scale;
+    return s->perspective ? MS_SSS__DIV(scale, d) : scale;
 }
 
 /* Radius of the kernel in pixels on a surface that faces the camera. */
@@ -9317,7 +9406,7 @@ static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[5], 
         const MS_SSS__V own = MS_SSS__LOAD(d[2] + i);
         const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(own));
         const MS_SSS__V safe = MS_SSS__SELECT(part, own, MS_SSS__SET(-1.0f));
-        const MS_SSS__V deep = MS_SSS__NAME(deep)(s, safe), radius = MS_SSS__NAME(radius)(s, safe);
+        const MS_SSS__V deep = MS_SSS__NAME(deep)(s, safe, 0), radius = MS_SSS__NAME(radius)(s, safe);
         MS_SSS__V sx, sy, rx, step;
         if (!(s->upright > 0) || !MS_SSS__BITS(part)) {
             MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(part, one, zero));
@@ -9363,7 +9452,7 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(beside)(MS_SSS__V off)
 
 /* One row of a level from rows 2j - 1 to 2j + 2 of the finer one, each colour, d, share, changes of d: pixel i is the mean of columns 2i - 1
    to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of what lies near the tangent plane of the nearest of the middle four that has a quarter of the
-   largest share. tilted 0: no changes, and on the picture (share NULL) shares of 1. */
+   largest share. tilted 0: no changes, on the picture (share NULL) shares of 1, and colours of levels are times their share. */
 static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, const int tilted, const int shares, const float *row[4][7],
                                                     int first, int count, float *const out[7])
 {
@@ -9406,7 +9495,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
             }
         }
         d = MS_SSS__SELECT(some, d, MS_SSS__SET(-1.0f));
-        scale = MS_SSS__DIV(MS_SSS__NAME(deep)(s, d), MS_SSS__NAME(radius)(s, d));
+        scale = MS_SSS__DIV(MS_SSS__NAME(deep)(s, d, 0), MS_SSS__NAME(radius)(s, d));
         narrow = MS_SSS__MUL(scale, MS_SSS__SET(1 / s->join));
         nearest = least = greatest = d;
         if (tilted) d = MS_SSS__SUB(d, MS_SSS__MADD(bx, dx, MS_SSS__MUL(by, dy))); /* at the middle */
@@ -9429,14 +9518,15 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
                     if (shares) {
                         const MS_SSS__V w0 = MS_SSS__LOAD(row[y][4] + at), w1 = MS_SSS__LOAD(row[y][4] + at + MS_SSS__LANES);
                         w = x ? MS_SSS__ODDS(w0, w1) : MS_SSS__EVENS(w0, w1);
-                        f[x] = MS_SSS__MUL(f[x], w);
+                        if (tilted) f[x] = MS_SSS__MUL(f[x], w);
                     } else {
                         w = one;
                         f[x] = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f[x], zero);
                     }
                     f[x] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(away, scale)), one), f[x], zero);
-                    n = MS_SSS__ADD(n, f[x]);
-                    dd = MS_SSS__MADD(f[x], level, dd);
+                    off = shares && !tilted ? MS_SSS__MUL(f[x], w) : f[x];
+                    n = MS_SSS__ADD(n, off);
+                    dd = MS_SSS__MADD(off, level, dd);
                     if (tilted) { /* planes continue, but not beyond what is there; normals add up by area, slopes by what is seen of it */
                         const MS_SSS__MASK counts = MS_SSS__LESS(zero, f[x]);
                         least = MS_SSS__MIN(least, MS_SSS__SELECT(counts, there, nearest));
@@ -9462,7 +9552,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
             }
         }
         some = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(1e-20f), n), some);
-        for (c = 0; c < 3; ++c) MS_SSS__STORE(out[c] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, MS_SSS__DIV(sum[c], n), zero)));
+        most = MS_SSS__NAME(inverse)(n);
+        for (c = 0; c < 3; ++c) MS_SSS__STORE(out[c] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, tilted ? MS_SSS__MUL(sum[c], most) : sum[c], zero)));
         dd = MS_SSS__DIV(dd, n);
         if (tilted) dd = MS_SSS__MIN(MS_SSS__MAX(dd, least), greatest);
         MS_SSS__STORE(out[3] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, dd, zero)));
@@ -9552,24 +9643,24 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(bounded)(MS_SSS__V n, MS_SSS__V lif
 }
 
 /* gather for the even or the odd columns of LANES pairs: at, their d and changes of d. */
-static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const int tilted, MS_SSS__V d, MS_SSS__V dx, MS_SSS__V dy,
+static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const int tilted, MS_SSS__V d, MS_SSS__V dx, MS_SSS__V dy,
                                                     const float *coarse, const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry, MS_SSS__V result[6])
 {
-    static const float nearness[4] = {0.5625f, 0.1875f, 0.1875f, 0.0625f};
+    static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f, 0.5f}; /* fourth roots of 9, 3, 3, 1 of 16 */
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const ptrdiff_t plane = s->plane;
     const float cells = (float)(1 << (s->level + 1)), square = MS_SSS__GATHER(wide, s->level); /* pixels of the picture in one of the coarse level */
     const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
     const unsigned parts = MS_SSS__BITS(part);
     const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), radius = MS_SSS__NAME(radius)(s, safe);
-    const MS_SSS__V deep = MS_SSS__MUL(MS_SSS__NAME(deep)(s, safe), MS_SSS__SET(1 / cells)), limit = MS_SSS__MUL(radius, MS_SSS__SET(1 / cells)), limit2 = MS_SSS__MUL(limit, limit);
+    const MS_SSS__V deep = MS_SSS__MUL(MS_SSS__NAME(deep)(s, safe, 1), MS_SSS__SET(1 / cells)), limit = MS_SSS__MUL(radius, MS_SSS__SET(1 / cells)), limit2 = MS_SSS__MUL(limit, limit);
     MS_SSS__V size = radius, sx = zero, sy = zero, area = one, inverse = one, fall = MS_SSS__SET(-1 / square), norm = MS_SSS__SET(s->norm), rough = zero, rise = one;
     MS_SSS__V n = zero, v = zero, r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero, weight[3]; /* wide: m the sums of factors */
     MS_SSS__V s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
     int k, count = tilted ? 4 : s->core;
     if (!parts) {
         for (k = 0; k < 6; ++k) result[k] = zero;
-        return 0;
+        return;
     }
     if (tilted) {
         MS_SSS__V cap, reach;
@@ -9589,13 +9680,17 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
         rough = s->perspective ? MS_SSS__SET(s->rough) : MS_SSS__MUL(d, MS_SSS__SET(s->rough));
     }
     if (s->sums) {
-        const MS_SSS__V near_plane = MS_SSS__DIV(MS_SSS__SET(1 / s->reach), limit);
+        const MS_SSS__V near_plane = MS_SSS__MUL(MS_SSS__SET(1 / s->reach), MS_SSS__NAME(inverse)(limit)), near_deep = MS_SSS__MUL(deep, near_plane);
+        const int cut = tilted || s->reach > 1; /* else what lies beyond the limit is too far from the plane */
         for (k = 0; k < 4; ++k) {
             const float *p = coarse + tap[k].at;
-            const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), deep);
-            const MS_SSS__V off = tilted ? MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, dz)) : dz;
-            MS_SSS__V t = MS_SSS__MUL(MS_SSS__NAME(beside)(MS_SSS__MUL(off, near_plane)), MS_SSS__SET(nearness[k]));
-            t = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__MUL(dz, dz), limit2), t, zero);
+            const MS_SSS__V away = MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d);
+            const MS_SSS__V off = tilted ? MS_SSS__MUL(MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, MS_SSS__MUL(away, deep))), near_plane) : MS_SSS__MUL(away, near_deep);
+            const MS_SSS__V most = MS_SSS__SET(nearness[k]);
+            MS_SSS__V t = MS_SSS__MAX(MS_SSS__LESSEN(MS_SSS__MUL(off, off), most, most), zero);
+            t = MS_SSS__MUL(t, t);
+            t = MS_SSS__MUL(t, t);
+            if (cut) t = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(away, deep)), limit), t, zero);
             s0 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 5 * plane), s0);
             s1 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 6 * plane), s1);
             s2 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 7 * plane), s2);
@@ -9604,16 +9699,31 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
             s5 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 10 * plane), s5);
         }
     }
-    for (k = 0; k < count; ++k) {
+    if (!tilted) { /* light of levels is times its share */
+        const MS_SSS__V inner = MS_SSS__MUL(deep, MS_SSS__SET(s->inner)), most = MS_SSS__MUL(limit2, MS_SSS__SET(1 / square));
+        const int cut = (MS_SSS__BITS(MS_SSS__LESS(most, one)) & parts) != 0; /* else what lies beyond the limit is too far away */
+        for (k = 0; k < count; ++k) {
+            const float *p = coarse + tap[k].at;
+            const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), inner), t = MS_SSS__MAX(MS_SSS__LESSEN(dz, dz, MS_SSS__SET(tap[k].rest)), zero);
+            MS_SSS__V w = MS_SSS__MUL(t, t);
+            if (wide) w = MS_SSS__MUL(w, t);
+            if (cut) w = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__MUL(dz, dz), most), w, zero);
+            n = MS_SSS__MADD(w, MS_SSS__LOAD(p + 4 * plane), n);
+            r = MS_SSS__MADD(w, MS_SSS__LOAD(p), r);
+            g = MS_SSS__MADD(w, MS_SSS__LOAD(p + plane), g);
+            b = MS_SSS__MADD(w, MS_SSS__LOAD(p + 2 * plane), b);
+        }
+    }
+    for (k = 0; k < count && tilted; ++k) {
         const float *p = coarse + tap[k].at;
         const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), deep), q = MS_SSS__MUL(dz, dz), away = MS_SSS__ADD(q, MS_SSS__SET(tap[k].square));
-        const MS_SSS__V off = tilted ? MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, dz)) : zero;
+        const MS_SSS__V off = MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, dz));
         const MS_SSS__V t = MS_SSS__MAX(MS_SSS__MADD(away, fall, one), zero);
         MS_SSS__V w = MS_SSS__MUL(t, t);
         if (wide) w = MS_SSS__MUL(w, t);
         w = MS_SSS__SELECT(MS_SSS__LESS(q, limit2), MS_SSS__MUL(w, MS_SSS__LOAD(p + 4 * plane)), zero);
         n = MS_SSS__ADD(n, w);
-        if (wide && tilted) {
+        if (wide) {
             const MS_SSS__V sine = MS_SSS__MUL(MS_SSS__MUL(MS_SSS__NAME(beyond)(off, rough), rise), MS_SSS__NAME(root)(MS_SSS__ADD(away, MS_SSS__SET(s->blur))));
             MS_SSS__V f = MS_SSS__NAME(lifted)(s, 0, sine, w);
             mr = MS_SSS__ADD(mr, f);
@@ -9629,7 +9739,6 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
             r = MS_SSS__MADD(w, e0, r);
             g = MS_SSS__MADD(w, e1, g);
             b = MS_SSS__MADD(w, e2, b);
-            if (!tilted) continue;
             w = MS_SSS__MUL(w, off);
             mr = MS_SSS__MADD(w, e0, mr);
             mg = MS_SSS__MADD(w, e1, mg);
@@ -9657,19 +9766,18 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_side)(const ms_sss__growth *s, con
     result[3] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[0], n, s3), zero);
     result[4] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[1], n, s4), zero);
     result[5] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[2], n, s5), zero);
-    return (MS_SSS__BITS(MS_SSS__LESS(radius, MS_SSS__SET(0.5f))) & parts) != 0;
 }
 
 /* Weighted sums of row y of a level: the light of the next coarser level, counted by its distance in space and lifted by how far
    it lies below the tangent plane, and the sums of that level, bilinear. own: d and its changes; coarse: row y/2,
    followed by planes of green, blue, d, share, three sums of light, three of weights; first, count: columns / 2; out: the two times
-   three sums. Returns whether any kernel is under half a pixel. */
-static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, const int wide, const int tilted, const float *const own[3], const float *coarse,
+   three sums. */
+static MS_SSS__INLINE void MS_SSS__NAME(gather_row)(const ms_sss__growth *s, const int wide, const int tilted, const float *const own[3], const float *coarse,
                                                    int first, int count, int y, float *const out[6])
 {
     const float cells = (float)(1 << (s->level + 1));
     const MS_SSS__V ry = MS_SSS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
-    int i, c, odd, tiny = 0;
+    int i, c, odd;
     for (i = first; i < count; i += MS_SSS__LANES) {
         MS_SSS__V result[2][6];
         const MS_SSS__V d0 = MS_SSS__LOAD(own[0] + 2 * i), d1 = MS_SSS__LOAD(own[0] + 2 * i + MS_SSS__LANES);
@@ -9683,43 +9791,43 @@ static MS_SSS__INLINE int MS_SSS__NAME(gather_row)(const ms_sss__growth *s, cons
         for (odd = 0; odd < 2; ++odd) {
             const MS_SSS__V rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(cells * s->tangent),
                                               MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
-            tiny |= MS_SSS__NAME(gather_side)(s, wide, tilted, odd ? MS_SSS__ODD(d0, d1) : MS_SSS__EVEN(d0, d1), odd ? MS_SSS__ODD(x0, x1) : MS_SSS__EVEN(x0, x1),
-                                              odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, result[odd]);
+            MS_SSS__NAME(gather_side)(s, wide, tilted, odd ? MS_SSS__ODD(d0, d1) : MS_SSS__EVEN(d0, d1), odd ? MS_SSS__ODD(x0, x1) : MS_SSS__EVEN(x0, x1),
+                                      odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, result[odd]);
         }
         for (c = 0; c < 6; ++c) {
             MS_SSS__STORE(out[c] + 2 * i, MS_SSS__ZIP_LOW(result[0][c], result[1][c]));
             MS_SSS__STORE(out[c] + 2 * i + MS_SSS__LANES, MS_SSS__ZIP_HIGH(result[0][c], result[1][c]));
         }
     }
-    return tiny;
 }
 
-static int MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6])
+static void MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6])
 {
-    if (s->upright > 0)
-        return s->wide ? MS_SSS__NAME(gather_row)(s, 1, 1, own, coarse, first, count, y, out) : MS_SSS__NAME(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
-    return s->wide ? MS_SSS__NAME(gather_row)(s, 1, 0, own, coarse, first, count, y, out) : MS_SSS__NAME(gather_row)(s, 0, 0, own, coarse, first, count, y, out);
+    if (s->upright > 0 && s->wide) MS_SSS__NAME(gather_row)(s, 1, 1, own, coarse, first, count, y, out);
+    else if (s->upright > 0) MS_SSS__NAME(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
+    else if (s->wide) MS_SSS__NAME(gather_row)(s, 1, 0, own, coarse, first, count, y, out);
+    else MS_SSS__NAME(gather_row)(s, 0, 0, own, coarse, first, count, y, out);
 }
 
 /* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
    tangent plane, and the sums. row: colour and d of the rows above, at and below; slope: share, then the changes of d. */
-static MS_SSS__INLINE int MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *row[3][4], const float *const slope[3],
-                                                   const float *const sum[6], int first, int count, float *const out[3])
+static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *row[3][4], const float *const slope[3],
+                                                    const float *const sum[6], int first, int count, int stream, float *const out[3])
 {
     static const float root[2][2] = {{0.25f, 0.35355339f}, {0.35355339f, 0.5f}}; /* of (1, 2, 1) / 4 both ways */
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f);
-    int i, j, k, c, tiny = 0;
+    const int check = !s->perspective || !s->shaped || s->step > 0.4f; /* else what takes no part lies too deep to count */
+    int i, j, k, c;
     for (i = first; i < count; i += MS_SSS__LANES) {
         const MS_SSS__V d = MS_SSS__LOAD(row[1][3] + i);
         const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
-        const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe), radius = MS_SSS__NAME(radius)(s, safe);
+        const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe, 1), radius = MS_SSS__NAME(radius)(s, safe);
         MS_SSS__V r = zero, g = zero, b = zero, n = zero, share[6], size = radius, dx = zero, dy = zero;
         const unsigned parts = MS_SSS__BITS(part);
         if (!parts) {
             for (c = 0; c < 3; ++c) MS_SSS__STORE(out[c] + i, zero);
             continue;
         }
-        tiny |= (MS_SSS__BITS(MS_SSS__LESS(radius, half)) & parts) != 0;
         if (tilted) {
             size = MS_SSS__DIV(radius, MS_SSS__MIN(MS_SSS__MAX(MS_SSS__LOAD(slope[0] + i), one), MS_SSS__SET(1.5f)));
             dx = MS_SSS__LOAD(slope[1] + i);
@@ -9735,7 +9843,8 @@ static MS_SSS__INLINE int MS_SSS__NAME(settle_row)(const ms_sss__growth *s, cons
                     if (tilted) f = MS_SSS__SUB(f, MS_SSS__MADD(MS_SSS__SET((float)(k - 1)), dx, MS_SSS__MUL(MS_SSS__SET((float)(j - 1)), dy)));
                     f = MS_SSS__MUL(f, deep); /* none 2 pixels away */
                     f = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__MUL(f, f), MS_SSS__SET(-0.25f * root[j == 1][k == 1]), MS_SSS__SET(root[j == 1][k == 1])), zero);
-                    f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), MS_SSS__MUL(f, f), zero);
+                    f = MS_SSS__MUL(f, f);
+                    if (check) f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f, zero);
                     n = MS_SSS__ADD(n, f);
                     r = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][0] + i + k - 1), r);
                     g = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][1] + i + k - 1), g);
@@ -9747,17 +9856,19 @@ static MS_SSS__INLINE int MS_SSS__NAME(settle_row)(const ms_sss__growth *s, cons
             const MS_SSS__V e = MS_SSS__LOAD(row[1][c] + i), soft = c == 0 ? r : c == 1 ? g : b;
             const MS_SSS__V light = MS_SSS__ADD(MS_SSS__MADD(share[c], e, MS_SSS__MUL(share[c + 3], soft)), MS_SSS__LOAD(sum[c] + i));
             const MS_SSS__V all = MS_SSS__ADD(MS_SSS__MADD(share[c + 3], n, share[c]), MS_SSS__LOAD(sum[c + 3] + i));
-            MS_SSS__STORE(out[c] + i, MS_SSS__SELECT(part, MS_SSS__NAME(restore)(light, all, e, 1.0f, 0), zero));
+            const MS_SSS__MASK sound = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(1e-30f), all), MS_SSS__LESS(half, radius)); /* kernels under half a pixel leave it as it is */
+            const MS_SSS__V to = MS_SSS__SELECT(sound, MS_SSS__MUL(light, MS_SSS__NAME(inverse)(all)), e);
+            if (stream) MS_SSS__STREAM(out[c] + i, to);
+            else MS_SSS__STORE(out[c] + i, to);
         }
     }
-    return tiny;
 }
 
-static int MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *row[3][4], const float *const slope[3], const float *const sum[6],
-                                int first, int count, float *const out[3])
+static void MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *row[3][4], const float *const slope[3], const float *const sum[6],
+                                 int first, int count, int stream, float *const out[3])
 {
-    return s->upright > 0 ? MS_SSS__NAME(settle_row)(s, 1, row, slope, sum, first, count, out)
-                          : MS_SSS__NAME(settle_row)(s, 0, row, slope, sum, first, count, out);
+    if (s->upright > 0) MS_SSS__NAME(settle_row)(s, 1, row, slope, sum, first, count, stream, out);
+    else MS_SSS__NAME(settle_row)(s, 0, row, slope, sum, first, count, stream, out);
 }
 
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
@@ -9791,6 +9902,7 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__MAX
 #undef MS_SSS__SQRT
 #undef MS_SSS__RSQRT
+#undef MS_SSS__RCP
 #undef MS_SSS__ABS
 #undef MS_SSS__FLOOR
 #undef MS_SSS__TRUNC

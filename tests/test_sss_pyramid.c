@@ -354,6 +354,50 @@ static void case_thin(void)
     }
 }
 
+/* Masks of rows that differ: what a mask leaves out by columns counts as little as pixels that are not finite, which are looked at one by one. */
+static void case_masks(void)
+{
+    const ms_sss_pyramid pyramid = skin_pyramid();
+    int shape, kind, i, c, wrong = 0, threads = 0;
+    double worst = 0;
+    for (shape = 0; shape < 4; ++shape) {
+        for (kind = 0; kind < 3; ++kind) {
+            ms_sss_filter_options o = ms_sss_filter_defaults();
+            ms_sss_frame f = scene_frame(out, kind > 0, 1);
+            test_pool pool;
+            if (kind) o.fov_degrees = 12;
+            else o.pixels_per_mm[0] = 10;
+            o.flat = kind < 2 ? 1.0f : 0.0f;
+            o.simd = (ms_simd)(1 + (shape + kind) % 4); /* all levels */
+            make_scene();
+            for (i = 0; i < N; ++i) {
+                const int x = i % W, y = i / W;
+                strength[i] = shape == 0 ? abs(x - y) < 9 : shape == 1 ? (x - W / 2) * (x - W / 2) + (y - H / 2) * (y - H / 2) < 900 : shape == 2 ? i == 0 || i == N - 1 || (y == 50 && x > W - 9) : x / 30 % 2 == y / 20 % 2;
+            }
+            run(&f, &pyramid, &o);
+            o.parallel = test_parallel(&pool, 5);
+            f = scene_frame(again, kind > 0, 1);
+            run(&f, &pyramid, &o);
+            threads += memcmp(out, again, sizeof out) != 0;
+            for (i = 0; i < N; ++i)
+                for (c = 0; c < 3; ++c) {
+                    if (strength[i] > 0) continue;
+                    wrong += memcmp(&out[c][i], &rgb[c][i], sizeof(float)) != 0;
+                    rgb[c][i] = NAN;
+                }
+            f = scene_frame(again, kind > 0, 0);
+            run(&f, &pyramid, &o);
+            for (i = 0; i < N; ++i)
+                for (c = 0; c < 3; ++c)
+                    if (strength[i] > 0 && !(fabs((double)out[c][i] - (double)again[c][i]) <= worst)) worst = fabs((double)out[c][i] - (double)again[c][i]);
+        }
+    }
+    CHECK_INT(wrong, 0);
+    CHECK_INT(threads, 0);
+    CHECK(worst < 1e-6); /* rounding */
+    TEST_NOTE("largest difference %.1e", worst);
+}
+
 static void case_promises(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
@@ -694,6 +738,7 @@ static void case_refused(void)
     }
 BOTH(case_texture)
 BOTH(case_depth_and_mask)
+BOTH(case_masks)
 BOTH(case_planes)
 BOTH(case_directions)
 BOTH(case_corners)
@@ -710,6 +755,7 @@ static const test_case cases[] = {
     {"tilted planes", case_planes_both},
     {"directions", case_directions_both},
     {"corners, mirrors", case_corners_both},
+    {"masks", case_masks_both},
     {"parts one pixel wide", case_thin_both},
     {"promises", case_promises_both},
     {"levels", case_levels_both},
