@@ -584,6 +584,8 @@ typedef struct ms_sss_filter_options {
                                 error gets no lower: noise hides structure */
     ms_simd simd;            /* cap of the instruction set */
     ms_parallel parallel;
+    int threads;             /* that run parallel's tasks: rows are cut into as many bands (twice as many with a mask), each of which a
+                                thread's cache holds the better the larger it is; 0: not known, 16. Results do not depend on it */
     float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                                 1: not at all, as if every pixel faced the camera; between: slopes are that much less */
     int exact;               /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1:
@@ -4754,8 +4756,10 @@ static void ms_sss__both_passes(ms_sss__job *job)
     s.padded = job->padded;
     if (!job->fixed) s.pairs = ms_sss__pairs(&s, job);
     s.reach = job->idle ? 0 : ms_sss__reach(job);
-    s.bands = job->options.parallel.run ? height / 32 : 1;
-    s.bands = s.bands < 1 ? 1 : s.bands > MS_SSS__TASKS ? MS_SSS__TASKS : s.bands;
+    s.bands = !job->options.parallel.run ? 1 : job->options.threads ? job->options.threads : MS_SSS__TASKS;
+    if (s.bands > 1 && (job->frame.strength.channel[0] || job->frame.profile)) s.bands = s.bands < MS_SSS__TASKS / 2 ? 2 * s.bands : MS_SSS__TASKS;
+    if (s.bands > height / 32) s.bands = height < 32 ? 1 : height / 32;
+    if (s.bands > MS_SSS__TASKS) s.bands = MS_SSS__TASKS;
     s.band = height / s.bands;
     s.plan_size = (s.pairs + 4) / 4 * 4;
     s.plan_row = (ptrdiff_t)(s.padded / s.lanes) * s.plan_size;
@@ -5033,6 +5037,7 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
     if (!(o->flat >= 0 && o->flat <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "flat %g is not within [0, 1]", (double)o->flat);
     if (!(o->jitter >= 0 && o->jitter <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "jitter %g is not within [0, 1]", (double)o->jitter);
     if (!ms__finite_f(o->rotation)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rotation is not finite");
+    if (o->threads < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "threads %d is negative", o->threads);
     if (!(o->budget >= 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "budget %g is negative", (double)o->budget);
     if ((int)o->method < 0 || (int)o->method > (int)MS_SSS_METHOD_PYRAMID)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method %d is unknown", (int)o->method);

@@ -1064,6 +1064,7 @@ static void case_threads(void)
             for (t = 0; t < 2; ++t) {
                 test_pool pool;
                 o.parallel = test_parallel(&pool, threads[t]);
+                o.threads = level % 2 ? threads[t] : 40 * t; /* said or not, right or not */
                 test_run(&f, kernel, with & WITH_PROFILE ? 2 : 1, &o);
                 for (c = 0; c < 3; ++c) CHECK(test_same(one[c], many[c], n));
             }
@@ -1550,11 +1551,11 @@ static void case_refused(void)
     float *out[3];
     int i, c;
     for (c = 0; c < 3; ++c) out[c] = test_floats(200);
-    for (i = 0; i < 32; ++i) {
-        static const char *const gist[32] = {
+    for (i = 0; i < 33; ++i) {
+        static const char *const gist[33] = {
             "", "width", "", "", "depth", "channel 1", "half", "stride", "kernel_count", "tap_count", "tap_count", "term_count",
             "radius_mm", "offset_mm[0]", "finite", "exactly one", "exactly one", "fov_degrees", "ortho_height", "mm_per_unit",
-            "depth_sigma_mm", "fade", "jitter", "rotation", "depth_mode", "albedo_mode", "workspace", "workspace", "input", "output", "flat", "normal"};
+            "depth_sigma_mm", "fade", "jitter", "rotation", "depth_mode", "albedo_mode", "workspace", "workspace", "input", "output", "flat", "normal", "threads"};
         ms_sss_filter_options o = good;
         ms_sss_kernel k = kernel;
         ms_sss_frame f = test_frame(&s, WITH_DEPTH, out);
@@ -1594,6 +1595,7 @@ static void case_refused(void)
         if (i == 29) f.output.channel[0] = NULL;
         if (i == 30) o.flat = -0.5f;
         if (i == 31) f.normal = f.depth;
+        if (i == 32) o.threads = -1;
         for (c = 0; c < 3; ++c)
             for (j = 0; j < 200; ++j) out[c][j] = -7;
         status = ms_sss_filter(&f, &k, count, &o, workspace + 1, given, &error);
