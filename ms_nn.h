@@ -5283,7 +5283,7 @@ static void ms_nn__cholesky(double *a, size_t n)
 }
 
 /* One-sided Jacobi (Hestenes 1958): rotates the columns of g, and of l along with them, until they are orthogonal. */
-static void ms_nn__jacobi(const ms_nn__kernels *kernels, double *g, double *l, size_t n)
+static MS_NN__COLD void ms_nn__jacobi(const ms_nn__kernels *kernels, double *g, double *l, size_t n)
 {
     int sweep, rotated = 1;
     size_t p, q;
@@ -5898,8 +5898,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FL
 #define MS_NN__V_MAX(a, b) _mm512_maskz_max_ps(0xFFFF, a, b)
 #define MS_NN__V_MIN(a, b) _mm512_maskz_min_ps(0xFFFF, a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) _mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ), y, x)
-#define MS_NN__V_MAX_NAN(a, b) _mm512_mask_mov_ps(_mm512_maskz_max_ps(0xFFFF, a, b), _mm512_cmp_ps_mask(a, a, _CMP_UNORD_Q), a)
-#define MS_NN__V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
 #define MS_NN__V_INT __m512i
 #define MS_NN__V_ROUND(a) _mm512_maskz_cvtps_epi32(0xFFFF, a)
 #define MS_NN__V_FROM_INT(i) _mm512_maskz_cvtepi32_ps(0xFFFF, i)
@@ -5907,11 +5905,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FL
 #define MS_NN__W_HALF(p) _mm512_maskz_cvtph_ps(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
 #define MS_NN__W_BRAIN(p) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
 #define MS_NN__W_INT8(p) _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b)
-{
-    MS_NN__V_FLOATS even = _mm512_shuffle_ps(a, b, 0x88), odd = _mm512_shuffle_ps(a, b, 0xDD);
-    return _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xFF, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(MS_NN__V_MAX_NAN(even, odd))));
-}
 #define MS_NN__V_FOLD(v) MS_NN__FN(fold)(v)
 MS_NN__INLINE __m128 MS_NN__FN(fold)(MS_NN__V_FLOATS v)
 {
@@ -6523,32 +6516,42 @@ MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_
 #endif
 
 #if MS_NN__V_LANES > 1
-/* Adds the products of a panel to the sums of n columns, a vector each; dtype and batch are constants. */
+/* Adds the products of panels, `step` bytes apart, to the sums of n columns, a vector each; dtype, batch and panels (1 or 2) are constants. */
 #define MS_NN__P_COLS 64
-MS_NN__INLINE void MS_NN__FN(packed_columns)(const unsigned char *w, ms_nn_dtype dtype, const float *g, size_t rows, size_t n, MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch)
+MS_NN__INLINE void MS_NN__FN(packed_columns)(const unsigned char *w, size_t step, ms_nn_dtype dtype, const float *g, size_t rows, size_t n,
+                                             MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch, int panels)
 {
     size_t size = ms_nn__bytes_of(dtype) * MS_NN__V_LANES, c;
-    MS_NN__V_FLOATS g0[3], g1[3];
-    int b;
+    MS_NN__V_FLOATS part[4][3], u, s[3];
+    int b, v;
     MS_NN__UNROLL
-    for (b = 0; b < batch; ++b) {
-        g0[b] = MS_NN__V_LOAD(g + (size_t)b * rows);
-        g1[b] = MS_NN__V_LOAD(g + (size_t)b * rows + MS_NN__V_LANES);
+    for (v = 0; v < 2 * panels; ++v) {
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) part[v][b] = MS_NN__V_LOAD(g + (size_t)b * rows + (size_t)v * MS_NN__V_LANES);
     }
     for (c = 0; c < n; ++c, w += 2 * size) {
-        MS_NN__V_FLOATS u0 = MS_NN__FN(weight)(w, dtype), u1 = MS_NN__FN(weight)(w + size, dtype);
-        if (batch > 1) MS_NN__V_KEEP(u0);
-        if (batch > 1) MS_NN__V_KEEP(u1);
         MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) sum[b][c] = MS_NN__V_MADD(u1, g1[b], MS_NN__V_MADD(u0, g0[b], sum[b][c]));
+        for (b = 0; b < batch; ++b) s[b] = sum[b][c];
+        MS_NN__UNROLL
+        for (v = 0; v < 2 * panels; ++v) {
+            u = MS_NN__FN(weight)(w + (size_t)(v / 2) * step + (size_t)(v % 2) * size, dtype);
+            if (batch > 1) MS_NN__V_KEEP(u);
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) s[b] = MS_NN__V_MADD(u, part[v][b], s[b]);
+        }
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) sum[b][c] = s[b];
     }
 }
 
-MS_NN__INLINE void MS_NN__FN(packed_columns_typed)(const unsigned char *w, ms_nn_dtype dtype, const float *g, size_t rows, size_t n, MS_NN__V_FLOATS sum[3][MS_NN__P_COLS],
-                                                   int batch)
+/* Two panels, or one: then sample by sample. */
+MS_NN__INLINE void MS_NN__FN(packed_columns_typed)(const unsigned char *w, size_t step, ms_nn_dtype dtype, const float *g, size_t rows, size_t n,
+                                                   MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch, int panels)
 {
-    if (batch == 3) MS_NN__FN(packed_columns)(w, dtype, g, rows, n, sum, 3);
-    else MS_NN__FN(packed_columns)(w, dtype, g, rows, n, sum, 1);
+    int b;
+    if (panels == 2 && batch == 3 && !MS_NN__B_WIDEN) MS_NN__FN(packed_columns)(w, step, dtype, g, rows, n, sum, 3, 2);
+    else if (panels == 2) MS_NN__FN(packed_columns)(w, step, dtype, g, rows, n, sum, 1, 2);
+    else for (b = 0; b < batch; ++b) MS_NN__FN(packed_columns)(w, step, dtype, g + (size_t)b * rows, rows, n, sum + b, 1, 1);
 }
 
 /* Output gradients times columns: the lanes of a column's sum go over the panels from the first, whatever the batch. */
@@ -6556,23 +6559,25 @@ MS_NN__KERNEL void MS_NN__FN(packed_back)(const ms_nn__dense *job, size_t col0, 
 {
     const ms_nn__matrix *m = job->m;
     size_t rows = (m->rows + MS_NN__P_ROWS - 1) / MS_NN__P_ROWS * MS_NN__P_ROWS, size = ms_nn__bytes_of(m->packed_dtype), batch = (size_t)job->batch, k, b, p, c, n;
-    int together, i;
+    size_t step = MS_NN__P_ROWS * m->cols * size;
+    int together, panels, i;
     for (k = col0; k < col1; k += n) {
         n = ms_nn__min(MS_NN__P_COLS, col1 - k);
         for (b = 0; b < batch; b += (size_t)together) {
             MS_NN__V_FLOATS sum[3][MS_NN__P_COLS];
-            together = batch - b >= 3 ? 3 : 1;
+            together = batch - b >= 3 && !MS_NN__B_WIDEN ? 3 : 1;
             for (i = 0; i < together; ++i)
                 for (c = 0; c < MS_NN__P_COLS; ++c) sum[i][c] = MS_NN__V_SET(0.0f);
-            for (p = 0; p < rows; p += MS_NN__P_ROWS) {
+            for (p = 0; p < rows; p += (size_t)panels * MS_NN__P_ROWS) {
                 const unsigned char *w = m->packed + (p * m->cols + k * MS_NN__P_ROWS) * size;
                 const float *g = job->x + b * rows + p;
+                panels = p + MS_NN__P_ROWS < rows ? 2 : 1;
 #if !MS_NN__B_WIDEN
-                if (m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_columns_typed)(w, MS_NN_F16, g, rows, n, sum, together);
-                else if (m->packed_dtype == MS_NN_BF16) MS_NN__FN(packed_columns_typed)(w, MS_NN_BF16, g, rows, n, sum, together);
+                if (m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_columns_typed)(w, step, MS_NN_F16, g, rows, n, sum, together, panels);
+                else if (m->packed_dtype == MS_NN_BF16) MS_NN__FN(packed_columns_typed)(w, step, MS_NN_BF16, g, rows, n, sum, together, panels);
                 else
 #endif
-                MS_NN__FN(packed_columns_typed)(w, MS_NN_F32, g, rows, n, sum, together);
+                MS_NN__FN(packed_columns_typed)(w, step, MS_NN_F32, g, rows, n, sum, together, panels);
             }
             for (i = 0; i < together; ++i)
                 for (c = 0; c < n; c += 4) {
@@ -6966,6 +6971,7 @@ MS_NN__KERNEL void MS_NN__FN(derive)(const float *x, float *g, size_t n, ms_nn__
     memcpy(g + whole, last[1], (n - whole) * sizeof(float));
 }
 
+#if MS_NN__ISA != 4 /* AVX-512 takes AVX2's */
 /* Maxima of n windows of 2 x 2 in two rows; a NaN wins. */
 MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
 {
@@ -6980,6 +6986,7 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
 #endif
     for (; j < n; ++j) y[j] = ms_nn__max_nan(ms_nn__max_nan(x[2 * j], x[2 * j + row]), ms_nn__max_nan(x[2 * j + 1], x[2 * j + row + 1]));
 }
+#endif
 
 /* For the size SSE2 takes plain C's, and AVX-512 AVX2's, which are as fast on Zen 4. */
 #if !defined(MS_NN_NO_COLLAPSE) && MS_NN__ISA != 4 && !(MS_NN__ISA == 2 && defined(MS__X64))
@@ -7153,12 +7160,14 @@ MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double fac
 #if MS_NN__ISA == 5
 static const ms_nn__kernels ms_nn__table_avx512vnni = {
     MS_NN__V_BLOCK, 32, 0, ms_nn__packed_avx512, ms_nn__packed_back_avx512, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
-    ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx512 MS_NN__D_KERNELS(avx2)};
+    ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx2 MS_NN__D_KERNELS(avx2)};
 #else
 #if MS_NN__ISA == 4
 #define MS_NN__INT8 ms_nn__dense_int8_avx2
+#define MS_NN__POOL ms_nn__pool2_avx2
 #else
 #define MS_NN__INT8 MS_NN__FN(dense_int8)
+#define MS_NN__POOL MS_NN__FN(pool2)
 #endif
 #if MS_NN__ISA == 2 && defined(MS__X64)
 #define MS_NN__DOUBLES scalar
@@ -7169,12 +7178,13 @@ static const ms_nn__kernels ms_nn__table_avx512vnni = {
 #endif
 static const ms_nn__kernels MS_NN__FN(table) = {
     MS_NN__V_BLOCK, MS_NN__P_ROWS, MS_NN__B_WIDEN, MS_NN__FN(packed), MS_NN__FN(packed_back), MS_NN__FN(dense), MS_NN__INT8, MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
-    MS_NN__FN(derive), MS_NN__FN(pool2) MS_NN__D_KERNELS(MS_NN__DOUBLES)};
+    MS_NN__FN(derive), MS_NN__POOL MS_NN__D_KERNELS(MS_NN__DOUBLES)};
 #endif
 
 #undef MS_NN__D_KERNELS
 #undef MS_NN__DOUBLES
 #undef MS_NN__INT8
+#undef MS_NN__POOL
 #undef MS_NN__W_PART
 #undef MS_NN__V_KEEP
 #undef MS_NN__KERNEL

@@ -186,7 +186,7 @@ static ms_status match_edit(flow *f)
 {
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_status status;
-    pictures(&f->small, f->chosen, 1, f->edited + ms_nn_output_size(f->small.nn));
+    pictures(&f->match.network, f->chosen, 1, f->edited + ms_nn_output_size(f->small.nn));
     edit(f->edited + ms_nn_output_size(f->small.nn), f->small.size * f->small.size, f->edited);
     options.initial_only = 1;
     status = matcher_aim(&f->match, f->edited, NULL, &f->error);
@@ -265,8 +265,9 @@ static const char *load(flow *f, const char *folder)
 {
     char path[512];
     const char *problem;
-    snprintf(path, sizeof path, "%s/renderer_64.safetensors", folder);
+    snprintf(path, sizeof path, "%s/preview_64.safetensors", folder); /* galleries: two thirds of the work of the one that is matched with */
     if ((problem = neural_load(path, &f->small)) != NULL) return problem;
+    snprintf(path, sizeof path, "%s/renderer_64.safetensors", folder);
     if (matcher_open(&f->match, path, &f->error) != MS_OK) return f->error.message;
     snprintf(path, sizeof path, "%s/renderer_128.safetensors", folder);
     if ((problem = neural_load(path, &f->large)) != NULL) return problem;

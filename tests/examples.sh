@@ -257,7 +257,7 @@ fi
 if [ -x build/workflow ]; then
     refuses "workflow of nothing" "usage" build/workflow
     refuses "an unknown taste" "usage" build/workflow "$out" --taste salt
-    refuses "no networks" "renderer_64" build/workflow "$out" --networks "$out/nowhere"
+    refuses "no networks" "preview_64" build/workflow "$out" --networks "$out/nowhere"
 fi
 if [ -x build/workflow ] && [ -f examples/data/inversion_1.safetensors ]; then
     mkdir -p "$out/a" "$out/b"
@@ -267,7 +267,7 @@ if [ -x build/workflow ] && [ -f examples/data/inversion_1.safetensors ]; then
     is "300 recommendations" "$(grep -c '^[0-9]' "$out/a/recommended.csv")" 300
     ok "scores of a file" build/workflow "$out/b" --scores "$out/a/gallery.csv"
     is "with those scores" "$(cksum <"$out/b/gallery.csv")" "$(cksum <"$out/a/gallery.csv")"
-    ok "a sheet of the recommendations" build/preview examples/data/renderer_64.safetensors "$out/a/recommended.csv" "$out/recommended.png"
+    ok "a sheet of the recommendations" build/preview examples/data/preview_64.safetensors "$out/a/recommended.csv" "$out/recommended.png"
     ok "a sheet of the variants" build/preview examples/data/renderer_128.safetensors "$out/a/chosen.csv" "$out/chosen.png"
     if command -v python3 >/dev/null 2>&1; then ok "the MaterialX file" python3 tests/materialx.py "$out/a"; fi
     ok "the recommendations alone as MaterialX" build/materialx "$out/a/recommended.csv" "$out/mtlx/recommended.mtlx" --name recommended

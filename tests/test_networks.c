@@ -27,6 +27,7 @@ static void check_renderer(const char *path, double least_mean, double least)
 
 static void test_renderer_128(void) { check_renderer(renderers[0], 43.79, 37.0); }
 static void test_renderer_64(void) { check_renderer(renderers[1], 46.76, 39.5); }
+static void test_preview_64(void) { check_renderer("examples/data/preview_64.safetensors", 47.54, 39.7); }
 
 /* 256 x 256, averaged in linear light, against the stored 128 x 128; its own detail is measured when it is made. */
 static void test_renderer_256(void)
@@ -136,6 +137,6 @@ static void test_inversion(void)
     neural_free(&n);
 }
 
-static const test_case cases[] = {{"renderer 128", test_renderer_128}, {"renderer 64", test_renderer_64}, {"renderer 256", test_renderer_256},
+static const test_case cases[] = {{"renderer 128", test_renderer_128}, {"renderer 64", test_renderer_64}, {"preview 64", test_preview_64}, {"renderer 256", test_renderer_256},
                                   {"swapped channels", test_channels}, {"inversion networks", test_inversion}};
 TEST_MAIN(cases)

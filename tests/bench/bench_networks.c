@@ -7,9 +7,9 @@
 #include "networks.h"
 #include "plot.h"
 
-enum { COUNT = 500, WORST = 5 };
-static const char *const paths[2] = {"examples/data/renderer_128.safetensors", "examples/data/renderer_64.safetensors"};
-static const char *const names[2] = {"128 x 128", "64 x 64"};
+enum { COUNT = 500, WORST = 5, RENDERERS = 3 };
+static const char *const paths[RENDERERS] = {"examples/data/renderer_128.safetensors", "examples/data/renderer_64.safetensors", "examples/data/preview_64.safetensors"};
+static const char *const names[RENDERERS] = {"128 x 128", "64 x 64", "64 x 64, previews"};
 
 static double uniform(uint64_t *state)
 {
@@ -71,10 +71,10 @@ static void draw_worst(const neural *n, const double *dB)
 int main(void)
 {
     static plot p;
-    double dB[2][NETWORKS_TILES], sorted[2][NETWORKS_TILES], share[NETWORKS_TILES], nine_ms = 0;
+    double dB[RENDERERS][NETWORKS_TILES], sorted[RENDERERS][NETWORKS_TILES], share[NETWORKS_TILES], nine_ms = 0;
     double *rmse = (double *)malloc((NETWORKS_INVERSIONS + 1) * COUNT * sizeof(double)), *best = rmse + NETWORKS_INVERSIONS * COUNT;
     float *planes, x[COUNT * NETWORKS_PARAMETERS];
-    neural n[2];
+    neural n[RENDERERS];
     ms_error error;
     uint64_t state = 7;
     const char *problem;
@@ -85,7 +85,7 @@ int main(void)
     if (md == NULL || csv == NULL || rmse == NULL) return 1;
     fprintf(md, "%s, one core, `make bench FILTER=networks`. PSNR of display values on 64 held-out path-traced materials.\n\n", bench_processor());
     fprintf(md, "| renderer | file, MB | mean, dB | least | 5%% | median | 95%% | ms a picture |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
-    for (k = 0; k < 2; ++k) {
+    for (k = 0; k < RENDERERS; ++k) {
         drawing d;
         bench_time time;
         double mean = 0;
@@ -109,13 +109,13 @@ int main(void)
                 quantile(sorted[k], NETWORKS_TILES, 0.95), 1e3 * time.median);
     }
     fprintf(md, "| thesis, 410 x 410, its own scene | 2097 | 37.96 | 26.05 | | | | |\n\n");
-    fprintf(csv, "material,dB_128,dB_64\n");
-    for (i = 0; i < NETWORKS_TILES; ++i) fprintf(csv, "%d,%.3f,%.3f\n", i, dB[0][i], dB[1][i]);
+    fprintf(csv, "material,dB_128,dB_64,dB_preview\n");
+    for (i = 0; i < NETWORKS_TILES; ++i) fprintf(csv, "%d,%.3f,%.3f,%.3f\n", i, dB[0][i], dB[1][i], dB[2][i]);
     fclose(csv);
     draw_worst(&n[0], dB[0]);
     plot_begin(&p, "Neural renderers: share of the held-out pictures below a PSNR", "PSNR, dB", "share", 0);
     for (i = 0; i < NETWORKS_TILES; ++i) share[i] = (i + 0.5) / (double)NETWORKS_TILES;
-    for (k = 0; k < 2; ++k) plot_series(&p, names[k], sorted[k], share, NETWORKS_TILES, PLOT_LINE);
+    for (k = 0; k < RENDERERS; ++k) plot_series(&p, names[k], sorted[k], share, NETWORKS_TILES, PLOT_LINE);
     plot_write(&p, "build/bench/networks.svg");
 
     planes = (float *)malloc(COUNT * ms_nn_output_size(n[1].nn) * sizeof(float));
@@ -158,6 +158,6 @@ int main(void)
     fclose(md);
     free(rmse);
     free(planes);
-    for (k = 0; k < 2; ++k) neural_free(&n[k]);
+    for (k = 0; k < RENDERERS; ++k) neural_free(&n[k]);
     return 0;
 }

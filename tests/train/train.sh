@@ -26,6 +26,7 @@ diffuse red,diffuse green,diffuse blue,glossy red,glossy green,glossy blue,gloss
 END
 train() { build/train "$@" 2>&1 | tee -a "$out/train.log"; }
 train "$data" "$out/names.csv" "$out/renderer_64.safetensors" --size 64 $held
+train "$data" "$out/names.csv" "$out/preview_64.safetensors" --size 64 --width 256 --rank 80 $held
 train "$data" "$out/names.csv" "$out/renderer_128.safetensors" --size 128 $held
 train "$data" "$out/names.csv" "$out/renderer_256.safetensors" --trunk "$out/renderer_128.safetensors" --rank 32 $held
 train --inversion "$out/renderer_64.safetensors" "$out/inversion_" --count 5
