@@ -20,7 +20,8 @@
       {
           static const float weight[6] = {1, 2, 3, 4, 5, 6}, bias[2] = {0.5f, -0.5f};
           static const size_t shape[2] = {2, 3};
-          ms_nn_tensor tensors[2] = {{"f.weight", MS_NN_F32, 2, shape, weight, sizeof weight}, {"f.bias", MS_NN_F32, 1, shape, bias, sizeof bias}};
+          ms_nn_tensor tensors[2] = {{"f.weight", MS_NN_F32, 2, shape, weight, sizeof weight}, {"f.bias", MS_NN_F32, 1, shape,
+              bias, sizeof bias}};
           ms_nn_entry metadata[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", "[3]"},
                                      {"ms_nn_layers", "[{\"type\":\"dense\",\"name\":\"f\",\"activation\":\"tanh\"}]"}};
           float x[3] = {0.1f, -0.2f, 0.1f}, y[2], g_y[2] = {1, 0}, g_x[3];
@@ -32,7 +33,8 @@
               return 1;
           }
           if (ms_nn_forward(nn, 1, x, y, NULL) != MS_OK || ms_nn_vjp(nn, 1, x, g_y, NULL, g_x, NULL) != MS_OK) return 1;
-          printf("outputs %g %g, slopes of the first %g %g %g\n", (double)y[0], (double)y[1], (double)g_x[0], (double)g_x[1], (double)g_x[2]);
+          printf("outputs %g %g, slopes of the first %g %g %g\n", (double)y[0], (double)y[1], (double)g_x[0], (double)g_x[1],
+              (double)g_x[2]);
           ms_nn_destroy(nn);
           return remove("example.safetensors");
       }
@@ -73,8 +75,9 @@
 
    <name>.bias [outputs] belongs to every dense and convolution layer unless "bias":false stands in the list. Weights are
    F64, F32, F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]; of a transposed convolution [channels], its weights' first
-   dimension): weight = scale x integer. Convolutions are correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2 zeros in front, rounded down, and as many
-   behind as make ceil(size / stride) outputs. "extra" is PyTorch's output_padding. "activation": linear (default), relu,
+   dimension): weight = scale x integer. Convolutions are correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2
+   zeros in front, rounded down, and as many behind as make ceil(size / stride) outputs. "extra" is PyTorch's output_padding.
+   "activation": linear (default), relu,
    leaky_relu (slope alpha, 0.01), elu (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels evaluates
    the rest of the list once for each of its lists of input indices and puts the outputs one after the other: one small
    network for the red, green and blue of a scene without colours of its own. examples/export_torch.py saves PyTorch and
@@ -93,8 +96,8 @@
    A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights and of dense
    layers of up to two million weights and 16384 inputs, the first eight million of a network; float copies of F64 and of folded
    dense weights. Larger layers are read where they lie. The products allocate nothing when they are given a
-   workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples or directions at most: more run in blocks. Stack: below
-   32 kB, 64 kB when compiled without optimisation.
+   workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples or directions at most: more run in blocks. Stack:
+   below 32 kB, 64 kB when compiled without optimisation.
    No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ. options.parallel
    takes a thread pool; the work is cut by the problem alone.
    SSE2, AVX2, AVX-512 (with VNNI where there is) and NEON, chosen at load, capped by options.simd. MS_NO_SIMD: plain C.
@@ -491,8 +494,8 @@ MS_API ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_shader *shader
    Returns the length; 0 with error filled as by ms_nn_shader_layout. */
 MS_API size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, char *text, size_t capacity, ms_error *error);
 
-/* The weights' texture: for each dense layer, blocks of 4 outputs x 4 inputs (a texel holds 4 inputs of an output, 4 texels follow
-   for the outputs; zeros beyond the ends), inputs fastest; then its biases, 4 a texel.
+/* The weights' texture: for each dense layer, blocks of 4 outputs x 4 inputs (a texel holds 4 inputs of an output, 4 texels
+   follow for the outputs; zeros beyond the ends), inputs fastest; then its biases, 4 a texel.
    dtype   MS_NN_F16 or MS_NN_F32, in the host's order of bytes; I8 weights are multiplied by their scales
    out     [weight_rows][MS_NN_SHADER_WIDTH][4] elements
    MS_UNSUPPORTED as above, and a weight over 65504 in F16. */
@@ -513,8 +516,8 @@ MS_API ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, const float *x,
    share one R. */
 typedef struct ms_nn_collapse ms_nn_collapse;
 
-/* Makes R by a QR of sqrt(M) W in double precision (blocked Householder; parts joined in a fixed order); with weights by the Cholesky
-   factor of W' M W, some times as fast, unless a column of sqrt(M) W lies within 1e-4 of the others' span.
+/* Makes R by a QR of sqrt(M) W in double precision (blocked Householder; parts joined in a fixed order); with weights by the
+   Cholesky factor of W' M W, some times as fast, unless a column of sqrt(M) W lies within 1e-4 of the others' span.
    nn      its last layer must be dense and linear (MS_UNSUPPORTED); must outlive *c
    weight  [output size] >= 0, diagonal of M; NULL: all 1. Then R is read from the file's tensor
            "ms_nn.collapse" (F64, [h (h + 1) / 2], h = inputs of the last layer) if it is there
@@ -555,7 +558,8 @@ MS_API ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, d
    residual  [features + 1] out, channel by channel; the last is sqrt(rest) and does not depend on x
    jacobian  [features + 1][input size] out; NULL: not wanted
    workspace ms_nn_collapse_workspace_size(c, jacobian != NULL) bytes; NULL: from the allocator */
-MS_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace);
+MS_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian,
+                                         void *workspace);
 MS_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian);
 
 /* ---- low rank: a smaller last layer for the inputs that matter ------------------------------------------------- */
@@ -570,7 +574,8 @@ typedef struct ms_nn_low_rank ms_nn_low_rank;
    x        [samples][input size]
    peak     the largest output, for PSNR: 10 log10(peak^2 / mean square error); 0: 1
    About 10 features^3 multiply-adds. */
-MS_API ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak, ms_nn_low_rank **low_rank,
+MS_API ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak,
+                                       ms_nn_low_rank **low_rank,
                                           ms_error *error);
 MS_API void ms_nn_low_rank_destroy(ms_nn_low_rank *low_rank); /* NULL is allowed */
 
@@ -583,7 +588,8 @@ MS_API int ms_nn_low_rank_for(const ms_nn_low_rank *low_rank, double psnr_db);
 /* Writes the file of the smaller network: the last dense layer becomes two, "<name>.low" and "<name>".
    rank   1 to the number of features
    dtype  of their weights: F32, F16 or BF16 */
-MS_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error);
+MS_API ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink,
+                                      ms_error *error);
 #endif /* MS_NN_NO_COLLAPSE */
 
 #ifdef __cplusplus
@@ -1108,7 +1114,8 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #endif
 
 /* The implementation, in the order of the data:
-   bytes, sorting, JSON, file, writer, layer list, plan, run, products, queries, GPU text, stdio, collapse, low rank, levels, kernels */
+   bytes, sorting, JSON, file, writer, layer list, plan, run, products, queries, GPU text, stdio, collapse, low rank, levels,
+   kernels */
 
 /* Reading, writing and planning are compiled for size. */
 #if defined(__GNUC__) || defined(__clang__)
@@ -1302,7 +1309,10 @@ static MS_NN__COLD int ms_nn__hex4(const unsigned char *p, const unsigned char *
     if (end - p < 4) return 0;
     for (i = 0; i < 4; ++i) {
         unsigned char c = p[i];
-        int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+        int digit = c >= '0' && c <= '9' ? c - '0'
+            : c >= 'a' && c <= 'f'       ? c - 'a' + 10
+            : c >= 'A' && c <= 'F'       ? c - 'A' + 10
+                                         : -1;
         if (digit < 0) return 0;
         *value = *value * 16 + (uint32_t)digit;
     }
@@ -1589,7 +1599,8 @@ static MS_NN__COLD ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start,
         const ms_nn__record *r = &f->record[f->by_data[i]];
         if (r->begin != end)
             return ms__fail(error, MS_BAD_DATA, r->position,
-                            r->begin > end ? "a hole of %z bytes before tensor '%s'" : "%z bytes of tensor '%s' overlap another one",
+                            r->begin > end ? "a hole of %z bytes before tensor '%s'"
+                                           : "%z bytes of tensor '%s' overlap another one",
                             r->begin > end ? r->begin - end : end - r->begin, r->tensor.name);
         end = r->end;
     }
@@ -1848,7 +1859,8 @@ static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, siz
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "the rank of tensor '%s' must be 0 to 32", t->name);
         for (d = 0; d < t->rank; ++d) bits = ms__size_mul(bits, t->shape[d]);
         if (bits == SIZE_MAX || bits % 8 || bits / 8 != t->bytes || (t->data == NULL && t->bytes))
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "tensor '%s': dtype and shape do not make %z bytes", t->name, t->bytes);
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "tensor '%s': dtype and shape do not make %z bytes", t->name,
+                            t->bytes);
         total = ms__size_add(total, t->bytes);
         order[i] = i;
     }
@@ -1869,8 +1881,8 @@ static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, siz
     return MS_OK;
 }
 
-static MS_NN__COLD void ms_nn__write_header(ms_nn__writer *w, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
-                                size_t entries, const size_t *order)
+static MS_NN__COLD void ms_nn__write_header(ms_nn__writer *w, const ms_nn_tensor *tensors, size_t count,
+                                            const ms_nn_entry *metadata, size_t entries, const size_t *order)
 {
     size_t i, offset = 0;
     int d;
@@ -1916,7 +1928,10 @@ MS_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_
     ms_nn__writer w;
     ms_status status;
     if ((tensors == NULL && count != 0) || (metadata == NULL && entries != 0) || sink.write == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", sink.write == NULL ? "sink.write" : tensors == NULL && count != 0 ? "tensors" : "metadata");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL",
+                        sink.write == NULL                  ? "sink.write"
+                            : tensors == NULL && count != 0 ? "tensors"
+                                                            : "metadata");
     order = (size_t *)ms__alloc(allocator, order_bytes);
     if (order == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to sort %z tensors", count);
     status = ms_nn__write_check(tensors, count, metadata, entries, order, error);
@@ -1981,7 +1996,8 @@ typedef struct ms_nn__field {
 #define MS_NN__TRANSPOSED (MS_NN__BIT(MS_NN__TRANSPOSED1D) | MS_NN__BIT(MS_NN__TRANSPOSED2D))
 #define MS_NN__CONVS (MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D) | MS_NN__TRANSPOSED)
 #define MS_NN__WEIGHTED (MS_NN__BIT(MS_NN__DENSE) | MS_NN__CONVS)
-#define MS_NN__POOLS (MS_NN__BIT(MS_NN__POOL1D) | MS_NN__BIT(MS_NN__POOL2D) | MS_NN__BIT(MS_NN__AVERAGE1D) | MS_NN__BIT(MS_NN__AVERAGE2D))
+#define MS_NN__POOLS \
+    (MS_NN__BIT(MS_NN__POOL1D) | MS_NN__BIT(MS_NN__POOL2D) | MS_NN__BIT(MS_NN__AVERAGE1D) | MS_NN__BIT(MS_NN__AVERAGE2D))
 #define MS_NN__UPSAMPLES (MS_NN__BIT(MS_NN__UPSAMPLE1D) | MS_NN__BIT(MS_NN__UPSAMPLE2D))
 #define MS_NN__ACTIVATED (MS_NN__WEIGHTED | MS_NN__BIT(MS_NN__ACTIVATE) | MS_NN__BIT(MS_NN__ADD))
 
@@ -2148,21 +2164,25 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
                 if (f == 0)
                     for (kind = 0; kind < (int)MS_NN__KINDS; ++kind)
                         if (ms_nn__is(&text, ms_nn__kind_name[kind])) break;
-                if (status == MS_OK && kind == (int)MS_NN__KINDS) return ms_nn__bad_word(j, key_at, "unknown type '%s'", text.head);
+                if (status == MS_OK && kind == (int)MS_NN__KINDS)
+                    return ms_nn__bad_word(j, key_at, "unknown type '%s'", text.head);
                 break;
             case MS_NN__COUNTS:
             case MS_NN__SIZES: {
                 size_t counts[2] = {0, 0};
                 status = ms_nn__json_counts(j, counts);
-                if (status == MS_OK && (counts[0] > INT_MAX || counts[1] > INT_MAX)) return ms_nn__bad_word(j, key_at, "the size '%s' is too large", key.head);
-                if (status == MS_OK && ms_nn__field_list[f].kind == MS_NN__COUNTS && (counts[0] == 0 || counts[1] == 0)) return ms_nn__bad_word(j, key_at, "the size '%s' must not be 0", key.head);
+                if (status == MS_OK && (counts[0] > INT_MAX || counts[1] > INT_MAX))
+                    return ms_nn__bad_word(j, key_at, "the size '%s' is too large", key.head);
+                if (status == MS_OK && ms_nn__field_list[f].kind == MS_NN__COUNTS && (counts[0] == 0 || counts[1] == 0))
+                    return ms_nn__bad_word(j, key_at, "the size '%s' must not be 0", key.head);
                 memcpy(at, counts, sizeof counts);
                 break;
             }
             case MS_NN__REAL: {
                 double real = 0;
                 status = ms_nn__json_real(j, &real);
-                if (status == MS_OK && !(real >= 0 && real <= 1e30)) return ms_nn__bad_word(j, key_at, "'%s' must not be negative or above 1e30", key.head);
+                if (status == MS_OK && !(real >= 0 && real <= 1e30))
+                    return ms_nn__bad_word(j, key_at, "'%s' must not be negative or above 1e30", key.head);
                 memcpy(at, &real, sizeof real);
                 break;
             }
@@ -2171,7 +2191,8 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
                 ms_nn__space(j);
                 yes = j->end - j->p >= 4 && memcmp(j->p, "true", 4) == 0;
                 flag = yes ? 1 : 2;
-                if (!yes && !(j->end - j->p >= 5 && memcmp(j->p, "false", 5) == 0)) return ms_nn__bad(j, "expected true or false");
+                if (!yes && !(j->end - j->p >= 5 && memcmp(j->p, "false", 5) == 0))
+                    return ms_nn__bad(j, "expected true or false");
                 j->p += yes ? 4 : 5;
                 memcpy(at, &flag, sizeof flag);
             }
@@ -2183,8 +2204,8 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
     if (kind < 0) return ms_nn__bad(j, "the layer has no type");
     for (f = 0; f < FIELDS; ++f)
         if ((seen & 1u << f) && !(ms_nn__field_list[f].layers & 1u << kind))
-            return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at, "the field '%s' does not belong to a layer of type %s", ms_nn__field_list[f].key,
-                            ms_nn__kind_name[kind]);
+            return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at, "the field '%s' does not belong to a layer of type %s",
+                            ms_nn__field_list[f].key, ms_nn__kind_name[kind]);
     if (inputs != (kind == (int)MS_NN__SHARED)) return ms_nn__bad(j, "inputs and shared_channels belong together");
     if (l->layers == MS_NN_MAX_LAYERS) return ms_nn__bad(j, "more than 4096 layers");
     if (l->spec) {
@@ -2234,7 +2255,8 @@ static MS_NN__COLD ms_status ms_nn__shape_read(ms_nn_shape *shape, const char *t
         if (shape->rank == 3) return ms_nn__bad(&j, "ms_nn_input has more than three sizes");
         if ((status = ms_nn__json_size(&j, &shape->size[shape->rank])) != MS_OK) return status;
         total = ms__size_mul(total, shape->size[shape->rank]);
-        if (shape->size[shape->rank++] == 0 || total > SIZE_MAX / 64) return ms_nn__bad(&j, "a size in ms_nn_input is 0 or too large");
+        if (shape->size[shape->rank++] == 0 || total > SIZE_MAX / 64)
+            return ms_nn__bad(&j, "a size in ms_nn_input is 0 or too large");
         if ((status = ms_nn__json_more(&j, ']', &more)) != MS_OK) return status;
     }
     ms_nn__space(&j);
@@ -2250,8 +2272,9 @@ typedef struct ms_nn__dims {
 
 static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
 
-/* A dense layer's matrix where it lies. Rows are cols elements long without padding. One that a cache may hold is there once more, as the
-   level in use likes it: in panels of two vectors of rows, [panel][column][row of the panel], zeros behind the last row. */
+/* A dense layer's matrix where it lies. Rows are cols elements long without padding. One that a cache may hold is there once
+   more, as the level in use likes it: in panels of two vectors of rows, [panel][column][row of the panel], zeros behind the
+   last row. */
 typedef struct ms_nn__matrix {
     const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
     ms_nn_dtype dtype;                     /* F32, F16, BF16, I8 */
@@ -2386,14 +2409,14 @@ static const unsigned char *ms_nn__floats(ms_nn *nn, const ms_nn_tensor *t)
     return (const unsigned char *)copy;
 }
 
-/* The weights of a layer; sizes that the layer list leaves open (0 in shape) are read from the tensor. turned: groups of a transposed
-   convolution, whose outputs are the second dimension; 0: the first. */
+/* The weights of a layer; sizes that the layer list leaves open (0 in shape) are read from the tensor. turned: groups of a
+   transposed convolution, whose outputs are the second dimension; 0: the first. */
 typedef struct ms_nn__weights {
     const ms_nn_tensor *weight, *bias, *scale;
 } ms_nn__weights;
 
-static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape, size_t turned, ms_nn_layer *info,
-                                                 ms_nn__weights *w, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape, size_t turned,
+                                                 ms_nn_layer *info, ms_nn__weights *w, ms_error *error)
 {
     const ms_nn_tensor *part[3];
     ms_status status;
@@ -2404,7 +2427,8 @@ static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *s
     for (i = 0; i < rank; ++i) shape[i] = w->weight->shape[i];
     outs = turned ? ms__size_mul(shape[1], turned) : shape[0];
     if ((status = ms_nn__tensor(nn, spec->name, "bias", 1, &outs, spec->bias != 2, &w->bias, error)) != MS_OK) return status;
-    if ((status = ms_nn__tensor(nn, spec->name, "weight_scale", 1, shape, w->weight->dtype == MS_NN_I8, &w->scale, error)) != MS_OK)
+    if ((status = ms_nn__tensor(nn, spec->name, "weight_scale", 1, shape, w->weight->dtype == MS_NN_I8, &w->scale, error)) !=
+        MS_OK)
         return status;
     if (spec->bias == 2 && w->bias) return ms__fail(error, MS_BAD_DATA, 0, "layer '%s' says bias false but has one", spec->name);
     if (w->scale && w->weight->dtype != MS_NN_I8)
@@ -2435,12 +2459,12 @@ static double ms_nn__weight_at(const ms_nn__weights *w, size_t row, size_t i)
 
 static int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m);
 
-/* Dense weights where they lie, small ones packed too; F64 as a float copy; on big-endian hosts F32 as a copy in native order (the scalar
-   kernels, which are all that those have, read the other types byte by byte). With fold > 1 the columns of the
+/* Dense weights where they lie, small ones packed too; F64 as a float copy; on big-endian hosts F32 as a copy in native order
+   (the scalar kernels, which are all that those have, read the other types byte by byte). With fold > 1 the columns of the
    fold_h x fold_w positions that one low-resolution element was copied to are added up (in double, rounded once):
    W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
-static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t fold[2], ms_nn__dims low,
-                                   int last, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t fold[2],
+                                               ms_nn__dims low, int last, ms_error *error)
 {
     ms_nn__matrix *m = &op->matrix;
     size_t rows = w->weight->shape[0], cols = w->weight->shape[1], folds = fold[0] * fold[1], r, c, y, x, i;
@@ -2455,7 +2479,8 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const m
         m->w = (const unsigned char *)copy;
         m->dtype = MS_NN_F32;
         for (r = 0; r < rows; ++r) {
-            const unsigned char *row = (const unsigned char *)w->weight->data + r * cols * (size_t)(ms_nn__bits(w->weight->dtype) / 8);
+            const unsigned char *row =
+                (const unsigned char *)w->weight->data + r * cols * (size_t)(ms_nn__bits(w->weight->dtype) / 8);
             for (i = 0; i < low.h * low.w; ++i) {
                 size_t at = i / low.w * fold[0] * low.w * fold[1] + i % low.w * fold[1]; /* its first copy */
                 for (c = 0; c < low.c; ++c) {
@@ -2475,9 +2500,12 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const m
     } else if (m->dtype == MS_NN_F32 && (m->w = ms_nn__floats(nn, w->weight)) == NULL) {
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
     }
-    if (w->bias && (m->bias = ms_nn__floats(nn, w->bias)) == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a bias");
-    if (w->scale && (m->scale = ms_nn__floats(nn, w->scale)) == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for scales");
-    if (!ms_nn__pack_dense(nn, m)) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
+    if (w->bias && (m->bias = ms_nn__floats(nn, w->bias)) == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a bias");
+    if (w->scale && (m->scale = ms_nn__floats(nn, w->scale)) == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for scales");
+    if (!ms_nn__pack_dense(nn, m))
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
     return MS_OK;
 }
 
@@ -2516,7 +2544,8 @@ static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, siz
 /* Geometry of the padded input of a strip: as many rows and columns as its outputs see. */
 static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 {
-    size_t s = v->stride[1], w = (v->out.w - 1) * s + (v->kernel[1] - 1) * v->spread[1] + 1, rows = v->pairs ? 1 : v->kernel[0], fit, y, x;
+    size_t s = v->stride[1], w = (v->out.w - 1) * s + (v->kernel[1] - 1) * v->spread[1] + 1, rows = v->pairs ? 1 : v->kernel[0],
+           fit, y, x;
     size_t high = (v->kernel[0] - 1) * v->spread[0] + 1;
     size_t *offset = (size_t *)ms_nn__hold(nn, ms__size_mul(rows, v->kernel[1]), sizeof(size_t));
     v->pitch = v->out.w == 0 ? 0 : (w + s - 1) / s * s; /* 0: a phase without outputs */
@@ -2529,7 +2558,8 @@ static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
     v->taps = rows * v->kernel[1];
     v->offset = offset;
     for (y = 0; offset && y < rows; ++y)
-        for (x = 0; x < v->kernel[1]; ++x) *offset++ = y * v->spread[0] * v->pitch + x * v->spread[1] % s * (v->pitch / s) + x * v->spread[1] / s;
+        for (x = 0; x < v->kernel[1]; ++x)
+            *offset++ = y * v->spread[0] * v->pitch + x * v->spread[1] % s * (v->pitch / s) + x * v->spread[1] / s;
     return offset != NULL;
 }
 
@@ -2559,7 +2589,8 @@ static const float *ms_nn__pack_pairs(ms_nn *nn, const ms_nn__taps *t, size_t ou
                 for (o = 0; o < block; ++o) {
                     float *p = packed + b * 4 * part + (c * t->taps_w + x) * block + o;
                     int used = b * block + o < outs;
-                    double g0 = used ? ms_nn__tap(t, b * block + o, c, 0, x) : 0, g1 = used ? ms_nn__tap(t, b * block + o, c, 1, x) : 0;
+                    double g0 = used ? ms_nn__tap(t, b * block + o, c, 0, x) : 0,
+                           g1 = used ? ms_nn__tap(t, b * block + o, c, 1, x) : 0;
                     double g2 = used ? ms_nn__tap(t, b * block + o, c, 2, x) : 0;
                     p[0] = (float)g0;
                     p[part] = (float)((g0 + g1 + g2) / 2);
@@ -2577,8 +2608,9 @@ static MS_NN__COLD int ms_nn__in_pairs(const ms_nn__conv *v)
 
 /* The convolutions of an operation, forward and backward, one pair a phase. op->in is the shape before the
    upsampling by factor that is folded in (1: none). */
-static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t kernel[2], const size_t stride[2],
-                                  const size_t pad[2], const size_t spread[2], size_t factor, size_t block, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t kernel[2],
+                                              const size_t stride[2], const size_t pad[2], const size_t spread[2],
+                                              size_t factor, size_t block, ms_error *error)
 {
     size_t p, g, outs = op->out.c / op->groups, ins = op->in.c / op->groups, blocks = (outs + block - 1) / block * block, o, n;
     float *bias = (float *)ms_nn__hold(nn, ms__size_mul(op->groups, blocks), sizeof(float));
@@ -2586,10 +2618,12 @@ static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms
     op->phases = (int)factor;
     op->forward = (ms_nn__conv *)ms_nn__hold(nn, ms__size_mul(op->groups, factor), sizeof(ms_nn__conv));
     op->backward = (ms_nn__conv *)ms_nn__hold(nn, ms__size_mul(op->groups, factor), sizeof(ms_nn__conv));
-    if (!bias || !zeros || !op->forward || !op->backward) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
+    if (!bias || !zeros || !op->forward || !op->backward)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
     for (g = 0; g < op->groups; ++g)
         for (o = 0; o < blocks; ++o)
-            bias[g * blocks + o] = w->bias && o < outs ? ms_nn__narrow(ms_nn__element(w->bias->data, w->bias->dtype, g * outs + o)) : 0.0f;
+            bias[g * blocks + o] =
+                w->bias && o < outs ? ms_nn__narrow(ms_nn__element(w->bias->data, w->bias->dtype, g * outs + o)) : 0.0f;
     for (o = 0; o < op->in.c + block; ++o) zeros[o] = 0;
     for (n = 0; n < op->groups * factor; ++n) {
         ms_nn__conv *f = &op->forward[n], *b = &op->backward[n];
@@ -2644,7 +2678,8 @@ static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms
         b->pairs = ms_nn__in_pairs(b);
         b->packed = (b->pairs ? ms_nn__pack_pairs : ms_nn__pack)(nn, &t, ins, outs, block);
         b->bias = zeros;
-        if (!f->packed || !b->packed || !ms_nn__conv_geometry(nn, f) || !ms_nn__conv_geometry(nn, b)) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
+        if (!f->packed || !b->packed || !ms_nn__conv_geometry(nn, f) || !ms_nn__conv_geometry(nn, b))
+            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
     }
     return MS_OK;
 }
@@ -2700,8 +2735,11 @@ static MS_NN__COLD int ms_nn__foldable(const ms_nn__build *b, int i)
     if (s[i].mode && strcmp(s[i].mode, "nearest")) return 0;
     if (b->nn->options.no_folds || s[i].factor[0] * s[i].factor[1] > 16 || next == l->layers) return 0;
     for (k = i; k < l->layers; ++k)
-        if ((l->kind[k] == MS_NN__ADD || l->kind[k] == MS_NN__CONCAT) && s[k].from && s[i].name && strcmp(s[k].from, s[i].name) == 0) return 0;
-    if (l->kind[next] == MS_NN__CONV1D) return s[next].stride[0] <= 1 && s[next].dilation[0] <= 1 && s[next].groups[0] <= 1 && l->kind[i] == MS_NN__UPSAMPLE1D;
+        if ((l->kind[k] == MS_NN__ADD || l->kind[k] == MS_NN__CONCAT) && s[k].from && s[i].name &&
+            strcmp(s[k].from, s[i].name) == 0)
+            return 0;
+    if (l->kind[next] == MS_NN__CONV1D)
+        return s[next].stride[0] <= 1 && s[next].dilation[0] <= 1 && s[next].groups[0] <= 1 && l->kind[i] == MS_NN__UPSAMPLE1D;
     if (l->kind[next] != MS_NN__FLATTEN) return 0;
     for (k = i + 1; k < next; ++k)
         if (s[k].name) return 0;
@@ -2737,13 +2775,14 @@ static MS_NN__COLD ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_la
     return status;
 }
 
-/* Convolutions, and their transposes: a transpose runs as the gradient of the convolution from its outputs to its inputs, to which its
-   weights [inputs][outputs / groups][height][width] belong. */
+/* Convolutions, and their transposes: a transpose runs as the gradient of the convolution from its outputs to its inputs, to
+   which its weights [inputs][outputs / groups][height][width] belong. */
 static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
 {
     const ms_nn__spec *s = &b->list->spec[i];
     ms_nn__kind kind = b->list->kind[i];
-    int two = kind == MS_NN__CONV2D || kind == MS_NN__TRANSPOSED2D, turned = kind == MS_NN__TRANSPOSED1D || kind == MS_NN__TRANSPOSED2D, same, d;
+    int two = kind == MS_NN__CONV2D || kind == MS_NN__TRANSPOSED2D,
+        turned = kind == MS_NN__TRANSPOSED1D || kind == MS_NN__TRANSPOSED2D, same, d;
     size_t shape[4], kernel[2], stride[2], pad[2], spread[2], extent[2], reach, groups = s->groups[0] ? s->groups[0] : 1, n;
     ms_nn__weights w;
     ms_nn__dims out, in;
@@ -2755,12 +2794,14 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
         return ms__fail(error, MS_BAD_DATA, 0, "padding must be same or valid, not '%s'", s->padding);
     same = s->padding && s->padding[0] == 's';
     if (same && (s->zeros[0] || s->zeros[1])) return ms__fail(error, MS_BAD_DATA, 0, "padding same and zeros exclude each other");
-    if (b->now.c % groups || s->filters[0] % groups) return ms__fail(error, MS_BAD_DATA, 0, "its channels do not divide into %z groups", groups);
+    if (b->now.c % groups || s->filters[0] % groups)
+        return ms__fail(error, MS_BAD_DATA, 0, "its channels do not divide into %z groups", groups);
     shape[0] = turned ? b->now.c : s->filters[0];
     shape[1] = turned ? s->filters[0] / groups : b->now.c / groups;
     shape[2] = s->kernel[0];
     shape[3] = s->kernel[1];
-    if ((status = ms_nn__weights_find(b->nn, s, two ? 4 : 3, shape, turned ? groups : 0, info, &w, error)) != MS_OK) return status;
+    if ((status = ms_nn__weights_find(b->nn, s, two ? 4 : 3, shape, turned ? groups : 0, info, &w, error)) != MS_OK)
+        return status;
     out.c = turned ? ms__size_mul(shape[1], groups) : shape[0];
     if (out.c % groups) return ms__fail(error, MS_BAD_DATA, 0, "its channels do not divide into %z groups", groups);
     extent[0] = b->now.h;
@@ -2775,7 +2816,8 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
         if (reach > INT_MAX || extent[d] > INT_MAX) return ms__fail(error, MS_BAD_DATA, 0, "its kernel or input is too large");
         if (turned) {
             n = ms__size_add(ms__size_mul(extent[d] - 1, stride[d]), reach);
-            if (on && s->extra[at] >= stride[d] && s->extra[at] >= spread[d]) return ms__fail(error, MS_BAD_DATA, 0, "extra must be smaller than the stride or the dilation");
+            if (on && s->extra[at] >= stride[d] && s->extra[at] >= spread[d])
+                return ms__fail(error, MS_BAD_DATA, 0, "extra must be smaller than the stride or the dilation");
             if (on) n = ms__size_add(n, s->extra[at]);
             if (n <= 2 * pad[d] || n > INT_MAX) return ms__fail(error, MS_BAD_DATA, 0, "its output is empty or too large");
             extent[d] = n - 2 * pad[d];
@@ -2787,7 +2829,8 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
     }
     out.h = extent[0];
     out.w = extent[1];
-    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64) return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
+    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
+        return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     in = b->low;
     op = ms_nn__op_add(b, MS_NN__DO_CONV, i, out);
     op->groups = groups;
@@ -2810,7 +2853,9 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
         bias = (float *)ms_nn__hold(b->nn, ms__size_mul(groups, block), sizeof(float));
         if (status == MS_OK && bias == NULL) status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
         for (g = 0; status == MS_OK && g < groups; ++g) {
-            for (o = 0; o < block; ++o) bias[g * block + o] = w.bias && o < own ? ms_nn__narrow(ms_nn__element(w.bias->data, w.bias->dtype, g * own + o)) : 0.0f;
+            for (o = 0; o < block; ++o)
+                bias[g * block + o] =
+                    w.bias && o < own ? ms_nn__narrow(ms_nn__element(w.bias->data, w.bias->dtype, g * own + o)) : 0.0f;
             forward[g].bias = bias + g * block;
         }
         n = in.h * in.w;
@@ -2829,7 +2874,8 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
 {
     const ms_nn__spec *s = &b->list->spec[i];
     ms_nn__kind kind = b->list->kind[i];
-    int two = kind == MS_NN__UPSAMPLE2D || kind == MS_NN__POOL2D || kind == MS_NN__AVERAGE2D, smooth = 0, up = kind == MS_NN__UPSAMPLE1D || kind == MS_NN__UPSAMPLE2D, d;
+    int two = kind == MS_NN__UPSAMPLE2D || kind == MS_NN__POOL2D || kind == MS_NN__AVERAGE2D, smooth = 0,
+        up = kind == MS_NN__UPSAMPLE1D || kind == MS_NN__UPSAMPLE2D, d;
     const size_t *given = up ? s->factor : s->size;
     size_t size[2], stride[2], extent[2];
     ms_nn__dims out = b->now;
@@ -2852,7 +2898,8 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
         return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     b->now = out;
     if (up && s->mode && strcmp(s->mode, "nearest")) {
-        if (strcmp(s->mode, "linear")) return ms__fail(error, MS_BAD_DATA, 0, "mode must be nearest or linear, not '%s'", s->mode);
+        if (strcmp(s->mode, "linear"))
+            return ms__fail(error, MS_BAD_DATA, 0, "mode must be nearest or linear, not '%s'", s->mode);
         smooth = 1;
     } else if (up && s->corners == 1) {
         return ms__fail(error, MS_BAD_DATA, 0, "align_corners belongs to mode linear");
@@ -2862,7 +2909,12 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
         b->fold[1] = size[1];
         return MS_OK;
     }
-    op = ms_nn__op_add(b, smooth ? MS_NN__DO_LINEAR : up ? MS_NN__DO_UPSAMPLE : kind == MS_NN__AVERAGE1D || kind == MS_NN__AVERAGE2D ? MS_NN__DO_AVERAGE : MS_NN__DO_POOL, i, out);
+    op = ms_nn__op_add(b,
+                       smooth                                                     ? MS_NN__DO_LINEAR
+                           : up                                                   ? MS_NN__DO_UPSAMPLE
+                           : kind == MS_NN__AVERAGE1D || kind == MS_NN__AVERAGE2D ? MS_NN__DO_AVERAGE
+                                                                                  : MS_NN__DO_POOL,
+                       i, out);
     op->flag = s->corners == 1;
     op->size[0] = size[0];
     op->size[1] = size[1];
@@ -2909,15 +2961,18 @@ static MS_NN__COLD ms_status ms_nn__build_join(ms_nn__build *b, int i, ms_nn_lay
     if (s->from && strcmp(s->from, "input") == 0) from = 0;
     for (k = 0; k < i; ++k)
         if (s->from && b->list->spec[k].name && strcmp(s->from, b->list->spec[k].name) == 0) from = b->value[k];
-    if (from < 0) return ms__fail(error, MS_BAD_DATA, 0, "it %s '%s', which no layer before it is named", verb, s->from ? s->from : "");
+    if (from < 0)
+        return ms__fail(error, MS_BAD_DATA, 0, "it %s '%s', which no layer before it is named", verb, s->from ? s->from : "");
     other = from == 0 ? b->nn->inner : b->nn->op[from - 1].out;
     out = b->now;
     if (add ? ms_nn__count(other) != ms_nn__count(out) || (b->rank > 1 && (other.c != out.c || other.h != out.h))
             : other.h * other.w != out.h * out.w || (b->rank > 1 && other.h != out.h))
         return ms__fail(error, MS_BAD_DATA, 0, "it %s '%s', which has another shape", verb, s->from);
-    if (!add && s->order && !before && strcmp(s->order, "after")) return ms__fail(error, MS_BAD_DATA, 0, "order must be after or before, not '%s'", s->order);
+    if (!add && s->order && !before && strcmp(s->order, "after"))
+        return ms__fail(error, MS_BAD_DATA, 0, "order must be after or before, not '%s'", s->order);
     if (!add) out.c = ms__size_add(out.c, other.c);
-    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64) return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
+    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
+        return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     op = ms_nn__op_add(b, add ? MS_NN__DO_ADD : MS_NN__DO_CONCAT, i, out);
     op->skip = from;
     op->flag = before;
@@ -3015,7 +3070,8 @@ static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
     }
     for (v = 0; v < n; ++v) nn->slot[v] = owner[nn->slot[v]];
     nn->slots = at;
-    if (at == SIZE_MAX || nn->tapes == SIZE_MAX) return ms__fail(error, MS_UNSUPPORTED, 0, "the network's values exceed the address space");
+    if (at == SIZE_MAX || nn->tapes == SIZE_MAX)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "the network's values exceed the address space");
     return MS_OK;
 }
 
@@ -3039,7 +3095,8 @@ static MS_NN__COLD ms_status ms_nn__build_input(ms_nn__build *b, ms_error *error
         nn->channel_input = b->list->channel_input;
         for (i = 0; i < nn->channels * nn->channel_inputs; ++i)
             if (nn->channel_input[i] >= ms_nn__count(b->now))
-                return ms__fail(error, MS_BAD_DATA, 0, "shared_channels names input %z of %z", nn->channel_input[i], ms_nn__count(b->now));
+                return ms__fail(error, MS_BAD_DATA, 0, "shared_channels names input %z of %z", nn->channel_input[i],
+                                ms_nn__count(b->now));
         b->rank = 1;
         b->now.c = nn->channel_inputs;
         b->now.h = b->now.w = 1;
@@ -3080,12 +3137,14 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
     b.list = &l;
     b.block = ms_nn__block_of(nn->kernels);
     if ((status = ms_nn__build_input(&b, error)) != MS_OK)
-        return ms_nn__about(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[0].at), "layer 0, shared_channels", "");
+        return ms_nn__about(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[0].at), "layer 0, shared_channels",
+                            "");
     for (i = 0; i < l.layers; ++i)
         if ((status = ms_nn__build_layer(&b, i, error)) != MS_OK) {
             ms_error layer;
             ms__fail(&layer, MS_OK, 0, "layer %d, %s", i, nn->layer[i].type);
-            return ms_nn__about(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[i].at), layer.message, nn->layer[i].name);
+            return ms_nn__about(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[i].at), layer.message,
+                                nn->layer[i].name);
         }
     if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__DO_ACTIVATE, 0, b.low); /* nothing to do is a copy */
     nn->output = ms_nn__shape(b.now, b.rank);
@@ -3118,7 +3177,11 @@ static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *
     input = ms_nn_file_metadata(file, "ms_nn_input");
     layers = ms_nn_file_metadata(file, "ms_nn_layers");
     if (version == NULL || input == NULL || layers == NULL)
-        status = ms__fail(error, MS_BAD_DATA, 8, "the metadata lack %s; a network has ms_nn_version, ms_nn_input and ms_nn_layers", version == NULL ? "ms_nn_version" : input == NULL ? "ms_nn_input" : "ms_nn_layers");
+        status =
+            ms__fail(error, MS_BAD_DATA, 8, "the metadata lack %s; a network has ms_nn_version, ms_nn_input and ms_nn_layers",
+                     version == NULL     ? "ms_nn_version"
+                         : input == NULL ? "ms_nn_input"
+                                         : "ms_nn_layers");
     else if (strcmp(version, "1"))
         status = ms__fail(error, MS_UNSUPPORTED, 8, "ms_nn_version is '%s'; this release reads 1", version);
     else if (format && strcmp(format, "pt"))
@@ -3219,8 +3282,9 @@ static size_t ms_nn__bytes_of(ms_nn_dtype dtype) { return dtype == MS_NN_F32 ? 4
 
 static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->block; }
 
-/* Packs a matrix, unless it comes from memory rather than from a cache: one of over two million weights, or behind the first eight
-   million of a network; nor one of rows so long that their sums want more than two parts. Those are read where they lie, and I8 is summed
+/* Packs a matrix, unless it comes from memory rather than from a cache: one of over two million weights, or behind the first
+   eight million of a network; nor one of rows so long that their sums want more than two parts. Those are read where they lie,
+   and I8 is summed
    in integers, faster than it is widened. Nothing here depends on the batch, so that bits do not. 0: no memory. */
 static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
 {
@@ -3322,7 +3386,8 @@ static void ms_nn__digits_make(ms_nn__digits *digits, signed char *d, int32_t *s
         size_t end = ms_nn__min(cols, (run + 1) * MS_NN__RUN);
         int32_t total[3] = {0, 0, 0};
         for (i = run * MS_NN__RUN; i < end; ++i) {
-            int32_t q = (int32_t)((double)x[i] * factor + 1048576.5) - 1048576, low = ((q + 64) & 127) - 64, middle; /* 2^20: never negative */
+            int32_t q = (int32_t)((double)x[i] * factor + 1048576.5) - 1048576, low = ((q + 64) & 127) - 64,
+                    middle; /* 2^20: never negative */
             q = (q - low) / 128;
             middle = ((q + 64) & 127) - 64;
             q = (q - middle) / 128;
@@ -3337,7 +3402,8 @@ static void ms_nn__digits_make(ms_nn__digits *digits, signed char *d, int32_t *s
     }
 }
 
-static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y, int linear, void *scratch)
+static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y, int linear,
+                                         void *scratch)
 {
     const ms_nn__matrix *m = &op->matrix;
     ms_nn__dense job;
@@ -3402,11 +3468,14 @@ static size_t ms_nn__padded_rows(const ms_nn *nn, const ms_nn__matrix *m)
 static size_t ms_nn__back_floats(const ms_nn *nn, const ms_nn__matrix *m, size_t count)
 {
     size_t parts = ms_nn__back_parts(m);
-    return m->packed ? ms__size_mul(ms_nn__padded_rows(nn, m), count) : parts > 1 ? ms__size_mul(ms__size_mul(parts, count), m->cols) : 0;
+    return m->packed ? ms__size_mul(ms_nn__padded_rows(nn, m), count)
+        : parts > 1  ? ms__size_mul(ms__size_mul(parts, count), m->cols)
+                     : 0;
 }
 
 /* The gradients of packed rows are multiplied by the rows' scales first, zeros behind the last. */
-static MS_NN__COLD void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *op, int batch, const float *g_y, float *g_x, void *scratch)
+static MS_NN__COLD void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *op, int batch, const float *g_y, float *g_x,
+                                              void *scratch)
 {
     const ms_nn__matrix *m = &op->matrix;
     size_t parts = ms_nn__back_parts(m), n = (size_t)batch * m->cols, p, i;
@@ -3424,7 +3493,8 @@ static MS_NN__COLD void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *
             for (i = 0; i < m->rows; ++i) padded[i] = g_y[b * m->rows + i] * (m->scale ? ms_nn__float_at(m->scale, i) : 1.0f);
             for (; i < rows; ++i) padded[i] = 0;
         }
-        job.chunk_cols = ms_nn__min(MS_NN__TASK_BYTES / (rows * ms_nn__bytes_of(m->packed_dtype)), MS_NN__TASK_PRODUCTS / (rows * (size_t)batch));
+        job.chunk_cols = ms_nn__min(MS_NN__TASK_BYTES / (rows * ms_nn__bytes_of(m->packed_dtype)),
+                                    MS_NN__TASK_PRODUCTS / (rows * (size_t)batch));
         job.chunk_cols = (job.chunk_cols / 64 + 1) * 64;
         ms_nn__chunks(nn, m->cols, &job.chunk_cols, ms_nn__packed_back_task, &job);
         return;
@@ -3508,11 +3578,13 @@ static void ms_nn__run_conv(const ms_nn *nn, ms_nn__conv_job *job)
 }
 
 /* All groups and phases of a sample; back: from the gradient of the outputs to that of the inputs. */
-static MS_NN__COLD void ms_nn__conv_all(const ms_nn *nn, const ms_nn__op *op, const float *from, float *to, int linear, int back, void *scratch)
+static MS_NN__COLD void ms_nn__conv_all(const ms_nn *nn, const ms_nn__op *op, const float *from, float *to, int linear,
+                                        int back, void *scratch)
 {
     size_t in = op->in.h * op->in.w, out = op->out.h * op->out.w, phases = (size_t)op->phases, n;
     for (n = 0; n < phases * op->groups; ++n) {
-        size_t p = n % phases, at = n / phases * (op->in.c / op->groups) * in, end = n / phases * (op->out.c / op->groups) * out + p;
+        size_t p = n % phases, at = n / phases * (op->in.c / op->groups) * in,
+               end = n / phases * (op->out.c / op->groups) * out + p;
         ms_nn__conv_job job;
         if (op->forward[n].out.w == 0) continue;
         memset(&job, 0, sizeof job);
@@ -3609,11 +3681,12 @@ static void ms_nn__run_upsample_back(const ms_nn__op *op, const float *g_y, floa
             for (j = 0; j < op->out.w; ++j) g_x[(c * op->in.h + i / op->size[0]) * op->in.w + j / op->size[1]] += *g_y++;
 }
 
-/* Linear interpolation along one axis: output i stands between inputs at and at + 1 (the last repeats), at the share of the second.
-   PyTorch's two rules: centers of elements, or corners, in line. */
+/* Linear interpolation along one axis: output i stands between inputs at and at + 1 (the last repeats), at the share of the
+   second. PyTorch's two rules: centers of elements, or corners, in line. */
 static MS_NN__COLD float ms_nn__between(size_t i, size_t in, size_t out, int corners, size_t *at)
 {
-    double x = corners ? (out > 1 ? (double)i * (double)(in - 1) / (double)(out - 1) : 0.0) : ((double)i + 0.5) * (double)in / (double)out - 0.5;
+    double x = corners ? (out > 1 ? (double)i * (double)(in - 1) / (double)(out - 1) : 0.0)
+                       : ((double)i + 0.5) * (double)in / (double)out - 0.5;
     if (x < 0) x = 0;
     *at = (size_t)x;
     if (*at + 1 >= in) {
@@ -3656,7 +3729,8 @@ static MS_NN__COLD void ms_nn__run_average(const ms_nn__op *op, float *x, float 
     for (c = 0; c < op->out.c; ++c)
         for (i = 0; i < op->out.h; ++i)
             for (j = 0; j < op->out.w; ++j, ++y) {
-                float *from = x + (c * op->in.h + i * op->stride[0]) * op->in.w + j * op->stride[1], part = (float)(share * (double)*y);
+                float *from = x + (c * op->in.h + i * op->stride[0]) * op->in.w + j * op->stride[1],
+                      part = (float)(share * (double)*y);
                 double sum = 0;
                 for (p = 0; p < op->size[0]; ++p)
                     for (q = 0; q < op->size[1]; ++q) {
@@ -3710,8 +3784,8 @@ static const float *ms_nn__input_value(const ms_nn__run *r, int v) { return v ==
 
 /* Applies operation k to count vectors. With point NULL they are points themselves; else directions, of which each
    point has `each`, and point and argument hold the operation's input and what its activation is applied to there. */
-static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, const float *skip, float *y, const float *point,
-                         const float *argument, size_t each, void *scratch)
+static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, const float *skip, float *y,
+                                     const float *point, const float *argument, size_t each, void *scratch)
 {
     const ms_nn__op *op = &nn->op[k];
     size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
@@ -3752,8 +3826,8 @@ static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const
 }
 
 /* g_x = J_k' g_y at the points; g_y is used up. */
-static MS_NN__COLD void ms_nn__apply_back(const ms_nn *nn, int k, size_t count, float *g_y, float *g_x, float *g_skip, const float *point,
-                              const float *argument, size_t each, void *scratch)
+static MS_NN__COLD void ms_nn__apply_back(const ms_nn *nn, int k, size_t count, float *g_y, float *g_x, float *g_skip,
+                                          const float *point, const float *argument, size_t each, void *scratch)
 {
     const ms_nn__op *op = &nn->op[k];
     size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
@@ -3794,7 +3868,8 @@ static MS_NN__COLD void ms_nn__run_forward(const ms_nn__run *r)
         float *y = ms_nn__value(r, k + 1);
         size_t kept = r->place == r->nn->tape ? r->nn->before[k + 1] : SIZE_MAX;
         float *to = kept == SIZE_MAX ? y : r->values + kept * r->points;
-        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, op->skip), to, NULL, NULL, kept == SIZE_MAX, r->scratch);
+        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, op->skip), to, NULL, NULL,
+                     kept == SIZE_MAX, r->scratch);
         if (to == y) continue;
         memcpy(y, to, r->points * ms_nn__count(op->out) * sizeof(float));
         r->nn->kernels->activate(y, r->points * ms_nn__count(op->out), op->activation, op->alpha);
@@ -3874,7 +3949,8 @@ typedef struct ms_nn__layout {
 static size_t ms_nn__piece(size_t *total, size_t count, size_t floats)
 {
     size_t at = *total;
-    *total = ms__size_add(*total, ms__size_mul(ms__size_add(ms__size_mul(ms__size_mul(count, floats), sizeof(float)) / 64, 1), 64));
+    *total =
+        ms__size_add(*total, ms__size_mul(ms__size_add(ms__size_mul(ms__size_mul(count, floats), sizeof(float)) / 64, 1), 64));
     if (ms__size_mul(ms__size_mul(count, floats), sizeof(float)) == SIZE_MAX) *total = SIZE_MAX;
     return at;
 }
@@ -3946,8 +4022,8 @@ typedef struct ms_nn__call {
 
 static float *ms_nn__at(const ms_nn__call *call, size_t offset) { return (float *)(void *)(call->base + offset); }
 
-static MS_NN__COLD ms_status ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_product product, int count, const float *x, float *y,
-                              void *workspace)
+static MS_NN__COLD ms_status ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_product product, int count, const float *x,
+                                          float *y, void *workspace)
 {
     size_t points;
     memset(call, 0, sizeof *call);
@@ -3998,17 +4074,20 @@ MS_API MS_NN__COLD ms_status ms_nn_forward(const ms_nn *nn, int count, const flo
     ms_nn__call call;
     void *allocated;
     int at, n;
-    ms_status status = x == NULL || y == NULL ? MS_INVALID_ARGUMENT : ms_nn__lend(nn, MS_NN_FORWARD, count, &workspace, &allocated);
+    ms_status status =
+        x == NULL || y == NULL ? MS_INVALID_ARGUMENT : ms_nn__lend(nn, MS_NN_FORWARD, count, &workspace, &allocated);
     if (status != MS_OK) return status;
     for (at = 0; at < count && status == MS_OK; at += n) {
         n = (int)ms_nn__min((size_t)(count - at), ms_nn__together(nn, MS_NN_FORWARD));
-        status = ms_nn__begin(&call, nn, MS_NN_FORWARD, n, x + (size_t)at * ms_nn_input_size(nn), y + (size_t)at * ms_nn_output_size(nn), workspace);
+        status = ms_nn__begin(&call, nn, MS_NN_FORWARD, n, x + (size_t)at * ms_nn_input_size(nn),
+                              y + (size_t)at * ms_nn_output_size(nn), workspace);
     }
     ms_nn__give_back(nn, MS_NN_FORWARD, count, allocated);
     return status;
 }
 
-static MS_NN__COLD ms_status ms_nn__vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
+static MS_NN__COLD ms_status ms_nn__vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x,
+                                        void *workspace)
 {
     ms_nn__call call;
     ms_status status = ms_nn__begin(&call, nn, MS_NN_VJP, count, x, y, workspace);
@@ -4029,11 +4108,13 @@ static MS_NN__COLD ms_status ms_nn__vjp(const ms_nn *nn, int count, const float 
     return ms_nn__end(&call);
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x, void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x,
+                                       void *workspace)
 {
     void *allocated;
     int at, n;
-    ms_status status = x == NULL || g_y == NULL || g_x == NULL ? MS_INVALID_ARGUMENT : ms_nn__lend(nn, MS_NN_VJP, count, &workspace, &allocated);
+    ms_status status = x == NULL || g_y == NULL || g_x == NULL ? MS_INVALID_ARGUMENT
+                                                               : ms_nn__lend(nn, MS_NN_VJP, count, &workspace, &allocated);
     if (status != MS_OK) return status;
     for (at = 0; at < count && status == MS_OK; at += n) {
         size_t in = (size_t)at * ms_nn_input_size(nn), out = (size_t)at * ms_nn_output_size(nn);
@@ -4044,10 +4125,12 @@ MS_API MS_NN__COLD ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *
     return status;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy, void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy,
+                                       void *workspace)
 {
     ms_nn__call call;
-    ms_status status = dx == NULL || dy == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JVP, count, x, y, workspace);
+    ms_status status =
+        dx == NULL || dy == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JVP, count, x, y, workspace);
     size_t c, d, i, out, in, n, at, each;
     float *inner, *slots, *result;
     if (status != MS_OK) return status;
@@ -4081,7 +4164,8 @@ static MS_NN__COLD const float *ms_nn__slopes(const ms_nn__call *call, size_t *r
 {
     const ms_nn *nn = call->run.nn;
     size_t out = ms_nn__value_size(nn, nn->ops), each = call->layout.each, c, i;
-    float *slots = ms_nn__at(call, call->layout.slots), *dx = ms_nn__at(call, call->layout.dx), *dy = ms_nn__at(call, call->layout.dy);
+    float *slots = ms_nn__at(call, call->layout.slots), *dx = ms_nn__at(call, call->layout.dx),
+          *dy = ms_nn__at(call, call->layout.dy);
     float *units = call->layout.backward ? slots + nn->slot[nn->ops] * call->run.points * each : dx;
     memset(units, 0, call->run.points * each * each * sizeof(float));
     for (c = 0; c < call->run.points; ++c)
@@ -4109,7 +4193,8 @@ MS_API MS_NN__COLD ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, flo
         for (c = 0; c < nn->channels; ++c)
             for (o = 0; o < out; ++o)
                 for (i = 0; i < in; ++i)
-                    jacobian[(c * out + o) * input + nn->channel_input[c * in + i]] += slopes[c * out * in + o * row + i * column];
+                    jacobian[(c * out + o) * input + nn->channel_input[c * in + i]] +=
+                        slopes[c * out * in + o * row + i * column];
     } else if (call.layout.backward) {
         memcpy(jacobian, slopes, out * in * sizeof(float));
     } else {
@@ -4161,7 +4246,8 @@ MS_API MS_NN__COLD ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *erro
         if (tensor->dtype > MS_NN_BF16) continue; /* integers are finite */
         for (i = 0; i * width < tensor->bytes; ++i)
             if (!ms__finite(ms_nn__element(tensor->data, tensor->dtype, i)))
-                return ms__fail(error, MS_BAD_DATA, i, "element %z of '%s' is %g", i, tensor->name, ms_nn__element(tensor->data, tensor->dtype, i));
+                return ms__fail(error, MS_BAD_DATA, i, "element %z of '%s' is %g", i, tensor->name,
+                                ms_nn__element(tensor->data, tensor->dtype, i));
     }
     return MS_OK;
 }
@@ -4193,7 +4279,10 @@ typedef struct ms_nn__text {
    HLSL wants before a loop, $d the next number of n. */
 static MS_NN__COLD void ms_nn__say(ms_nn__text *t, const char *format, const size_t *n)
 {
-    static const char key[] = "vi4IL", word[3][5][11] = {{"vec4 ", "int ", "vec4", "int", ""}, {"float4 ", "int ", "float4", "int", "[loop] "}, {"var ", "var ", "vec4<f32>", "i32", ""}};
+    static const char key[] = "vi4IL",
+                      word[3][5][11] = {{"vec4 ", "int ", "vec4", "int", ""},
+                                        {"float4 ", "int ", "float4", "int", "[loop] "},
+                                        {"var ", "var ", "vec4<f32>", "i32", ""}};
     for (; *format; ++format) {
         char digits[24];
         const char *s = digits;
@@ -4242,20 +4331,27 @@ static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_sha
             ++dense;
             texels = ms__size_add(texels, ms_nn__texels(&op->matrix));
         } else if (!ms_nn__plain(op) || dense == 0 || op->in.h * op->in.w > 1 || !(op->alpha < 1000.0f)) {
-            return ms__fail(error, MS_UNSUPPORTED, 0, "layer %d, %s '%s', has no shader: only dense layers and, after them, activations and additions have", op->layer,
-                            layer->type, layer->name);
+            return ms__fail(
+                error, MS_UNSUPPORTED, 0,
+                "layer %d, %s '%s', has no shader: only dense layers and, after them, activations and additions have",
+                op->layer, layer->type, layer->name);
         }
     }
-    p->sizes.weight_rows = (int)(ms_nn__min(texels, (size_t)MS_NN_SHADER_WIDTH * MS_NN_SHADER_ROWS_MAX + 1) / MS_NN_SHADER_WIDTH + 1);
-    if (dense == 0 || p->sizes.weight_rows > MS_NN_SHADER_ROWS_MAX || nn->channels > MS_NN_SHADER_ROWS_MAX || ms_nn__value_size(nn, 0) > INT_MAX / 4)
-        return ms__fail(error, MS_UNSUPPORTED, 0, dense ? "the network is too large for a texture" : "the network has no dense layer");
+    p->sizes.weight_rows =
+        (int)(ms_nn__min(texels, (size_t)MS_NN_SHADER_WIDTH * MS_NN_SHADER_ROWS_MAX + 1) / MS_NN_SHADER_WIDTH + 1);
+    if (dense == 0 || p->sizes.weight_rows > MS_NN_SHADER_ROWS_MAX || nn->channels > MS_NN_SHADER_ROWS_MAX ||
+        ms_nn__value_size(nn, 0) > INT_MAX / 4)
+        return ms__fail(error, MS_UNSUPPORTED, 0,
+                        dense ? "the network is too large for a texture" : "the network has no dense layer");
     p->sizes.rows = (int)nn->channels;
     p->sizes.input_width = (int)ms_nn__fours(ms_nn__value_size(nn, 0));
     p->sizes.steps = s && s->steps ? s->steps : dense > 1 ? 2 : 1;
     if (s == NULL) return MS_OK;
-    if ((int)s->language < 0 || (int)s->language > (int)MS_NN_WGSL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "language %d is unknown", (int)s->language);
+    if ((int)s->language < 0 || (int)s->language > (int)MS_NN_WGSL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "language %d is unknown", (int)s->language);
     if (p->sizes.steps < 1 || p->sizes.steps > dense || s->step < 0 || s->step >= p->sizes.steps)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d of %d: the network has %d dense layers", s->step, p->sizes.steps, dense);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d of %d: the network has %d dense layers", s->step,
+                        p->sizes.steps, dense);
     last = dense - p->sizes.steps + s->step; /* the dense layer that the step ends with */
     for (i = 0; i < nn->ops && seen <= last + 1; ++i) {
         seen += nn->op[i].step == MS_NN__DO_DENSE;
@@ -4265,17 +4361,22 @@ static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_sha
     }
     for (k = p->first; k < p->end; ++k)
         if (nn->op[k].step == MS_NN__DO_ADD && nn->op[k].skip < p->first)
-            return ms__fail(error, MS_UNSUPPORTED, 0, "layer %d adds what a step before this one made: %d steps are too many", nn->op[k].layer, p->sizes.steps);
+            return ms__fail(error, MS_UNSUPPORTED, 0, "layer %d adds what a step before this one made: %d steps are too many",
+                            nn->op[k].layer, p->sizes.steps);
     p->sizes.input_width = (int)ms_nn__fours(ms_nn__value_size(nn, p->first));
     outputs = ms_nn__value_size(nn, p->end);
     p->sizes.target_width = (int)ms_nn__fours(outputs);
     if (s->step < p->sizes.steps - 1 || (s->width == 0 && s->height == 0)) return MS_OK;
     pixels = s->width > 0 && s->height > 0 ? ms__size_mul((size_t)s->width, (size_t)s->height) : 0;
     if (pixels == 0 || outputs % pixels || outputs / pixels * nn->channels > 4)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d x %d pixels: %z outputs are not one to four such planes", s->width, s->height, outputs * nn->channels);
-    if (p->sizes.steps == 1 && dense > 1) return ms__fail(error, MS_UNSUPPORTED, 0, "pictures of %d dense layers need two steps", dense);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d x %d pixels: %z outputs are not one to four such planes", s->width,
+                        s->height, outputs * nn->channels);
+    if (p->sizes.steps == 1 && dense > 1)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "pictures of %d dense layers need two steps", dense);
     for (k = p->first; k < p->end; ++k)
-        if (nn->op[k].step == MS_NN__DO_ADD) return ms__fail(error, MS_UNSUPPORTED, 0, "layer %d, an addition, stands behind the last dense layer: pictures have none", nn->op[k].layer);
+        if (nn->op[k].step == MS_NN__DO_ADD)
+            return ms__fail(error, MS_UNSUPPORTED, 0,
+                            "layer %d, an addition, stands behind the last dense layer: pictures have none", nn->op[k].layer);
     p->planes = (int)(outputs / pixels);
     p->sizes.target_width = s->width;
     return MS_OK;
@@ -4284,10 +4385,12 @@ static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_sha
 /* What stands before main: a language's first lines and its names for what is read; then for GLSL, HLSL and WGSL how. */
 static const char *const ms_nn__shader_names[5][2] = {
     {"#version 330\nuniform sampler2D ms_nn_weights, ms_nn_values;\n", "uniform vec4 ms_nn;\n"},
-    {"#version 300 es\nprecision highp float;\nprecision highp int;\nuniform highp sampler2D ms_nn_weights, ms_nn_values;\n", "uniform vec4 ms_nn;\n"},
+    {"#version 300 es\nprecision highp float;\nprecision highp int;\nuniform highp sampler2D ms_nn_weights, ms_nn_values;\n",
+     "uniform vec4 ms_nn;\n"},
     {"#version 450\nlayout(set = 0, binding = 1) uniform sampler2D ms_nn_weights;\nlayout(set = 0, binding = 2) uniform sampler2D ms_nn_values;\n",
      "layout(set = 0, binding = 0) uniform ms_nn_block { vec4 ms_nn; };\n"},
-    {"Texture2D<float4> ms_nn_weights : register(t0), ms_nn_values : register(t1);\n", "cbuffer ms_nn_block : register(b0) { float4 ms_nn; };\n"},
+    {"Texture2D<float4> ms_nn_weights : register(t0), ms_nn_values : register(t1);\n",
+     "cbuffer ms_nn_block : register(b0) { float4 ms_nn; };\n"},
     {"@group(0) @binding(1) var ms_nn_weights: texture_2d<f32>;\n@group(0) @binding(2) var ms_nn_values: texture_2d<f32>;\n",
      "@group(0) @binding(0) var<uniform> ms_nn: vec4<f32>;\n"}};
 static const char *const ms_nn__shader_main[3] = {
@@ -4303,9 +4406,14 @@ static const char *const ms_nn__shader_main[3] = {
 /* x becomes its activation; z is |x|, so that (x + z) / 2 is its positive part in every language. $d.$d: alpha, in millionths.
    The normal distribution: Abramowitz and Stegun 7.1.26, within 1.5e-7. */
 static const char *const ms_nn__shader_activation[] = {
-    "", "0.5 * (x + z)", "0.5 * (x + z) + $d.$d$d$d$d$d$d * 0.5 * (x - z)", "0.5 * (x + z) + $d.$d$d$d$d$d$d * (exp(0.5 * (x - z)) - 1.0)",
-    "sign(x) * (1.0 - exp(-2.0 * z)) / (1.0 + exp(-2.0 * z))", "0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z))",
-    "0.5 * (x + z) + log(1.0 + exp(-z))", "x * (0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z)))",
+    "",
+    "0.5 * (x + z)",
+    "0.5 * (x + z) + $d.$d$d$d$d$d$d * 0.5 * (x - z)",
+    "0.5 * (x + z) + $d.$d$d$d$d$d$d * (exp(0.5 * (x - z)) - 1.0)",
+    "sign(x) * (1.0 - exp(-2.0 * z)) / (1.0 + exp(-2.0 * z))",
+    "0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z))",
+    "0.5 * (x + z) + log(1.0 + exp(-z))",
+    "x * (0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z)))",
     "0.5 * (x + z) - z * exp(-0.5 * z * z) * t * (0.127414796 + t * (-0.142248368 + t * (0.7107068705 + t * (-0.7265760135 + t * 0.5307027145))))"};
 
 static MS_NN__COLD void ms_nn__say_activation(ms_nn__text *t, const ms_nn__op *op)
@@ -4313,7 +4421,10 @@ static MS_NN__COLD void ms_nn__say_activation(ms_nn__text *t, const ms_nn__op *o
     size_t n[7], millionths = (size_t)((double)op->alpha * 1e6 + 0.5), i;
     for (i = 6; i > 0; --i, millionths /= 10) n[i] = millionths % 10;
     n[0] = millionths;
-    ms_nn__say(t, op->activation == MS_NN__GELU ? "{ $v z = abs(x); $v t = 1.0 / (1.0 + 0.2316418882 * z); x = " : "{ $v z = abs(x); x = ", n);
+    ms_nn__say(t,
+               op->activation == MS_NN__GELU ? "{ $v z = abs(x); $v t = 1.0 / (1.0 + 0.2316418882 * z); x = "
+                                             : "{ $v z = abs(x); x = ",
+               n);
     ms_nn__say(t, ms_nn__shader_activation[op->activation], n);
     ms_nn__say(t, "; }\n", n);
 }
@@ -4333,11 +4444,19 @@ static MS_NN__COLD void ms_nn__say_dense(ms_nn__text *t, const ms_nn *nn, int fi
     ms_nn__say(t, k == first ? "$v a = value(j, row);\n" : "$v a = v$d[j];\n", n);
     n[0] = cols;
     n[1] = base;
-    ms_nn__say(t, "$i i = (u * $d + j) * 4 + $d;\nx = x + $4(dot(weight(i), a), dot(weight(i + 1), a), dot(weight(i + 2), a), dot(weight(i + 3), a));\n}\n", n);
+    ms_nn__say(
+        t,
+        "$i i = (u * $d + j) * 4 + $d;\nx = x + $4(dot(weight(i), a), dot(weight(i + 1), a), dot(weight(i + 2), a), dot(weight(i + 3), a));\n}\n",
+        n);
     for (; k < end; ++k) {
         const ms_nn__op *op = &nn->op[k];
         n[0] = (size_t)op->skip;
-        if (op->step == MS_NN__DO_ADD) ms_nn__say(t, op->skip == first ? "x = x + value(u, row);\n" : inner || op->skip <= start ? "x = x + v$d[u];\n" : "x = x + v$d;\n", n);
+        if (op->step == MS_NN__DO_ADD)
+            ms_nn__say(t,
+                       op->skip == first                ? "x = x + value(u, row);\n"
+                           : inner || op->skip <= start ? "x = x + v$d[u];\n"
+                                                        : "x = x + v$d;\n",
+                       n);
         if (op->activation != MS_NN__LINEAR) ms_nn__say_activation(t, op);
         n[0] = (size_t)k + 1;
         ms_nn__say(t, inner ? "v$d[u] = x;\n" : "$v v$d = x;\n", n);
@@ -4353,10 +4472,13 @@ static MS_NN__COLD void ms_nn__say_pixel(ms_nn__text *t, const ms_nn *nn, const 
     n[0] = n[4] = n[5] = (size_t)s->width;
     n[1] = n[3] = (size_t)s->height;
     n[2] = nn->channels;
-    ms_nn__say(t, "$i left = $I(position.x);\n$i top = $I(position.y);\nif (ms_nn.z > 0.0) { top = $I(ms_nn.z) - 1 - top; }\n"
-                  "$i column = left / $d;\n$i across = top / $d;\n$i picture = across * $I(ms_nn.x) + column;\n"
-                  "if (column >= $I(ms_nn.x) || picture >= $I(ms_nn.y)) { return $4(0.0, 0.0, 0.0, 0.0); }\n"
-                  "$i row = picture * $d;\n$i pixel = (top - across * $d) * $d + left - column * $d;\n$v x = $4(0.0, 0.0, 0.0, 0.0);\n", n);
+    ms_nn__say(
+        t,
+        "$i left = $I(position.x);\n$i top = $I(position.y);\nif (ms_nn.z > 0.0) { top = $I(ms_nn.z) - 1 - top; }\n"
+        "$i column = left / $d;\n$i across = top / $d;\n$i picture = across * $I(ms_nn.x) + column;\n"
+        "if (column >= $I(ms_nn.x) || picture >= $I(ms_nn.y)) { return $4(0.0, 0.0, 0.0, 0.0); }\n"
+        "$i row = picture * $d;\n$i pixel = (top - across * $d) * $d + left - column * $d;\n$v x = $4(0.0, 0.0, 0.0, 0.0);\n",
+        n);
     for (q = 0; q < planes; ++q) {
         n[0] = n[1] = n[3] = n[5] = q;
         n[2] = q * (size_t)s->width * (size_t)s->height;
@@ -4431,7 +4553,8 @@ static MS_NN__COLD void ms_nn__say_shader(ms_nn__text *t, const ms_nn *nn, const
     }
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_shader *shader, ms_nn_shader_sizes *sizes, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_shader *shader, ms_nn_shader_sizes *sizes,
+                                                 ms_error *error)
 {
     ms_nn__shader_step p;
     ms_status status;
@@ -4440,7 +4563,8 @@ MS_API MS_NN__COLD ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_sh
     return status;
 }
 
-MS_API MS_NN__COLD size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, char *text, size_t capacity, ms_error *error)
+MS_API MS_NN__COLD size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, char *text, size_t capacity,
+                                            ms_error *error)
 {
     ms_nn__shader_step p;
     ms_nn__text t;
@@ -4466,7 +4590,8 @@ MS_API MS_NN__COLD ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype d
     size_t size = dtype == MS_NN_F16 ? 2 : 4, r, c;
     int k, pass;
     if (status != MS_OK) return status;
-    if (out == NULL || (dtype != MS_NN_F16 && dtype != MS_NN_F32)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL, or dtype is neither F16 nor F32");
+    if (out == NULL || (dtype != MS_NN_F16 && dtype != MS_NN_F32))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL, or dtype is neither F16 nor F32");
     for (pass = 0; pass < 2; ++pass) { /* checks, then writes */
         if (pass) memset(out, 0, (size_t)p.sizes.weight_rows * MS_NN_SHADER_WIDTH * 4 * size);
         for (k = 0; k < nn->ops; ++k) {
@@ -4476,12 +4601,14 @@ MS_API MS_NN__COLD ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype d
             for (r = 0; r < m->rows; ++r)
                 for (c = 0; c <= m->cols; ++c) { /* behind the last column the bias */
                     size_t at = r * m->cols + c;
-                    float v = c == m->cols ? m->bias ? ms_nn__float_at(m->bias, r) : 0.0f
-                                           : m->dtype == MS_NN_F32 ? ms_nn__float_at(m->w, at) : (float)ms_nn__element(m->w, m->dtype, at);
+                    float v = c == m->cols      ? m->bias ? ms_nn__float_at(m->bias, r) : 0.0f
+                        : m->dtype == MS_NN_F32 ? ms_nn__float_at(m->w, at)
+                                                : (float)ms_nn__element(m->w, m->dtype, at);
                     uint16_t half;
                     if (c < m->cols && m->scale) v *= ms_nn__float_at(m->scale, r);
                     if (size == 2 && fabsf(v) > 65504.0f)
-                        return ms__fail(error, MS_UNSUPPORTED, 0, "a weight of '%s' is %g, more than F16 holds", nn->layer[nn->op[k].layer].name, (double)v);
+                        return ms__fail(error, MS_UNSUPPORTED, 0, "a weight of '%s' is %g, more than F16 holds",
+                                        nn->layer[nn->op[k].layer].name, (double)v);
                     if (!pass) continue;
                     q = c < m->cols ? (r / 4 * cols + c / 4) * 16 + r % 4 * 4 + c % 4 : ms_nn__fours(m->rows) * cols * 16 + r;
                     half = ms__half_from_float(v);
@@ -4502,7 +4629,9 @@ MS_API MS_NN__COLD ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, con
     width = 4 * ms_nn__fours(one);
     for (r = 0; r < (size_t)count * nn->channels; ++r, out += width)
         for (i = 0; i < width; ++i)
-            out[i] = i < one ? x[r / nn->channels * inputs + (nn->channel_input ? nn->channel_input[r % nn->channels * nn->channel_inputs + i] : i)] : 0.0f;
+            out[i] = i < one ? x[r / nn->channels * inputs +
+                                 (nn->channel_input ? nn->channel_input[r % nn->channels * nn->channel_inputs + i] : i)]
+                             : 0.0f;
     return MS_OK;
 }
 
@@ -4571,7 +4700,8 @@ MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_optio
     void *block = NULL;
     size_t size = 0, used;
     ms_status status;
-    if (path == NULL || file == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", path == NULL ? "path" : "file");
+    if (path == NULL || file == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", path == NULL ? "path" : "file");
     if (!o.copy) ms_nn__map(path, &mapped, &size);
     used = size;
     if (mapped == NULL && (status = ms_nn__slurp(path, &o, &block, &size, &used, error)) != MS_OK) return status;
@@ -4596,8 +4726,9 @@ MS_API MS_NN__COLD ms_status ms_nn_load_file(const char *path, const ms_nn_optio
     return status == MS_OK ? ms_nn__make(file, &o, nn, error) : status;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
-                                    size_t entries, const ms_allocator *allocator, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count,
+                                             const ms_nn_entry *metadata, size_t entries, const ms_allocator *allocator,
+                                             ms_error *error)
 {
     ms_nn_sink sink;
     ms__file file;
@@ -4694,7 +4825,8 @@ typedef struct ms_nn__qr_job {
 } ms_nn__qr_job;
 
 /* sqrt(m_i) w_i as column k of a block of `rows` columns. */
-static void ms_nn__qr_row(const ms_nn__matrix *m, const ms_nn__kernels *kernels, size_t i, double weight, double *row, double *b, size_t rows)
+static void ms_nn__qr_row(const ms_nn__matrix *m, const ms_nn__kernels *kernels, size_t i, double weight, double *row,
+                          double *b, size_t rows)
 {
     size_t k;
     kernels->row(m, i, sqrt(weight), row);
@@ -4704,12 +4836,14 @@ static void ms_nn__qr_row(const ms_nn__matrix *m, const ms_nn__kernels *kernels,
 static void ms_nn__qr_task(void *context, int index)
 {
     const ms_nn__qr_job *job = (const ms_nn__qr_job *)context;
-    size_t part = (size_t)index, h = job->m->cols, i = job->m->rows * part / job->parts, end = job->m->rows * (part + 1) / job->parts, n, k;
+    size_t part = (size_t)index, h = job->m->cols, i = job->m->rows * part / job->parts,
+           end = job->m->rows * (part + 1) / job->parts, n, k;
     double *r = job->r + part * h * h, *b = job->b + part * h * MS_NN__QR_ROWS;
     memset(r, 0, h * h * sizeof(double));
     while (i < end) {
         n = ms_nn__min(MS_NN__QR_ROWS, end - i);
-        for (k = 0; k < n; ++k) ms_nn__qr_row(job->m, job->kernels, i + k, (double)job->weight[i + k], job->row + part * h, b + k, n);
+        for (k = 0; k < n; ++k)
+            ms_nn__qr_row(job->m, job->kernels, i + k, (double)job->weight[i + k], job->row + part * h, b + k, n);
         ms_nn__qr_fold(job->kernels, r, h, b, n);
         i += n;
     }
@@ -4722,8 +4856,10 @@ static void ms_nn__qr_task(void *context, int index)
 static MS_NN__COLD void ms_nn__gram_task(void *context, int index)
 {
     const ms_nn__qr_job *job = (const ms_nn__qr_job *)context;
-    size_t part = (size_t)index, h = job->m->cols, i = job->m->rows * part / job->parts, end = job->m->rows * (part + 1) / job->parts, n = 0, j, k, l, q;
-    double *r = job->r + part * h * h, *b = job->b + part * h * MS_NN__GRAM_STRIDE, *row = job->row + part * 3 * h, *dots = row + h; /* dots: [h][2] */
+    size_t part = (size_t)index, h = job->m->cols, i = job->m->rows * part / job->parts,
+           end = job->m->rows * (part + 1) / job->parts, n = 0, j, k, l, q;
+    double *r = job->r + part * h * h, *b = job->b + part * h * MS_NN__GRAM_STRIDE, *row = job->row + part * 3 * h,
+           *dots = row + h; /* dots: [h][2] */
     memset(r, 0, h * h * sizeof(double));
     for (; i <= end; ++i) {
         if (n == MS_NN__GRAM_ROWS || (i == end && n > 0)) {
@@ -4735,7 +4871,8 @@ static MS_NN__COLD void ms_nn__gram_task(void *context, int index)
             }
             n = 0;
         }
-        if (i < end && job->weight[i] > 0) ms_nn__qr_row(job->m, job->kernels, i, (double)job->weight[i], row, b + n++, MS_NN__GRAM_STRIDE);
+        if (i < end && job->weight[i] > 0)
+            ms_nn__qr_row(job->m, job->kernels, i, (double)job->weight[i], row, b + n++, MS_NN__GRAM_STRIDE);
     }
 }
 
@@ -4852,7 +4989,8 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
     rows = last->matrix.rows;
     for (i = 0; weight && i < channels * rows; ++i)
         if (!ms__finite_f(weight[i]) || weight[i] < 0)
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g; it must be finite and not negative", i, (double)weight[i]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g; it must be finite and not negative", i,
+                            (double)weight[i]);
     square = ms__size_mul(h, h);
     triangle = ms__size_mul(h, h + 1) / 2;
     bytes = ms__size_mul(channels, ms__size_mul(ms__size_add(square, 2 * h), sizeof(double)));
@@ -4879,7 +5017,8 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
     if (stored && (stored->dtype != MS_NN_F64 || stored->bytes / 8 != triangle)) stored = NULL;
     for (i = 0; status == MS_OK && i < channels; ++i) {
         made->owner[i] = ms_nn__collapse_owner(made->weight, rows, i);
-        if (made->owner[i] == i && stored == NULL) status = ms_nn__collapse_factor(made, made->weight + i * rows, made->r + i * square, error);
+        if (made->owner[i] == i && stored == NULL)
+            status = ms_nn__collapse_factor(made, made->weight + i * rows, made->r + i * square, error);
     }
     if (stored) {
         size_t at = 0;
@@ -4922,7 +5061,8 @@ static int ms_nn__downdate(double *r, size_t h, double *v)
 
 /* R for the weights `old` becomes R for `now`: their difference row by row, or 0 where making it anew is better.
    b  [h][MS_NN__QR_ROWS], row  [h] */
-static MS_NN__COLD int ms_nn__collapse_update(const ms_nn_collapse *c, const float *old, const float *now, double *r, double *b, double *row)
+static MS_NN__COLD int ms_nn__collapse_update(const ms_nn_collapse *c, const float *old, const float *now, double *r, double *b,
+                                              double *row)
 {
     const ms_nn__kernels *kernels = c->nn->kernels;
     size_t h = c->h, rows = c->m->rows, i, n = 0;
@@ -4946,14 +5086,16 @@ static MS_NN__COLD int ms_nn__collapse_update(const ms_nn_collapse *c, const flo
     return 1;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight,
+                                                 ms_error *error)
 {
     const ms_nn_options *o;
     double *r, *b, *row;
     float *now;
     size_t bytes, h, rows, outputs, square, i;
     ms_status status = MS_OK;
-    if (c == NULL || (count && (index == NULL || weight == NULL))) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", c == NULL ? "c" : index == NULL ? "index" : "weight");
+    if (c == NULL || (count && (index == NULL || weight == NULL)))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", c == NULL ? "c" : index == NULL ? "index" : "weight");
     h = c->h;
     rows = c->m->rows;
     outputs = c->channels * rows;
@@ -5004,7 +5146,8 @@ typedef struct ms_nn__pass_job {
 } ms_nn__pass_job;
 
 /* The part that `n` rows of W in `wide` have in the sums. */
-static void ms_nn__pass_block(const ms_nn__pass_job *job, const size_t *row, size_t n, const double *wide, double *residual, double *sum)
+static void ms_nn__pass_block(const ms_nn__pass_job *job, const size_t *row, size_t n, const double *wide, double *residual,
+                              double *sum)
 {
     const ms_nn_collapse *c = job->c;
     const ms_nn__kernels *kernels = c->nn->kernels;
@@ -5012,7 +5155,8 @@ static void ms_nn__pass_block(const ms_nn__pass_job *job, const size_t *row, siz
     kernels->gram(wide, n, c->h0, channels, h, h, residual);
     for (i = 0; i < n; ++i)
         for (ch = 0; ch < channels; ++ch) {
-            double bias = c->m->bias ? (double)ms_nn__float_at(c->m->bias, row[i]) : 0.0, weight = (double)c->weight[ch * c->m->rows + row[i]];
+            double bias = c->m->bias ? (double)ms_nn__float_at(c->m->bias, row[i]) : 0.0,
+                   weight = (double)c->weight[ch * c->m->rows + row[i]];
             double res = (double)job->target[ch * c->m->rows + row[i]] - bias - residual[i * channels + ch];
             residual[i * channels + ch] = weight * res;
             sum[channels * h] += weight * res * res;
@@ -5024,7 +5168,8 @@ static MS_NN__COLD void ms_nn__pass_task(void *context, int index)
 {
     const ms_nn__pass_job *job = (const ms_nn__pass_job *)context;
     const ms_nn_collapse *c = job->c;
-    size_t part = (size_t)index, h = c->h, rows = c->m->rows, i = rows * part / job->parts, end = rows * (part + 1) / job->parts, n = 0, ch;
+    size_t part = (size_t)index, h = c->h, rows = c->m->rows, i = rows * part / job->parts,
+           end = rows * (part + 1) / job->parts, n = 0, ch;
     size_t row[MS_NN__PASS_ROWS];
     double *sum = job->sum + part * (c->channels * h + 1), *wide = job->wide + part * MS_NN__PASS_ROWS * h;
     double *residual = job->residual + part * MS_NN__PASS_ROWS * c->channels;
@@ -5127,7 +5272,8 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     job.target = target;
     job.parts = ms_nn__min(16, c->m->rows / 1024 + 1);
     bytes = ms__size_mul(job.parts * sizeof(double), ms__size_add(n + 1, ms__size_mul(MS_NN__PASS_ROWS, h + c->channels)));
-    bytes = ms__size_add(bytes, ms__size_mul(ms__size_add(outputs + n, ms_nn__back_floats(c->nn, c->m, c->channels)), sizeof(float)));
+    bytes = ms__size_add(bytes,
+                         ms__size_mul(ms__size_add(outputs + n, ms_nn__back_floats(c->nn, c->m, c->channels)), sizeof(float)));
     job.sum = (double *)ms_nn__alloc(&c->nn->options, bytes);
     if (job.sum == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
     job.wide = job.sum + job.parts * (n + 1);
@@ -5154,7 +5300,8 @@ MS_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_ja
     size_t trunk;
     if (c == NULL) return 0;
     trunk = c->trunk.ops == 0 ? 0 : ms_nn__layout_of(&c->trunk, with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1).total;
-    return ms__size_add(ms__size_add(trunk, c->channels * c->h * sizeof(float)), ms_nn__collapse_doubles(c) * sizeof(double) + 64);
+    return ms__size_add(ms__size_add(trunk, c->channels * c->h * sizeof(float)),
+                        ms_nn__collapse_doubles(c) * sizeof(double) + 64);
 }
 
 /* h(x) [channels][h] into features. */
@@ -5167,8 +5314,8 @@ static ms_status ms_nn__collapse_features(const ms_nn_collapse *c, const float *
 }
 
 /* out_ik = sum_j R_ij column_k,j for n columns: rows in fours, each four from its diagonal on. add: out += ... */
-static void ms_nn__collapse_product(const ms_nn_collapse *c, const double *r, const double *columns, size_t n, double *out, size_t row_step,
-                                    const size_t *column_at)
+static void ms_nn__collapse_product(const ms_nn_collapse *c, const double *r, const double *columns, size_t n, double *out,
+                                    size_t row_step, const size_t *column_at)
 {
     double tile[4 * MS_NN__COLUMNS];
     size_t h = c->h, i, j, k, m;
@@ -5180,9 +5327,10 @@ static void ms_nn__collapse_product(const ms_nn_collapse *c, const double *r, co
     }
 }
 
-/* The residual [channels h + 1] and, unless NULL, its Jacobian [channels h + 1][inputs]. doubles: ms_nn__collapse_doubles, then the
-   features and the trunk's workspace. */
-static MS_NN__COLD ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, double *doubles)
+/* The residual [channels h + 1] and, unless NULL, its Jacobian [channels h + 1][inputs]. doubles: ms_nn__collapse_doubles, then
+   the features and the trunk's workspace. */
+static MS_NN__COLD ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, const float *x, double *residual,
+                                                      double *jacobian, double *doubles)
 {
     const ms_nn *nn = c->nn;
     size_t h = c->h, total = c->channels * h, inputs = ms_nn_input_size(nn), in = ms_nn__count(nn->inner), ch, i, k, k0, n;
@@ -5212,7 +5360,9 @@ static MS_NN__COLD ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, c
             n = ms_nn__min(MS_NN__COLUMNS, in - k0);
             for (k = 0; k < n; ++k)
                 for (i = 0; i < h; ++i)
-                    columns[k * h + i] = slopes ? (double)slopes[ch * h * in + i * slope_row + (k0 + k) * slope_column] : i == k0 + k ? 1.0 : 0.0;
+                    columns[k * h + i] = slopes ? (double)slopes[ch * h * in + i * slope_row + (k0 + k) * slope_column]
+                        : i == k0 + k           ? 1.0
+                                                : 0.0;
             if (nn->channel_input) ms_nn__collapse_product(c, r, columns, n, out, inputs, nn->channel_input + ch * in + k0);
             else ms_nn__collapse_product(c, r, columns, n, out + k0, inputs, NULL);
         }
@@ -5221,7 +5371,8 @@ static MS_NN__COLD ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, c
     return MS_OK;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian, void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual,
+                                                     double *jacobian, void *workspace)
 {
     size_t bytes;
     void *allocated = NULL;
@@ -5315,7 +5466,8 @@ static int ms_nn__compare_variance(const void *context, size_t a, size_t b)
 /* Mean and covariance of the features over the samples and their channels, one sample at a time. */
 static ms_status ms_nn__feature_moments(const ms_nn_collapse *c, int samples, const float *x, double *mean, double *covariance)
 {
-    size_t h = c->h, total = c->channels * h, ch, i, j, bytes = ms__size_add(ms_nn_collapse_workspace_size(c, 0), total * sizeof(float));
+    size_t h = c->h, total = c->channels * h, ch, i, j,
+           bytes = ms__size_add(ms_nn_collapse_workspace_size(c, 0), total * sizeof(float));
     float *workspace = (float *)ms_nn__alloc(&c->nn->options, bytes);
     double share = 1 / ((double)samples * (double)c->channels);
     int s, pass;
@@ -5336,8 +5488,8 @@ static ms_status ms_nn__feature_moments(const ms_nn_collapse *c, int samples, co
     return status;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak, ms_nn_low_rank **low_rank,
-                                          ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak,
+                                                   ms_nn_low_rank **low_rank, ms_error *error)
 {
     size_t h, i, k, bytes, g_bytes;
     ms_nn_low_rank *made;
@@ -5444,7 +5596,8 @@ static size_t ms_nn__low_rank_layers(const ms_nn *nn, const char *layers, size_t
     return w.length;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink,
+                                                  ms_error *error)
 {
     const ms_nn_low_rank *l = low_rank;
     const ms_nn_collapse *c = l ? l->c : NULL;
@@ -5469,8 +5622,11 @@ MS_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank
     tensors = ms_nn_file_tensor_count(nn->file) + 3;
     entries = ms_nn_file_entry_count(nn->file);
     /* A = D' R'R [r][h], U = W D [p][r], D = left / sqrt(variance) */
-    bytes = ms__size_add(ms__size_mul(ms__size_mul(h, r), 2 * sizeof(double) + width), ms__size_mul(p, ms__size_add(ms__size_mul(r, width), 4)));
-    bytes = ms__size_add(bytes, ms__size_mul(tensors, sizeof *t) + ms__size_mul(entries, sizeof *e) + ms__size_mul(h, 2 * sizeof(double)) + ms_nn__low_rank_layers(nn, layers, r, NULL) + 1);
+    bytes = ms__size_add(ms__size_mul(ms__size_mul(h, r), 2 * sizeof(double) + width),
+                         ms__size_mul(p, ms__size_add(ms__size_mul(r, width), 4)));
+    bytes = ms__size_add(bytes,
+                         ms__size_mul(tensors, sizeof *t) + ms__size_mul(entries, sizeof *e) +
+                             ms__size_mul(h, 2 * sizeof(double)) + ms_nn__low_rank_layers(nn, layers, r, NULL) + 1);
     memory = (char *)ms_nn__alloc(&nn->options, bytes);
     if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the factors");
     a = (double *)(void *)memory; /* [r][h] */
@@ -5575,7 +5731,8 @@ MS_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank
 #define MS_NN__APART
 #endif
 
-/* y = x Phi(x), or with slope y *= Phi(x) + x phi(x), of the normal distribution: plain double, so that both ends keep their digits. */
+/* y = x Phi(x), or with slope y *= Phi(x) + x phi(x), of the normal distribution: plain double, so that both ends keep their
+   digits. */
 static void ms_nn__gelu(const float *x, float *y, size_t n, int slope)
 {
     size_t i;
@@ -5728,8 +5885,9 @@ static int ms_nn__row_tiles(void)
 #endif
 
 /* Read once a level. MS_NN__V_FLOATS is a vector of MS_NN__V_LANES floats; W_... load weights as floats.
-   MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers; MS_NN__W_ROWS rows x 3 samples x MS_NN__W_CHAINS sums are a
-   dense layer's. MAX(a, b) is a > b ? a : b, which is b, hence NaN if b is one: constants stand first. */
+   MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers; MS_NN__W_ROWS rows x 3 samples x
+   MS_NN__W_CHAINS sums are a dense layer's. MAX(a, b) is a > b ? a : b, which is b, hence NaN if b is one: constants stand
+   first. */
 #if MS_NN__ISA == 1
 #define MS_NN__V_LANES 1
 #define MS_NN__V_BLOCK 4
@@ -5780,7 +5938,8 @@ static int ms_nn__row_tiles(void)
 #define MS_NN__V_FROM_INT(i) _mm_cvtepi32_ps(i)
 #define MS_NN__V_POW2(i) _mm_castsi128_ps(_mm_slli_epi32(_mm_add_epi32(i, _mm_set1_epi32(127)), 23))
 #define MS_NN__W_HALF(p) MS_NN__FN(half)(p)
-#define MS_NN__W_BRAIN(p) _mm_castsi128_ps(_mm_unpacklo_epi16(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)(p))))
+#define MS_NN__W_BRAIN(p) \
+    _mm_castsi128_ps(_mm_unpacklo_epi16(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)(p))))
 #define MS_NN__W_INT8(p) MS_NN__FN(int8)(p)
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(if_greater)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS x, MS_NN__V_FLOATS y)
 {
@@ -5872,7 +6031,8 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__V_FROM_INT(i) _mm256_cvtepi32_ps(i)
 #define MS_NN__V_POW2(i) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_add_epi32(i, _mm256_set1_epi32(127)), 23))
 #define MS_NN__W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
-#define MS_NN__W_BRAIN(p) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
+#define MS_NN__W_BRAIN(p) \
+    _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
 #define MS_NN__W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b)
 {
@@ -5903,13 +6063,17 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FL
 #define MS_NN__V_FROM_INT(i) _mm512_maskz_cvtepi32_ps(0xFFFF, i)
 #define MS_NN__V_POW2(i) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
 #define MS_NN__W_HALF(p) _mm512_maskz_cvtph_ps(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
-#define MS_NN__W_BRAIN(p) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
-#define MS_NN__W_INT8(p) _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
+#define MS_NN__W_BRAIN(p) \
+    _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, \
+    _mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
+#define MS_NN__W_INT8(p) \
+    _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
 #define MS_NN__V_FOLD(v) MS_NN__FN(fold)(v)
 MS_NN__INLINE __m128 MS_NN__FN(fold)(MS_NN__V_FLOATS v)
 {
     __m512d w = _mm512_castps_pd(v);
-    __m256 b = _mm256_add_ps(_mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 0)), _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 1)));
+    __m256 b = _mm256_add_ps(_mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 0)),
+                             _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 1)));
     return _mm_add_ps(_mm256_castps256_ps128(b), _mm256_extractf128_ps(b, 1));
 }
 #endif
@@ -5962,8 +6126,10 @@ MS_NN__INLINE int32_t MS_NN__FN(int_sum)(__m128i s)
 MS_NN__INLINE MS_NN__B_INTS MS_NN__FN(int_dot)(MS_NN__B_INTS s, MS_NN__B_INTS u, MS_NN__B_INTS e)
 {
     MS_NN__B_INTS zero = _mm_setzero_si128(); /* bytes to 16 bits with their sign */
-    s = _mm_add_epi32(s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpacklo_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpacklo_epi8(zero, e), 8)));
-    return _mm_add_epi32(s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpackhi_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpackhi_epi8(zero, e), 8)));
+    s = _mm_add_epi32(
+        s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpacklo_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpacklo_epi8(zero, e), 8)));
+    return _mm_add_epi32(
+        s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpackhi_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpackhi_epi8(zero, e), 8)));
 }
 #elif MS_NN__ISA == 2
 #define MS_NN__B_INTS int32x4_t
@@ -6011,7 +6177,8 @@ MS_NN__INLINE MS_NN__B_INTS MS_NN__FN(int8_part)(const unsigned char *p, size_t 
 #endif
 
 /* Adds the products of n <= MS_NN__B_BYTES columns of a row; the digits behind the end are zero. */
-MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, const signed char *const *d, size_t at, size_t n, MS_NN__B_INTS s[3])
+MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, const signed char *const *d, size_t at, size_t n,
+                                        MS_NN__B_INTS s[3])
 {
     MS_NN__B_INTS u = n == MS_NN__B_BYTES ? MS_NN__B_LOAD(w + at) : MS_NN__B_PART(w + at, n);
     int k;
@@ -6041,16 +6208,22 @@ MS_NN__KERNEL void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, s
                 for (; at + MS_NN__B_BYTES <= end; at += MS_NN__B_BYTES) MS_NN__FN(int8_step)(w, x->d, at, MS_NN__B_BYTES, s);
                 if (at < end) MS_NN__FN(int8_step)(w, x->d, at, end - at, s);
                 MS_NN__UNROLL
-                for (k = 0; k < 3; ++k) total += (k == 0 ? 16384.0 : k == 1 ? 128.0 : 1.0) * (double)(MS_NN__B_SUM(s[k]) - MS_NN__B_OFFSET * x->sum[k][run]);
+                for (k = 0; k < 3; ++k)
+                    total += (k == 0       ? 16384.0
+                                  : k == 1 ? 128.0
+                                           : 1.0) *
+                        (double)(MS_NN__B_SUM(s[k]) - MS_NN__B_OFFSET * x->sum[k][run]);
             }
             job->y[(size_t)b * m->rows + row] =
-                (float)(total * ((double)ms_nn__float_at(m->scale, row) * x->unit) + (m->bias && !job->linear ? (double)ms_nn__float_at(m->bias, row) : 0.0));
+                (float)(total * ((double)ms_nn__float_at(m->scale, row) * x->unit) +
+                        (m->bias && !job->linear ? (double)ms_nn__float_at(m->bias, row) : 0.0));
         }
 }
 #endif
 
 #if MS_NN__ISA < 5 /* the VNNI pass is for I8 only; the rest is AVX-512's */
-/* A vector that is used several times is loaded once: GCC would read it anew for each use, and 64-byte loads are what these loops wait for. */
+/* A vector that is used several times is loaded once: GCC would read it anew for each use, and 64-byte loads are what these
+   loops wait for. */
 #if MS_NN__ISA >= 3 && (defined(__GNUC__) || defined(__clang__))
 #define MS_NN__V_KEEP(v) __asm__("" : "+v"(v))
 #else
@@ -6080,9 +6253,11 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_
 {
     __mmask16 m = (__mmask16)((1u << n) - 1);
     if (dtype == MS_NN_F32) return _mm512_maskz_loadu_ps(m, p);
-    if (dtype == MS_NN_I8) return _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_maskz_loadu_epi8(m, p)));
+    if (dtype == MS_NN_I8)
+        return _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_maskz_loadu_epi8(m, p)));
     if (dtype == MS_NN_F16) return _mm512_maskz_cvtph_ps(0xFFFF, _mm256_maskz_loadu_epi16(m, p));
-    return _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_maskz_loadu_epi16(m, p)), 16));
+    return _mm512_castsi512_ps(
+        _mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_maskz_loadu_epi16(m, p)), 16));
 }
 #else
 #if MS_NN__ISA == 3
@@ -6103,8 +6278,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(weight_part)(MS_NN__V_FLOATS *out, con
 }
 #endif
 
-/* Four sums of lanes, each as (l0 + l2) + (l1 + l3) of the sums of its quarters, times a scale, plus a bias. quad: four floats for
-   as many rows, which repeat. */
+/* Four sums of lanes, each as (l0 + l2) + (l1 + l3) of the sums of its quarters, times a scale, plus a bias. quad: four floats
+   for as many rows, which repeat. */
 #if defined(MS__X64) && MS_NN__ISA > 1
 #define MS_NN__Q_FLOATS __m128
 #define MS_NN__Q_SET(x) _mm_set1_ps(x)
@@ -6119,7 +6294,8 @@ MS_NN__INLINE __m128 MS_NN__FN(quad)(const unsigned char *p, int rows)
 MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, __m128 scale, __m128 bias, float *out)
 {
     __m128 a = MS_NN__V_FOLD(v[0]), b = MS_NN__V_FOLD(v[1]), c = MS_NN__V_FOLD(v[2]), d = MS_NN__V_FOLD(v[3]);
-    __m128 ab = _mm_add_ps(_mm_unpacklo_ps(a, b), _mm_unpackhi_ps(a, b)), cd = _mm_add_ps(_mm_unpacklo_ps(c, d), _mm_unpackhi_ps(c, d));
+    __m128 ab = _mm_add_ps(_mm_unpacklo_ps(a, b), _mm_unpackhi_ps(a, b)),
+           cd = _mm_add_ps(_mm_unpacklo_ps(c, d), _mm_unpackhi_ps(c, d));
     _mm_storeu_ps(out, _mm_add_ps(_mm_mul_ps(_mm_add_ps(_mm_movelh_ps(ab, cd), _mm_movehl_ps(cd, ab)), scale), bias));
 }
 #elif MS_NN__ISA > 1
@@ -6142,7 +6318,8 @@ MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, float32x4_t scale, 
    MS_NN__W_CHAINS; the chains are added in pairs, then comes what is left of the columns, then the sum of the lanes. The order
    depends on nothing but cols, so that tiles of any shape agree. This is the end of all of them. */
 #if MS_NN__V_LANES > 1
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(const ms_nn__dense *job, size_t row, size_t sample, MS_NN__V_FLOATS *total, int rows, int batch, size_t left)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(const ms_nn__dense *job, size_t row, size_t sample, MS_NN__V_FLOATS *total,
+                                                int rows, int batch, size_t left)
 {
     ms_nn_dtype dtype = job->m->dtype;
     MS_NN__V_FLOATS v[3], u;
@@ -6160,7 +6337,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(const ms_nn__dense *job, size_t 
     }
 }
 
-MS_NN__INLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch, size_t left, MS_NN__V_FLOATS *total)
+MS_NN__INLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch, size_t left,
+                                     MS_NN__V_FLOATS *total)
 {
     const ms_nn__matrix *m = job->m;
     int b, i;
@@ -6183,11 +6361,15 @@ MS_NN__INLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t
         MS_NN__FN(sum4)(four, scale, bias, out);
         MS_NN__UNROLL
         for (b = 0; b < 4; ++b)
-            if (b < 4 / rows && i + b * rows < rows * batch) memcpy(job->y + (sample + (size_t)(i / rows + b)) * m->rows + row, out + b * rows, (size_t)rows * sizeof(float));
+            if (b < 4 / rows && i + b * rows < rows * batch)
+                memcpy(job->y + (sample + (size_t)(i / rows + b)) * m->rows + row, out + b * rows,
+                       (size_t)rows * sizeof(float));
     }
 }
 
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish_rows)(const ms_nn__dense *job, size_t row, size_t sample, int rows, size_t left, MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS c, MS_NN__V_FLOATS d)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish_rows)(const ms_nn__dense *job, size_t row, size_t sample, int rows,
+                                                       size_t left, MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS c,
+                                                       MS_NN__V_FLOATS d)
 {
     MS_NN__V_FLOATS total[4];
     total[0] = a;
@@ -6200,7 +6382,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish_rows)(const ms_nn__dense *job, 
 #endif
 
 /* `rows` rows of a type times `batch` samples, all three constants, but for what is left of the columns. */
-MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch, MS_NN__V_FLOATS *total)
+MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch,
+                                   MS_NN__V_FLOATS *total)
 {
     size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), k = 0;
     const unsigned char *w[MS_NN__W_ROWS];
@@ -6220,8 +6403,8 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
     for (b = 0; b < batch; ++b) x[b] = job->x + (sample + (size_t)b) * cols;
 #if MS_NN__ISA == 4
     if (rows == 1) {
-        /* By halves of vectors: 32 bytes at a time come from memory up to 1.15 times as fast as 64 on Zen 4 with small pages. Lanes
-           and order are the same. */
+        /* By halves of vectors: 32 bytes at a time come from memory up to 1.15 times as fast as 64 on Zen 4 with small pages.
+           Lanes and order are the same. */
         __m256 half[2 * MS_NN__W_CHAINS], u;
         MS_NN__UNROLL
         for (c = 0; c < 2 * MS_NN__W_CHAINS; ++c) half[c] = _mm256_setzero_ps();
@@ -6231,13 +6414,16 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
                 const unsigned char *p = w[0] + (k + 8 * (size_t)c) * size;
                 if (dtype == MS_NN_F32) u = _mm256_loadu_ps((const float *)(const void *)p);
                 else if (dtype == MS_NN_F16) u = _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)p));
-                else u = _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)p)), 16));
+                else
+                    u = _mm256_castsi256_ps(
+                        _mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)p)), 16));
                 half[c] = _mm256_fmadd_ps(u, _mm256_loadu_ps(x[0] + k + 8 * (size_t)c), half[c]);
             }
         }
         MS_NN__UNROLL
         for (c = 0; c < MS_NN__W_CHAINS; ++c)
-            s[0][0][c] = _mm512_castpd_ps(_mm512_maskz_insertf64x4(0xFF, _mm512_castps_pd(_mm512_castps256_ps512(half[2 * c])), _mm256_castps_pd(half[2 * c + 1]), 1));
+            s[0][0][c] = _mm512_castpd_ps(_mm512_maskz_insertf64x4(0xFF, _mm512_castps_pd(_mm512_castps256_ps512(half[2 * c])),
+                                                                   _mm256_castps_pd(half[2 * c + 1]), 1));
     }
 #endif
     for (; k + MS_NN__V_LANES * MS_NN__W_CHAINS <= cols; k += MS_NN__V_LANES * MS_NN__W_CHAINS) {
@@ -6272,7 +6458,8 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
     }
 }
 
-MS_NN__INLINE void MS_NN__FN(sums_typed)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch, MS_NN__V_FLOATS *total)
+MS_NN__INLINE void MS_NN__FN(sums_typed)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch,
+                                         MS_NN__V_FLOATS *total)
 {
     if (job->m->dtype == MS_NN_F32) MS_NN__FN(sums)(job, row, sample, MS_NN_F32, rows, batch, total);
     else if (job->m->dtype == MS_NN_F16) MS_NN__FN(sums)(job, row, sample, MS_NN_F16, rows, batch, total);
@@ -6300,12 +6487,16 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
     {
         size_t k, cols = job->m->cols;
         ms_nn_dtype dtype = job->m->dtype;
-        for (k = cols - left; k < cols; ++k) total[0] += MS_NN__FN(weight)(job->m->w + (row * cols + k) * ms_nn__bytes_of(dtype), dtype) * job->x[sample * cols + k];
+        for (k = cols - left; k < cols; ++k)
+            total[0] +=
+                MS_NN__FN(weight)(job->m->w + (row * cols + k) * ms_nn__bytes_of(dtype), dtype) * job->x[sample * cols + k];
         if (job->m->scale) total[0] *= ms_nn__float_at(job->m->scale, row);
-        job->y[sample * job->m->rows + row] = total[0] + (job->m->bias && !job->linear ? ms_nn__float_at(job->m->bias, row) : 0.0f);
+        job->y[sample * job->m->rows + row] =
+            total[0] + (job->m->bias && !job->linear ? ms_nn__float_at(job->m->bias, row) : 0.0f);
     }
 #else
-    MS_NN__FN(finish_rows)(job, row, sample, rows, left, total[0], total[rows > 1 ? 1 : 0], total[rows > 2 ? 2 : 0], total[rows > 3 ? 3 : 0]);
+    MS_NN__FN(finish_rows)
+    (job, row, sample, rows, left, total[0], total[rows > 1 ? 1 : 0], total[rows > 2 ? 2 : 0], total[rows > 3 ? 3 : 0]);
 #endif
 }
 
@@ -6330,7 +6521,8 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
             continue;
         }
 #if MS_NN__B_WIDEN
-        for (row = row0; row < row1; row = next) { /* plain C: compilers make vectors of one sample's chains; SSE2: for the size */
+        for (row = row0; row < row1;
+             row = next) { /* plain C: compilers make vectors of one sample's chains; SSE2: for the size */
             next = ms_nn__min(row + 8, row1);
             for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row, next, b);
         }
@@ -6344,8 +6536,8 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
     }
 }
 
-/* Packed weights. An output is the sum over the first half of the columns plus that over the second, each from the left, whatever the tile; a
-   sample alone takes both at once, for more sums that do not wait for each other. */
+/* Packed weights. An output is the sum over the first half of the columns plus that over the second, each from the left,
+   whatever the tile; a sample alone takes both at once, for more sums that do not wait for each other. */
 #if MS_NN__V_LANES == 1
 #define MS_NN__P_ROWS 4
 MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
@@ -6413,9 +6605,12 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, s
         MS_NN__V_FLOATS scale = MS_NN__V_SET(1.0f), bias = MS_NN__V_SET(0.0f);
         if (n < MS_NN__V_LANES) { /* what is behind the last row stays as it is */
             for (i = 0; i < n; ++i) {
-                float one = m->scale ? ms_nn__float_at(m->scale, row + i) : 1.0f, plus = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + i) : 0.0f;
+                float one = m->scale ? ms_nn__float_at(m->scale, row + i) : 1.0f,
+                      plus = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + i) : 0.0f;
                 for (b = 0; b < batch; ++b) {
-                    MS_NN__V_STORE(part, MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]), MS_NN__V_SET(one), MS_NN__V_SET(plus)));
+                    MS_NN__V_STORE(part,
+                                   MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]), MS_NN__V_SET(one),
+                                                 MS_NN__V_SET(plus)));
                     y[(size_t)b * m->rows + i] = part[i];
                 }
             }
@@ -6423,14 +6618,17 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, s
         }
         if (m->scale) scale = MS_NN__V_LOAD(m->scale + 4 * row);
         if (m->bias && !job->linear) bias = MS_NN__V_LOAD(m->bias + 4 * row);
-        for (b = 0; b < batch; ++b, y += m->rows) MS_NN__V_STORE(y, MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]), scale, bias));
+        for (b = 0; b < batch; ++b, y += m->rows)
+            MS_NN__V_STORE(y, MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]), scale, bias));
     }
 }
 
 /* Two panels, or one twice where there is no other. dtype and batch are constants. */
-MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int vectors, int batch)
+MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int vectors,
+                                        int batch)
 {
-    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = 2 * MS_NN__V_LANES * size, half = (cols + 1) / 2, k, end, second = vectors == 4 ? cols * wide : 0;
+    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = 2 * MS_NN__V_LANES * size, half = (cols + 1) / 2, k, end,
+           second = vectors == 4 ? cols * wide : 0;
     const unsigned char *w = job->m->packed + row * cols * size;
     const float *x = job->x + sample * cols;
     MS_NN__V_FLOATS total[2][4 * MS_NN__P_SAMPLES], s[4][MS_NN__P_SAMPLES], u, value[MS_NN__P_SAMPLES];
@@ -6444,13 +6642,17 @@ MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, siz
             value[0] = MS_NN__V_SET(x[k]);
             MS_NN__UNROLL
             for (v = 0; v < 4; ++v)
-                s[v][0] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0], s[v][0]);
+                s[v][0] = MS_NN__V_MADD(
+                    MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0],
+                    s[v][0]);
             if (k + half == cols) break; /* the first half may have one more */
             value[0] = MS_NN__V_SET(x[k + half]);
             p += half * wide;
             MS_NN__UNROLL
             for (v = 0; v < 4; ++v)
-                t[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0], t[v]);
+                t[v] = MS_NN__V_MADD(
+                    MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0],
+                    t[v]);
         }
         MS_NN__UNROLL
         for (v = 0; v < 4; ++v) {
@@ -6486,7 +6688,8 @@ MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, siz
     MS_NN__FN(packed_end)(job, row, sample, vectors, batch, total[0], total[1]);
 }
 
-MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int vectors, int batch)
+MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int vectors,
+                                           int batch)
 {
 #if MS_NN__P_SAMPLES > 3
     if (batch > 3) MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, MS_NN__P_SAMPLES);
@@ -6516,10 +6719,12 @@ MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_
 #endif
 
 #if MS_NN__V_LANES > 1
-/* Adds the products of panels, `step` bytes apart, to the sums of n columns, a vector each; dtype, batch and panels (1 or 2) are constants. */
+/* Adds the products of panels, `step` bytes apart, to the sums of n columns, a vector each; dtype, batch and panels (1 or 2)
+   are constants. */
 #define MS_NN__P_COLS 64
-MS_NN__INLINE void MS_NN__FN(packed_columns)(const unsigned char *w, size_t step, ms_nn_dtype dtype, const float *g, size_t rows, size_t n,
-                                             MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch, int panels)
+MS_NN__INLINE void MS_NN__FN(packed_columns)(const unsigned char *w, size_t step, ms_nn_dtype dtype, const float *g,
+                                             size_t rows, size_t n, MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch,
+                                             int panels)
 {
     size_t size = ms_nn__bytes_of(dtype) * MS_NN__V_LANES, c;
     MS_NN__V_FLOATS part[4][3], u, s[3];
@@ -6545,8 +6750,9 @@ MS_NN__INLINE void MS_NN__FN(packed_columns)(const unsigned char *w, size_t step
 }
 
 /* Two panels, or one: then sample by sample. */
-MS_NN__INLINE void MS_NN__FN(packed_columns_typed)(const unsigned char *w, size_t step, ms_nn_dtype dtype, const float *g, size_t rows, size_t n,
-                                                   MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch, int panels)
+MS_NN__INLINE void MS_NN__FN(packed_columns_typed)(const unsigned char *w, size_t step, ms_nn_dtype dtype, const float *g,
+                                                   size_t rows, size_t n, MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch,
+                                                   int panels)
 {
     int b;
     if (panels == 2 && batch == 3 && !MS_NN__B_WIDEN) MS_NN__FN(packed_columns)(w, step, dtype, g, rows, n, sum, 3, 2);
@@ -6558,7 +6764,8 @@ MS_NN__INLINE void MS_NN__FN(packed_columns_typed)(const unsigned char *w, size_
 MS_NN__KERNEL void MS_NN__FN(packed_back)(const ms_nn__dense *job, size_t col0, size_t col1)
 {
     const ms_nn__matrix *m = job->m;
-    size_t rows = (m->rows + MS_NN__P_ROWS - 1) / MS_NN__P_ROWS * MS_NN__P_ROWS, size = ms_nn__bytes_of(m->packed_dtype), batch = (size_t)job->batch, k, b, p, c, n;
+    size_t rows = (m->rows + MS_NN__P_ROWS - 1) / MS_NN__P_ROWS * MS_NN__P_ROWS, size = ms_nn__bytes_of(m->packed_dtype),
+           batch = (size_t)job->batch, k, b, p, c, n;
     size_t step = MS_NN__P_ROWS * m->cols * size;
     int together, panels, i;
     for (k = col0; k < col1; k += n) {
@@ -6573,8 +6780,10 @@ MS_NN__KERNEL void MS_NN__FN(packed_back)(const ms_nn__dense *job, size_t col0, 
                 const float *g = job->x + b * rows + p;
                 panels = p + MS_NN__P_ROWS < rows ? 2 : 1;
 #if !MS_NN__B_WIDEN
-                if (m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_columns_typed)(w, step, MS_NN_F16, g, rows, n, sum, together, panels);
-                else if (m->packed_dtype == MS_NN_BF16) MS_NN__FN(packed_columns_typed)(w, step, MS_NN_BF16, g, rows, n, sum, together, panels);
+                if (m->packed_dtype == MS_NN_F16)
+                    MS_NN__FN(packed_columns_typed)(w, step, MS_NN_F16, g, rows, n, sum, together, panels);
+                else if (m->packed_dtype == MS_NN_BF16)
+                    MS_NN__FN(packed_columns_typed)(w, step, MS_NN_BF16, g, rows, n, sum, together, panels);
                 else
 #endif
                 MS_NN__FN(packed_columns_typed)(w, step, MS_NN_F32, g, rows, n, sum, together, panels);
@@ -6591,7 +6800,8 @@ MS_NN__KERNEL void MS_NN__FN(packed_back)(const ms_nn__dense *job, size_t col0, 
 #endif
 
 /* out_b += g_b,0 w_0 + ... + g_b,3 w_3 over n columns, the rows in order, for `batch` samples, `stride` apart. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy_rest)(const unsigned char *const *w, ms_nn_dtype dtype, const float *g, float *out, size_t k, size_t n)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy_rest)(const unsigned char *const *w, ms_nn_dtype dtype, const float *g,
+                                                     float *out, size_t k, size_t n)
 {
     float last[MS_NN__V_LANES];
     MS_NN__V_FLOATS sum, u;
@@ -6608,7 +6818,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy_rest)(const unsigned char *const 
 }
 
 /* dtype and batch are constants. */
-MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
+MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride,
+                                      size_t n, ms_nn_dtype dtype, int batch)
 {
     const unsigned char *row[4];
     MS_NN__V_FLOATS factor[4][3], sum[3];
@@ -6636,13 +6847,15 @@ MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float
     for (b = 0; k < n && b < batch; ++b) MS_NN__FN(axpy_rest)(w, dtype, g + (size_t)b * g_stride, out + (size_t)b * stride, k, n);
 }
 
-MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
+MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const float *g, size_t g_stride, float *out,
+                                         size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
     if (batch == 3 && dtype == MS_NN_F32) MS_NN__FN(axpy_of)(w, g, g_stride, out, stride, n, dtype, 3);
     else MS_NN__FN(axpy_of)(w, g, g_stride, out, stride, n, dtype, 1);
 }
 
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, const float *g, size_t g_stride, float *out,
+                                                size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
 #if !MS_NN__B_WIDEN
     if (dtype == MS_NN_F16) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_F16, batch);
@@ -6658,7 +6871,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, c
 MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
 {
     size_t k = 0;
-    for (; k + MS_NN__V_LANES <= n; k += MS_NN__V_LANES) MS_NN__V_STORE(out + k, MS_NN__FN(weight)(p + k * ms_nn__bytes_of(dtype), dtype));
+    for (; k + MS_NN__V_LANES <= n; k += MS_NN__V_LANES)
+        MS_NN__V_STORE(out + k, MS_NN__FN(weight)(p + k * ms_nn__bytes_of(dtype), dtype));
     if (k < n) {
         MS_NN__V_FLOATS u;
         float last[MS_NN__V_LANES];
@@ -6677,7 +6891,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(widen)(const unsigned char *p, size_t 
 
 /* Four rows times the samples [b0, b1). Rows behind the last are zeros, whose n is at most MS_NN__WIDE. Of a batch n is at most
    MS_NN__COLS. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, size_t row, size_t last, size_t at, size_t n, size_t b0, size_t b1, float *out)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, size_t row, size_t last, size_t at, size_t n,
+                                                     size_t b0, size_t b1, float *out)
 {
     const ms_nn__matrix *m = job->m;
     size_t cols = m->cols, b;
@@ -6702,7 +6917,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, si
             continue;
         }
         for (i = 0; i < together; ++i)
-            for (r = 0; r < 4; ++r) g[i][r] = row + (size_t)r < last ? job->x[(b + (size_t)i) * m->rows + row + (size_t)r] * scale[r] : 0.0f;
+            for (r = 0; r < 4; ++r)
+                g[i][r] = row + (size_t)r < last ? job->x[(b + (size_t)i) * m->rows + row + (size_t)r] * scale[r] : 0.0f;
         MS_NN__FN(axpy)(w, &g[0][0], 4, out + b * cols + at, cols, n, dtype, together);
     }
 }
@@ -6728,8 +6944,8 @@ MS_NN__KERNEL void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, s
 }
 
 /* MS_NN__V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x + t). */
-MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out, size_t out_plane,
-                                        size_t outs, int tile)
+MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out,
+                                           size_t out_plane, size_t outs, int tile)
 {
     size_t c, t;
     MS_NN__V_FLOATS sum[MS_NN__V_BLOCK][MS_NN__V_TILE];
@@ -6762,8 +6978,8 @@ MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in
     }
 }
 
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out, size_t out_plane, size_t outs,
-                                        size_t tile)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w, const float *bias,
+                                                     float *out, size_t out_plane, size_t outs, size_t tile)
 {
     if (tile == MS_NN__V_TILE) MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, MS_NN__V_TILE);
     else MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, 1);
@@ -6777,7 +6993,8 @@ MS_NN__KERNEL void MS_NN__FN(combine)(float *rows, size_t n)
     float *d0 = rows, *d1 = rows + n, *d2 = d1 + n, *d3 = d2 + n;
     size_t i = 0;
     for (; i + MS_NN__V_LANES <= n; i += MS_NN__V_LANES) {
-        MS_NN__V_FLOATS a = MS_NN__V_LOAD(d0 + i), b = MS_NN__V_LOAD(d1 + i), c = MS_NN__V_LOAD(d2 + i), d = MS_NN__V_LOAD(d3 + i);
+        MS_NN__V_FLOATS a = MS_NN__V_LOAD(d0 + i), b = MS_NN__V_LOAD(d1 + i), c = MS_NN__V_LOAD(d2 + i),
+                        d = MS_NN__V_LOAD(d3 + i);
         MS_NN__V_STORE(d0 + i, MS_NN__V_SUB(a, c));
         MS_NN__V_STORE(d1 + i, MS_NN__V_ADD(b, c));
         MS_NN__V_STORE(d2 + i, MS_NN__V_SUB(c, b));
@@ -6796,22 +7013,31 @@ MS_NN__KERNEL void MS_NN__FN(combine)(float *rows, size_t n)
 MS_NN__KERNEL void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
 {
     const ms_nn__conv *v = job->conv;
-    size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o), part = v->in.c * v->taps * MS_NN__V_BLOCK, x, i, j;
+    size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o),
+           part = v->in.c * v->taps * MS_NN__V_BLOCK, x, i, j;
     size_t rows = ms_nn__min(2, v->out.h - row);
     const float *w = v->packed + block * 4 * part;
-    float zero[MS_NN__V_BLOCK], m[4][MS_NN__V_BLOCK * MS_NN__V_TILE * MS_NN__V_LANES], *out = job->y + o * job->y_plane + row * job->y_row;
+    float zero[MS_NN__V_BLOCK], m[4][MS_NN__V_BLOCK * MS_NN__V_TILE * MS_NN__V_LANES],
+        *out = job->y + o * job->y_plane + row * job->y_row;
     for (i = 0; i < MS_NN__V_BLOCK; ++i) zero[i] = 0;
     for (x = 0; x < v->out.w;) {
-        size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1, width = ms_nn__min(left, tile * MS_NN__V_LANES);
+        size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1,
+               width = ms_nn__min(left, tile * MS_NN__V_LANES);
         for (j = 0; j < 4; ++j)
-            MS_NN__FN(conv_tile)(v, in + j * v->pitch + x, w + j * part, zero, m[j], MS_NN__V_TILE * MS_NN__V_LANES, MS_NN__V_BLOCK, tile);
+            MS_NN__FN(conv_tile)
+            (v, in + j * v->pitch + x, w + j * part, zero, m[j], MS_NN__V_TILE * MS_NN__V_LANES, MS_NN__V_BLOCK, tile);
         for (i = 0; i < outs; ++i) {
-            float *m0 = m[0] + i * MS_NN__V_TILE * MS_NN__V_LANES, *m1 = m[1] + i * MS_NN__V_TILE * MS_NN__V_LANES, *to = out + i * job->y_plane + x;
+            float *m0 = m[0] + i * MS_NN__V_TILE * MS_NN__V_LANES, *m1 = m[1] + i * MS_NN__V_TILE * MS_NN__V_LANES,
+                  *to = out + i * job->y_plane + x;
             MS_NN__V_FLOATS bias = MS_NN__V_SET(job->linear ? 0.0f : v->bias[o + i]);
             for (j = 0; j < tile; ++j) {
-                MS_NN__V_FLOATS a = MS_NN__V_LOAD(m1 + j * MS_NN__V_LANES), b = MS_NN__V_LOAD(m[2] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES);
-                MS_NN__V_STORE(m1 + j * MS_NN__V_LANES, MS_NN__V_SUB(MS_NN__V_ADD(bias, MS_NN__V_SUB(a, b)), MS_NN__V_LOAD(m[3] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES)));
-                MS_NN__V_STORE(m0 + j * MS_NN__V_LANES, MS_NN__V_ADD(MS_NN__V_ADD(bias, MS_NN__V_ADD(a, b)), MS_NN__V_LOAD(m0 + j * MS_NN__V_LANES)));
+                MS_NN__V_FLOATS a = MS_NN__V_LOAD(m1 + j * MS_NN__V_LANES),
+                                b = MS_NN__V_LOAD(m[2] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES);
+                MS_NN__V_STORE(m1 + j * MS_NN__V_LANES,
+                               MS_NN__V_SUB(MS_NN__V_ADD(bias, MS_NN__V_SUB(a, b)),
+                                            MS_NN__V_LOAD(m[3] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES)));
+                MS_NN__V_STORE(m0 + j * MS_NN__V_LANES,
+                               MS_NN__V_ADD(MS_NN__V_ADD(bias, MS_NN__V_ADD(a, b)), MS_NN__V_LOAD(m0 + j * MS_NN__V_LANES)));
             }
             memcpy(to, m0, width * sizeof(float));
             if (rows == 2) memcpy(to + job->y_row, m1, width * sizeof(float));
@@ -6819,7 +7045,8 @@ MS_NN__KERNEL void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float 
         x += width;
     }
     for (i = 0; job->activation != MS_NN__LINEAR && !job->linear && i < outs; ++i)
-        for (j = 0; j < rows; ++j) MS_NN__FN(activate)(out + i * job->y_plane + j * job->y_row, v->out.w, job->activation, job->alpha);
+        for (j = 0; j < rows; ++j)
+            MS_NN__FN(activate)(out + i * job->y_plane + j * job->y_row, v->out.w, job->activation, job->alpha);
 }
 
 /* One row of a block. Tiles that stand over the row's end, or whose outputs lie apart, go through a buffer. */
@@ -6828,10 +7055,12 @@ MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *
     const ms_nn__conv *v = job->conv;
     size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o), x, i, j;
     const float *w = v->packed + block * v->in.c * v->taps * MS_NN__V_BLOCK;
-    float bias[MS_NN__V_BLOCK], buffer[MS_NN__V_BLOCK * MS_NN__V_TILE * MS_NN__V_LANES], *out = job->y + o * job->y_plane + row * job->y_row;
+    float bias[MS_NN__V_BLOCK], buffer[MS_NN__V_BLOCK * MS_NN__V_TILE * MS_NN__V_LANES],
+        *out = job->y + o * job->y_plane + row * job->y_row;
     for (i = 0; i < MS_NN__V_BLOCK; ++i) bias[i] = job->linear ? 0.0f : v->bias[o + i];
     for (x = 0; x < v->out.w;) {
-        size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1, width = ms_nn__min(left, tile * MS_NN__V_LANES);
+        size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1,
+               width = ms_nn__min(left, tile * MS_NN__V_LANES);
         int direct = width == tile * MS_NN__V_LANES && job->y_step == 1 && !job->accumulate;
         float *to = direct ? out + x : buffer;
         size_t plane = direct ? job->y_plane : MS_NN__V_TILE * MS_NN__V_LANES;
@@ -6839,7 +7068,8 @@ MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *
         for (i = 0; !direct && i < outs; ++i)
             for (j = 0; j < width; ++j) {
                 float *y = out + i * job->y_plane + (x + j) * job->y_step;
-                *y = job->accumulate ? *y + buffer[i * MS_NN__V_TILE * MS_NN__V_LANES + j] : buffer[i * MS_NN__V_TILE * MS_NN__V_LANES + j];
+                *y = job->accumulate ? *y + buffer[i * MS_NN__V_TILE * MS_NN__V_LANES + j]
+                                     : buffer[i * MS_NN__V_TILE * MS_NN__V_LANES + j];
             }
         x += width;
     }
@@ -6850,7 +7080,8 @@ MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *
 MS_NN__KERNEL void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const float *padded)
 {
     const ms_nn__conv *v = job->conv;
-    size_t blocks = (v->out.c + MS_NN__V_BLOCK - 1) / MS_NN__V_BLOCK, row0 = strip * v->strip, row1 = ms_nn__min(row0 + v->strip, v->out.h), row, block;
+    size_t blocks = (v->out.c + MS_NN__V_BLOCK - 1) / MS_NN__V_BLOCK, row0 = strip * v->strip,
+           row1 = ms_nn__min(row0 + v->strip, v->out.h), row, block;
     for (row = row0; row < row1; row += v->pairs ? 2 : 1)
         for (block = 0; block < blocks; ++block) {
             if (v->pairs) MS_NN__FN(conv_pair)(job, padded + (row - row0) * 2 * v->pitch, row, block);
@@ -6883,10 +7114,12 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(exp_minus)(MS_NN__V_FLOATS x, MS_NN__V_F
     return MS_NN__V_MADD(MS_NN__V_MUL(s, q), half, MS_NN__V_SUB(MS_NN__V_MUL(s, half), c));
 }
 
-/* ln(1 + e) for e in [0, 1]: 2 artanh(z), z = e / (2 + e) <= 1/3; the series to z^15 leaves 1e-9. 2 z first: e may be subnormal. */
+/* ln(1 + e) for e in [0, 1]: 2 artanh(z), z = e / (2 + e) <= 1/3; the series to z^15 leaves 1e-9. 2 z first: e may be
+   subnormal. */
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(log1p)(MS_NN__V_FLOATS e)
 {
-    MS_NN__V_FLOATS two = MS_NN__V_DIV(MS_NN__V_ADD(e, e), MS_NN__V_ADD(e, MS_NN__V_SET(2.0f))), s = MS_NN__V_MUL(two, MS_NN__V_MUL(MS_NN__V_SET(0.25f), two));
+    MS_NN__V_FLOATS two = MS_NN__V_DIV(MS_NN__V_ADD(e, e), MS_NN__V_ADD(e, MS_NN__V_SET(2.0f))),
+                    s = MS_NN__V_MUL(two, MS_NN__V_MUL(MS_NN__V_SET(0.25f), two));
     MS_NN__V_FLOATS q = MS_NN__V_SET(1.0f / 15);
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 13));
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 11));
@@ -6897,10 +7130,12 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(log1p)(MS_NN__V_FLOATS e)
     return MS_NN__V_MUL(two, MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f)));
 }
 
-/* y = f(x), or with slope y *= f'(x), for n floats, whole vectors. All but relu and leaky_relu share e = e^-|x|, or what stands for
-   it; which of them it is, is the same for every vector and costs a branch that is foreseen. Slopes are functions of x: those of y
+/* y = f(x), or with slope y *= f'(x), for n floats, whole vectors. All but relu and leaky_relu share e = e^-|x|, or what stands
+   for it; which of them it is, is the same for every vector and costs a branch that is foreseen. Slopes are functions of x:
+   those of y
    lose their digits where f is flat. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(curve)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha, int slope)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(curve)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha,
+                                                 int slope)
 {
     MS_NN__V_FLOATS zero = MS_NN__V_SET(0.0f), one = MS_NN__V_SET(1.0f), a = MS_NN__V_SET(alpha), v, e, f, up;
     MS_NN__V_FLOATS c = MS_NN__V_SET(!slope && (activation == MS_NN__ELU || activation == MS_NN__TANH) ? 1.0f : 0.0f);
@@ -6913,8 +7148,9 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(curve)(const float *x, float *y, size_
             f = MS_NN__V_IF_GREATER(v, zero, slope ? one : v, slope ? a : MS_NN__V_MUL(MS_NN__V_MIN(zero, v), a));
         } else {
             e = MS_NN__V_MAX(MS_NN__V_SUB(zero, v), v); /* |x| */
-            e = activation == MS_NN__ELU ? MS_NN__V_MIN(zero, v)
-                : activation == MS_NN__TANH ? MS_NN__V_MUL(MS_NN__V_SET(-2.0f), MS_NN__V_MIN(MS_NN__V_SET(64.0f), e)) : MS_NN__V_SUB(zero, e);
+            e = activation == MS_NN__ELU    ? MS_NN__V_MIN(zero, v)
+                : activation == MS_NN__TANH ? MS_NN__V_MUL(MS_NN__V_SET(-2.0f), MS_NN__V_MIN(MS_NN__V_SET(64.0f), e))
+                                            : MS_NN__V_SUB(zero, e);
             e = MS_NN__FN(exp_minus)(e, c);
             if (activation == MS_NN__ELU) {
                 f = MS_NN__V_IF_GREATER(v, zero, slope ? one : v, MS_NN__V_MUL(a, e));
@@ -6927,7 +7163,9 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(curve)(const float *x, float *y, size_
                 if (activation == MS_NN__SIGMOID) f = slope ? MS_NN__V_MUL(MS_NN__V_MUL(f, f), e) : up;
                 else if (activation == MS_NN__TANH) f = MS_NN__V_MUL(MS_NN__V_SET(4.0f), MS_NN__V_MUL(MS_NN__V_MUL(f, f), e));
                 else if (activation == MS_NN__SOFTPLUS) f = slope ? up : MS_NN__V_ADD(MS_NN__V_MAX(zero, v), MS_NN__FN(log1p)(e));
-                else f = slope ? MS_NN__V_MADD(MS_NN__V_MUL(up, v), MS_NN__V_MUL(f, MS_NN__V_IF_GREATER(zero, v, one, e)), up) : MS_NN__V_MUL(v, up); /* silu */
+                else
+                    f = slope ? MS_NN__V_MADD(MS_NN__V_MUL(up, v), MS_NN__V_MUL(f, MS_NN__V_IF_GREATER(zero, v, one, e)), up)
+                              : MS_NN__V_MUL(v, up); /* silu */
             }
         }
         MS_NN__V_STORE(y + i, slope ? MS_NN__V_MUL(MS_NN__V_LOAD(y + i), f) : f);
@@ -6984,7 +7222,8 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
         MS_NN__V_STORE(y + j, MS_NN__V_PAIR_MAX(a, b));
     }
 #endif
-    for (; j < n; ++j) y[j] = ms_nn__max_nan(ms_nn__max_nan(x[2 * j], x[2 * j + row]), ms_nn__max_nan(x[2 * j + 1], x[2 * j + row + 1]));
+    for (; j < n; ++j)
+        y[j] = ms_nn__max_nan(ms_nn__max_nan(x[2 * j], x[2 * j + row]), ms_nn__max_nan(x[2 * j + 1], x[2 * j + row + 1]));
 }
 #endif
 
@@ -7022,7 +7261,8 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
 #endif
 
 /* out[i][k] = a_i . b_k for na x nb columns (at most 4 x 2) of n elements, `stride` apart. */
-MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t stride, size_t n, double *out, size_t out_stride, int na, int nb)
+MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t stride, size_t n, double *out,
+                                        size_t out_stride, int na, int nb)
 {
     MS_NN__D_DOUBLES s[4][2];
     double lane[4][2][MS_NN__D_LANES];
@@ -7068,12 +7308,14 @@ MS_NN__KERNEL void MS_NN__FN(gram)(const double *a, size_t na, const double *b, 
             if (i + 4 <= na && k + 2 <= nb) MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 2);
             else if (i + 4 <= na) MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 1);
             else for (p = i; p < na; ++p)
-                for (q = k; q < ms_nn__min(k + 2, nb); ++q) MS_NN__FN(gram_tile)(a + p * stride, b + q * stride, stride, n, out + p * nb + q, nb, 1, 1);
+                    for (q = k; q < ms_nn__min(k + 2, nb); ++q)
+                        MS_NN__FN(gram_tile)(a + p * stride, b + q * stride, stride, n, out + p * nb + q, nb, 1, 1);
         }
 }
 
 /* y_k += sum_i s_ik a_i for ny x na vectors (at most 2 x 4) of n elements, `stride` apart. */
-MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride, size_t n, const double *s, size_t s_stride, int ny, int na)
+MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride, size_t n, const double *s, size_t s_stride,
+                                       int ny, int na)
 {
     MS_NN__D_DOUBLES f[4][2];
     size_t j = 0;
@@ -7113,7 +7355,8 @@ MS_NN__KERNEL void MS_NN__FN(add)(double *y, size_t ny, const double *a, size_t 
             if (i + 4 <= na && k + 2 <= ny) MS_NN__FN(add_tile)(yk, ai, stride, n, sik, ny, 2, 4);
             else if (i + 4 <= na) MS_NN__FN(add_tile)(yk, ai, stride, n, sik, ny, 1, 4);
             else for (p = i; p < na; ++p)
-                for (q = k; q < ms_nn__min(k + 2, ny); ++q) MS_NN__FN(add_tile)(y + q * stride, a + p * stride, stride, n, s + p * ny + q, ny, 1, 1);
+                    for (q = k; q < ms_nn__min(k + 2, ny); ++q)
+                        MS_NN__FN(add_tile)(y + q * stride, a + p * stride, stride, n, s + p * ny + q, ny, 1, 1);
         }
 }
 
@@ -7145,7 +7388,8 @@ MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double fac
         n = ms_nn__min(256, m->cols - at);
         if (m->dtype == MS_NN_F32) memcpy(part, w + 4 * at, 4 * n);
         else MS_NN__FN(widen)(w + at * size, n, part, m->dtype);
-        for (k = 0; k + MS_NN__D_LANES <= n; k += MS_NN__D_LANES) MS_NN__D_STORE(out + k, MS_NN__D_MUL(MS_NN__D_SET(factor), MS_NN__D_WIDEN(part + k)));
+        for (k = 0; k + MS_NN__D_LANES <= n; k += MS_NN__D_LANES)
+            MS_NN__D_STORE(out + k, MS_NN__D_MUL(MS_NN__D_SET(factor), MS_NN__D_WIDEN(part + k)));
         for (; k < n; ++k) out[k] = factor * (double)part[k];
     }
 }
@@ -7153,14 +7397,26 @@ MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double fac
 #endif
 
 #ifndef MS_NN_NO_COLLAPSE
-#define MS_NN__D_KERNELS(level) , MS_NN__JOIN(ms_nn__gram_, level), MS_NN__JOIN(ms_nn__add_, level), MS_NN__JOIN(ms_nn__rotate_, level), MS_NN__JOIN(ms_nn__row_, level)
+#define MS_NN__D_KERNELS(level) \
+    , MS_NN__JOIN(ms_nn__gram_, level), MS_NN__JOIN(ms_nn__add_, level), MS_NN__JOIN(ms_nn__rotate_, level), \
+    MS_NN__JOIN(ms_nn__row_, level)
 #else
 #define MS_NN__D_KERNELS(level)
 #endif
 #if MS_NN__ISA == 5
-static const ms_nn__kernels ms_nn__table_avx512vnni = {
-    MS_NN__V_BLOCK, 32, 0, ms_nn__packed_avx512, ms_nn__packed_back_avx512, ms_nn__dense_avx512, ms_nn__dense_int8_avx512vnni, ms_nn__dense_back_avx512, ms_nn__conv_avx512, ms_nn__combine_avx512,
-    ms_nn__activate_avx512, ms_nn__derive_avx512, ms_nn__pool2_avx2 MS_NN__D_KERNELS(avx2)};
+static const ms_nn__kernels ms_nn__table_avx512vnni = {MS_NN__V_BLOCK,
+                                                       32,
+                                                       0,
+                                                       ms_nn__packed_avx512,
+                                                       ms_nn__packed_back_avx512,
+                                                       ms_nn__dense_avx512,
+                                                       ms_nn__dense_int8_avx512vnni,
+                                                       ms_nn__dense_back_avx512,
+                                                       ms_nn__conv_avx512,
+                                                       ms_nn__combine_avx512,
+                                                       ms_nn__activate_avx512,
+                                                       ms_nn__derive_avx512,
+                                                       ms_nn__pool2_avx2 MS_NN__D_KERNELS(avx2)};
 #else
 #if MS_NN__ISA == 4
 #define MS_NN__INT8 ms_nn__dense_int8_avx2
@@ -7176,9 +7432,19 @@ static const ms_nn__kernels ms_nn__table_avx512vnni = {
 #else
 #define MS_NN__DOUBLES MS_NN__LEVEL
 #endif
-static const ms_nn__kernels MS_NN__FN(table) = {
-    MS_NN__V_BLOCK, MS_NN__P_ROWS, MS_NN__B_WIDEN, MS_NN__FN(packed), MS_NN__FN(packed_back), MS_NN__FN(dense), MS_NN__INT8, MS_NN__FN(dense_back), MS_NN__FN(conv), MS_NN__FN(combine), MS_NN__FN(activate),
-    MS_NN__FN(derive), MS_NN__POOL MS_NN__D_KERNELS(MS_NN__DOUBLES)};
+static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,
+                                                MS_NN__P_ROWS,
+                                                MS_NN__B_WIDEN,
+                                                MS_NN__FN(packed),
+                                                MS_NN__FN(packed_back),
+                                                MS_NN__FN(dense),
+                                                MS_NN__INT8,
+                                                MS_NN__FN(dense_back),
+                                                MS_NN__FN(conv),
+                                                MS_NN__FN(combine),
+                                                MS_NN__FN(activate),
+                                                MS_NN__FN(derive),
+                                                MS_NN__POOL MS_NN__D_KERNELS(MS_NN__DOUBLES)};
 #endif
 
 #undef MS_NN__D_KERNELS
