@@ -8019,7 +8019,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__SQRT(a) _mm512_maskz_sqrt_ps(0xffff, a)
 #define MS_SSS__RSQRT(a) _mm512_maskz_rsqrt14_ps(0xffff, a)
 #define MS_SSS__ABS(a) _mm512_abs_ps(a)
-#define MS_SSS__RCP(a) _mm512_rcp14_ps(a)
+#define MS_SSS__RCP(a) _mm512_maskz_rcp14_ps(0xffff, a)
 #define MS_SSS__FLOOR(a) _mm512_floor_ps(a)
 #define MS_SSS__TRUNC(a) _mm512_floor_ps(a)
 #define MS_SSS__SCALE(a, n) _mm512_maskz_scalef_ps(0xffff, a, _mm512_sub_ps(_mm512_setzero_ps(), n))
