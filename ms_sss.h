@@ -4446,14 +4446,12 @@ static MS_SSS__APART void ms_sss__fixed_second(const ms_sss__sweep *s, int y, fl
 {
     const ms_sss__job *job = s->job;
     const ms_sss__fixed *f = &job->taps[1];
-    ptrdiff_t at[MS_SSS__FIXED_MAX];
     int a = job->first[y], b = job->last[y], j, c, x; /* [a, b): every tap counts */
     if (y + f->lowest < 0 || y + f->highest >= job->frame.height) b = a;
     for (j = 0; j < f->count && a < b; ++j) {
         const int row = y + f->offset[j];
         if (job->solid_first[row] > a) a = job->solid_first[row];
         if (job->solid_last[row] < b) b = job->solid_last[row];
-        at[j] = s->row[row] - s->row[y];
     }
     a = ms_sss__round_up(a, 16);
     b -= b % 16;
@@ -4470,7 +4468,12 @@ static MS_SSS__APART void ms_sss__fixed_second(const ms_sss__sweep *s, int y, fl
         ms_sss__fixed_y(s, y, x, end - x, to);
         x = end;
     }
-    for (c = 0; c < 3 && a < b; ++c) job->simd->convolve(s->ring + s->row[y] + c * s->padded + a, at, f->weight[c], f->count, b - a, out[c] + a);
+    if (a < b) {
+        ptrdiff_t at[MS_SSS__FIXED_MAX];
+        const float *from = s->ring + s->row[y] + a;
+        for (j = 0; j < f->count; ++j) at[j] = s->row[y + f->offset[j]] - s->row[y];
+        for (c = 0; c < 3; ++c) job->simd->convolve(from + c * s->padded, at, f->weight[c], f->count, b - a, out[c] + a);
+    }
 }
 
 /* Second pass, composition and output of rows [begin, end), at most STEP. */
