@@ -3563,10 +3563,11 @@ enum {
     MS_SSS__FAR = 120,  /* pixels that pairs may reach */
     MS_SSS__MARGIN = 144, /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
     MS_SSS__STEP = 8,   /* rows that the second pass takes together */
-    MS_SSS__LEAVE = 0,  /* plans of a group: no lane has a kernel; lane by lane; pairs, where some lanes have kernels; where all have */
+    MS_SSS__LEAVE = 0,  /* plans of a group: no lane has a kernel; lane by lane; pairs, where some lanes have kernels; where all have; and one place each */
     MS_SSS__ANY = 1,
     MS_SSS__SOME = 2,
     MS_SSS__ALL = 3,
+    MS_SSS__ONE = 4,
     MS_SSS__BESIDE = 128, /* added to a pair's whole part: it or one more */
     MS_SSS__SIDE_MAX = 65536,
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
@@ -4552,7 +4553,10 @@ static void ms_sss__admit(const ms_sss__sweep *s, int task, int y, int foreign, 
         other.whole = info + 4 - y;
     }
     ms_sss__prepare(&other, y, task, plane, plane[3]);
-    if (!other.fixed) other.simd->limit(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT + s->padded + MS_SSS__RIGHT);
+    if (other.fixed) return;
+    x = ms_sss__solid(&other, y, 0, s->padded) ? other.frame.width / 16 * 16 : 0; /* before it nothing is INFINITY */
+    other.simd->limit(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT);
+    other.simd->limit(plane[3] + x, s->padded - x + MS_SSS__RIGHT);
 }
 
 /* Slopes of row y from the depths of five rows, or from normals. */
@@ -7995,7 +7999,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__JOIN_(name, level) ms_sss__##name##_##level
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
 #define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
-#define MS_SSS__CHUNK (MS_SSS__LANES == 8 ? 4 : 1) /* groups in flight */
+#define MS_SSS__CHUNK (MS_SSS__LANES == 16 ? 1 : MS_SSS__LANES == 1 ? 16 : 4) /* groups in flight */
 #if defined(__GNUC__) && !defined(__clang__) && MS_SSS__LANES >= 8
 #define MS_SSS__UNROLL _Pragma("GCC unroll 3")
 #else
@@ -8190,22 +8194,31 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(inverse)(MS_SSS__V a)
 }
 
 /* Where before[i] is finite and value[i] > 0 depth[i] becomes scale * value[i], else INFINITY; before may be depth. span:
-   from the first finite one to behind the last. Returns whether all of those values are at least 1. */
+   from the first finite one to behind the last. Returns whether all of those values are at least 1, if scale is 0. */
 static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const float *before, float *depth, int span[2])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY), s = MS_SSS__SET(scale);
+    const unsigned full = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
     unsigned partial = 0;
-    int x;
-    span[0] = span[1] = 0;
+    int x, begin = -1, end = 0;
     for (x = 0; x < count; x += MS_SSS__LANES) {
-        MS_SSS__V v = MS_SSS__LOAD(value + x);
-        MS_SSS__MASK part = MS_SSS__BOTH(MS_SSS__LESS(zero, v), MS_SSS__LESS(MS_SSS__LOAD(before + x), infinity));
-        MS_SSS__STORE(depth + x, MS_SSS__SELECT(part, MS_SSS__MUL(v, MS_SSS__SET(scale)), infinity));
-        if (!MS_SSS__BITS(part)) continue;
-        partial |= MS_SSS__BITS(MS_SSS__BOTH(part, MS_SSS__LESS(v, one)));
-        if (span[1] == 0) span[0] = x + ms_sss__lowest(MS_SSS__BITS(part));
-        span[1] = x + ms_sss__highest(MS_SSS__BITS(part)) + 1;
+        const MS_SSS__V v = MS_SSS__LOAD(value + x), z = MS_SSS__MUL(v, s);
+        const MS_SSS__MASK part = MS_SSS__BOTH(MS_SSS__LESS(zero, v), MS_SSS__LESS(MS_SSS__LOAD(before + x), infinity));
+        const unsigned bits = MS_SSS__BITS(part);
+        if (!(scale > 0)) partial |= MS_SSS__BITS(MS_SSS__BOTH(part, MS_SSS__LESS(v, one)));
+        if (bits == full) {
+            MS_SSS__STORE(depth + x, z);
+            if (begin < 0) begin = x;
+            end = x + MS_SSS__LANES;
+            continue;
+        }
+        MS_SSS__STORE(depth + x, MS_SSS__SELECT(part, z, infinity));
+        if (!bits) continue;
+        if (begin < 0) begin = x + ms_sss__lowest(bits);
+        end = x + ms_sss__highest(bits) + 1;
     }
+    span[0] = begin < 0 ? 0 : begin;
+    span[1] = end;
     return !partial;
 }
 
@@ -8215,11 +8228,11 @@ static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albe
                                const float *before, float *depth, float *const colour[3])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
+    const unsigned full = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
     int x, all = 1;
     for (x = 0; x < count; x += MS_SSS__LANES) {
         MS_SSS__V r = MS_SSS__LOAD(in[0] + x), g = MS_SSS__LOAD(in[1] + x), b = MS_SSS__LOAD(in[2] + x), z = MS_SSS__LOAD(before + x);
         MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
-        const unsigned inside = ms_sss__lanes(end - x, MS_SSS__LANES) & ~ms_sss__lanes(begin - x, MS_SSS__LANES);
         if (albedo) {
             r = MS_SSS__MUL(r, MS_SSS__LOAD(albedo[0] + x));
             g = MS_SSS__MUL(g, MS_SSS__LOAD(albedo[1] + x));
@@ -8228,11 +8241,18 @@ static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albe
         part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(r), infinity));
         part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(g), infinity));
         part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(b), infinity));
-        if ((MS_SSS__BITS(part) & inside) != inside) all = 0;
-        MS_SSS__STORE(colour[0] + x, MS_SSS__SELECT(part, r, zero));
-        MS_SSS__STORE(colour[1] + x, MS_SSS__SELECT(part, g, zero));
-        MS_SSS__STORE(colour[2] + x, MS_SSS__SELECT(part, b, zero));
-        MS_SSS__STORE(depth + x, MS_SSS__SELECT(part, z, infinity));
+        if (MS_SSS__BITS(part) != full) {
+            const unsigned inside = ms_sss__lanes(end - x, MS_SSS__LANES) & ~ms_sss__lanes(begin - x, MS_SSS__LANES);
+            if ((MS_SSS__BITS(part) & inside) != inside) all = 0;
+            r = MS_SSS__SELECT(part, r, zero);
+            g = MS_SSS__SELECT(part, g, zero);
+            b = MS_SSS__SELECT(part, b, zero);
+            z = MS_SSS__SELECT(part, z, infinity);
+        }
+        MS_SSS__STORE(colour[0] + x, r);
+        MS_SSS__STORE(colour[1] + x, g);
+        MS_SSS__STORE(colour[2] + x, b);
+        MS_SSS__STORE(depth + x, z);
     }
     return all;
 }
@@ -8464,42 +8484,82 @@ static void MS_SSS__NAME(limit)(float *depth, int count)
     for (x = 0; x < count; x += MS_SSS__LANES) MS_SSS__STORE(depth + x, MS_SSS__MIN(MS_SSS__LOAD(depth + x), MS_SSS__SET(MS_SSS__AWAY)));
 }
 
+/* The least and the largest of all lanes. */
+static MS_SSS__INLINE void MS_SSS__NAME(bounds)(MS_SSS__V a, float *least, float *most)
+{
+#if MS_SSS__LANES == 1
+    *least = *most = a;
+#elif defined(MS__X64)
+#if MS_SSS__LANES == 16
+    const __m256 low = _mm512_maskz_extractf32x8_ps(0xff, a, 0), high = _mm512_maskz_extractf32x8_ps(0xff, a, 1);
+    const __m256 l = _mm256_min_ps(low, high), m = _mm256_max_ps(low, high);
+    __m128 u = _mm_min_ps(_mm256_castps256_ps128(l), _mm256_extractf128_ps(l, 1)), v = _mm_max_ps(_mm256_castps256_ps128(m), _mm256_extractf128_ps(m, 1));
+#elif MS_SSS__LANES == 8
+    const __m128 low = _mm256_castps256_ps128(a), high = _mm256_extractf128_ps(a, 1);
+    __m128 u = _mm_min_ps(low, high), v = _mm_max_ps(low, high);
+#else
+    __m128 u = a, v = a;
+#endif
+    u = _mm_min_ps(u, _mm_movehl_ps(u, u));
+    v = _mm_max_ps(v, _mm_movehl_ps(v, v));
+    *least = _mm_cvtss_f32(_mm_min_ss(u, _mm_shuffle_ps(u, u, 1)));
+    *most = _mm_cvtss_f32(_mm_max_ss(v, _mm_shuffle_ps(v, v, 1)));
+#else
+    *least = vminvq_f32(a);
+    *most = vmaxvq_f32(a);
+#endif
+}
+
 /* What the groups of a row need along an axis: each pair's whole part where it is the same in all lanes that have kernels, or
-   one of two (BESIDE added). size: NULL: from depth. */
+   one of two (BESIDE added): products grow with the size, so the ends tell. Between two sizes the plan of the group before holds: with
+   rounding on the safe side. size: NULL: from depth. */
 static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size, int first, int last,
                                unsigned char *plan)
 {
     const unsigned all = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
-    int x, k, lane;
-    for (x = first, plan += first / MS_SSS__LANES * s->plan_size; x < last; x += MS_SSS__LANES, plan += s->plan_size) {
-        const MS_SSS__V z = MS_SSS__LOAD(depth + x);
-        const MS_SSS__MASK need = MS_SSS__NAME(need)(p, z);
+    const int pairs = s->pairs, plan_size = s->plan_size;
+    const float (*offset)[16] = s->offset[axis];
+    const unsigned char *last_plan = plan;
+    float least_size = INFINITY, most_size = 0;
+    int x, k;
+    for (x = first, plan += first / MS_SSS__LANES * plan_size; x < last; x += MS_SSS__LANES, plan += plan_size) {
+        const MS_SSS__V z = MS_SSS__LOAD(depth + x), pixels = MS_SSS__NAME(size)(p, z);
+        const MS_SSS__MASK need = MS_SSS__BOTH(MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)), MS_SSS__LESS(MS_SSS__SET(p->size_min), pixels));
         const unsigned bits = MS_SSS__BITS(need);
-        MS_SSS__V own;
-        float at[MS_SSS__LANES];
+        MS_SSS__V own = size ? MS_SSS__LOAD(size + x) : pixels;
+        float at[MS_SSS__LANES], least, most;
+        int kind, beside = 0;
+        if (bits == all && MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(least_size), own), MS_SSS__LESS(own, MS_SSS__SET(most_size)))) == all) {
+            for (k = 0; k < plan_size; k += 4) memcpy(plan + k, last_plan + k, 4);
+            continue;
+        }
         plan[0] = bits ? MS_SSS__ANY : MS_SSS__LEAVE;
-        if (!bits || !s->pairs) continue;
-        own = size ? MS_SSS__LOAD(size + x) : MS_SSS__NAME(size)(p, z);
+        if (!bits || !pairs) continue;
         if (bits != all) {
             MS_SSS__STORE(at, own);
             own = MS_SSS__SELECT(need, own, MS_SSS__SET(at[ms_sss__lowest(bits)]));
         }
-        plan[0] = bits == all ? MS_SSS__ALL : MS_SSS__SOME;
-        for (k = 0; k < s->pairs; ++k) {
-            const MS_SSS__V whole = MS_SSS__TRUNC(MS_SSS__MUL(own, MS_SSS__LOAD(s->offset[axis][k])));
-            float least;
-            int two = 0;
-            MS_SSS__STORE(at, whole);
-            least = at[0];
-            if (MS_SSS__BITS(MS_SSS__SAME(whole, MS_SSS__SET(least))) != all) {
-                for (lane = 1; lane < MS_SSS__LANES; ++lane) least = at[lane] < least ? at[lane] : least;
-                two = MS_SSS__BITS(MS_SSS__LESS(whole, MS_SSS__SET(least + 1.5f))) == all ? MS_SSS__BESIDE : -1;
-            }
-            if (two < 0 || least > (float)MS_SSS__FAR) {
-                plan[0] = MS_SSS__ANY;
-                break;
-            }
-            plan[k + 1] = (unsigned char)((int)least + two);
+        kind = bits == all ? MS_SSS__ALL : MS_SSS__SOME;
+        MS_SSS__NAME(bounds)(own, &least, &most);
+        for (k = 0; k < pairs; ++k) {
+            int low, high;
+            if (!(most * offset[k][0] < (float)MS_SSS__FAR)) break; /* NaN, too */
+            low = (int)(least * offset[k][0]);
+            high = (int)(most * offset[k][0]);
+            if (high > low + 1) break;
+            beside |= high - low;
+            plan[k + 1] = (unsigned char)(low + (high > low ? MS_SSS__BESIDE : 0));
+        }
+        if (k < pairs) continue;
+        plan[0] = (unsigned char)(kind == MS_SSS__ALL && !beside ? MS_SSS__ONE : kind);
+        if (plan[0] != MS_SSS__ONE) continue;
+        last_plan = plan;
+        least_size = 0;
+        most_size = INFINITY;
+        for (k = 0; k < pairs; ++k) {
+            const float low = (float)plan[k + 1] / offset[k][0] * 1.000001f, high = (float)(plan[k + 1] + 1) / offset[k][0] * 0.999999f;
+            least_size = low > least_size ? low : least_size;
+            most_size = high < most_size ? high : most_size;
         }
     }
 }
@@ -8603,10 +8663,10 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(nearness)(const ms_sss__pass *p, co
 
 /* What the pixels of a pair at distance t weigh by their depths, q: i, i + 1 (and i + 2 where lanes of a group differ), -i, -i - 1 (-i - 2).
    Returns their sum. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, const int exact, const float *deep, const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, const int exact, const int one_place, const float *deep, const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
-    const int two = MS_SSS__LANES > 1 ? place & MS_SSS__BESIDE : 0, i = place - two;
+    const int two = one_place ? 0 : place & MS_SSS__BESIDE, i = place - two;
     const ptrdiff_t *up = step + i, *down = step - i;
     MS_SSS__V r = MS_SSS__SUB(t, MS_SSS__SET(ms_sss__whole[i])), share = MS_SSS__SUB(one, r), third = zero, up_sum, down_sum;
     if (two) {
@@ -8640,14 +8700,14 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(light)(const float *from, const ptr
 }
 
 /* Adds a pair's light to v and its weights, whose sum is all, to m. */
-static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], const float *const from[3], const ptrdiff_t *step, int place,
+static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], const int one_place, const float *const from[3], const ptrdiff_t *step, int place,
                                                   const MS_SSS__V *q, MS_SSS__V all, MS_SSS__V v[3], MS_SSS__V m[3])
 {
     const MS_SSS__V wr = MS_SSS__LOAD(weight[0]), wg = MS_SSS__LOAD(weight[1]), wb = MS_SSS__LOAD(weight[2]);
     m[0] = MS_SSS__MADD(wr, all, m[0]);
     m[1] = MS_SSS__MADD(wg, all, m[1]);
     m[2] = MS_SSS__MADD(wb, all, m[2]);
-    if (MS_SSS__LANES == 1 || !(place & MS_SSS__BESIDE)) {
+    if (one_place || !(place & MS_SSS__BESIDE)) {
         v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(from[0], step, place, 0, q), v[0]);
         v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(from[1], step, place, 0, q), v[1]);
         v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(from[2], step, place, 0, q), v[2]);
@@ -8658,16 +8718,17 @@ static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], con
     }
 }
 
-/* n groups from column x on, without slopes: HELD pairs of each at a time, first what they weigh, then the sums, since the chains of one group are long. */
-static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, const int three, const int exact, MS_SSS__V (*out)[3])
+/* n groups from column x on, without slopes: HELD pairs of each at a time, first what they weigh, then the sums, since the chains of one
+   group are long. three: of three pairs the groups with one place each, else all that go by pairs. */
+static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, const int three, MS_SSS__V (*out)[3])
 {
     const ptrdiff_t *step = l->step, plane = l->plane, here = step[0], group = l->group;
     const float *first = l->from + x / MS_SSS__LANES * group, (*offset)[16] = s->offset[l->axis];
-    const int pairs = three ? 3 : s->pairs, plan_size = s->plan_size;
+    const int pairs = three ? 3 : s->pairs, plan_size = s->plan_size, least = three ? MS_SSS__ONE : MS_SSS__SOME, one_place = three || MS_SSS__LANES == 1, exact = !three && p->exact;
     const unsigned char *plans = l->plan + x / MS_SSS__LANES * plan_size + 1;
     MS_SSS__V q[MS_SSS__HELD][MS_SSS__CHUNK][6], all[MS_SSS__HELD][MS_SSS__CHUNK], norm[MS_SSS__CHUNK][3];
     int g, k, c, begin = 0, end = 0;
-    if (MS_SSS__CHUNK == 1 && plans[-1] < MS_SSS__SOME) return;
+    if (MS_SSS__CHUNK == 1 && plans[-1] < least) return;
     do {
         const unsigned char *plan = plans;
         const float *red = first;
@@ -8676,21 +8737,21 @@ static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_s
         for (g = 0; g < n; ++g, plan += plan_size, red += group) {
             const float *deep = red + 3 * plane;
             const MS_SSS__V z = MS_SSS__LOAD(deep + here), size = MS_SSS__NAME(size)(p, z);
-            if (MS_SSS__CHUNK > 1 && plan[-1] < MS_SSS__SOME) continue;
+            if (MS_SSS__CHUNK > 1 && plan[-1] < least) continue;
             if (three) {
                 MS_SSS__UNROLL
-                for (k = 0; k < 3; ++k) all[k][g] = MS_SSS__NAME(weigh_pair)(p, exact, deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k][g]);
+                for (k = 0; k < 3; ++k) all[k][g] = MS_SSS__NAME(weigh_pair)(p, exact, one_place, deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k][g]);
                 continue;
             }
             for (k = begin; k < end; ++k)
-                all[k - begin][g] = MS_SSS__NAME(weigh_pair)(p, exact, deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k - begin][g]);
+                all[k - begin][g] = MS_SSS__NAME(weigh_pair)(p, exact, one_place, deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k - begin][g]);
         }
         plan = plans;
         red = first;
         for (g = 0; g < n; ++g, plan += plan_size, red += group) {
             const float *from[3];
             MS_SSS__V v[3], m[3], own[3];
-            if (MS_SSS__CHUNK > 1 && plan[-1] < MS_SSS__SOME) continue;
+            if (MS_SSS__CHUNK > 1 && plan[-1] < least) continue;
             MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) {
                 from[c] = red + c * plane;
@@ -8700,10 +8761,10 @@ static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_s
             }
             if (three) {
                 MS_SSS__UNROLL
-                for (k = 0; k < 3; ++k) MS_SSS__NAME(add_pair)(s->weight[k + 1], from, step, plan[k], q[k][g], all[k][g], v, m);
+                for (k = 0; k < 3; ++k) MS_SSS__NAME(add_pair)(s->weight[k + 1], one_place, from, step, plan[k], q[k][g], all[k][g], v, m);
             }
             for (k = begin; k < end && !three; ++k)
-                MS_SSS__NAME(add_pair)(s->weight[k + 1], from, step, plan[k], q[k - begin][g], all[k - begin][g], v, m);
+                MS_SSS__NAME(add_pair)(s->weight[k + 1], one_place, from, step, plan[k], q[k - begin][g], all[k - begin][g], v, m);
             if (end == pairs && s->simple) {
                 MS_SSS__UNROLL
                 for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(1e-30f), m[c]), MS_SSS__DIV(v[c], m[c]), own[c]);
@@ -8716,6 +8777,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_s
             }
         }
     } while (!three && end < pairs);
+}
+
+static MS_SSS__APART void MS_SSS__NAME(by_pairs)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, MS_SSS__V (*out)[3])
+{
+    MS_SSS__NAME(flat)(s, p, l, x, n, 0, out);
 }
 
 #if MS_SSS__LANES > 1
@@ -9088,7 +9154,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
         for (y = 0; y < lines; ++y) {
             const ms_sss__line *l = &line[y];
             const int n = (l->last - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (l->last - x) / MS_SSS__LANES : MS_SSS__CHUNK;
-            const int plan_size = s->plan_size, axis = l->axis, stream = l->stream;
+            const int plan_size = s->plan_size, axis = l->axis, stream = l->stream, three = MS_SSS__LANES > 4 && !shaped && s->pairs == 3 && !p->exact;
             const ptrdiff_t group = l->group, to_group = l->to_group;
             const float *deep;
             float *to[3];
@@ -9105,13 +9171,13 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
 #else
             if (shaped) memset(out, 0, sizeof out);
 #endif
-            else if (p->exact) MS_SSS__NAME(flat)(s, p, l, x, n, 0, 1, out);
-            else if (MS_SSS__LANES > 4 && s->pairs == 3) MS_SSS__NAME(flat)(s, p, l, x, n, 1, 0, out);
-            else MS_SSS__NAME(flat)(s, p, l, x, n, 0, 0, out);
+            else if (three) MS_SSS__NAME(flat)(s, p, l, x, n, 1, out);
+            else if (s->pairs) MS_SSS__NAME(by_pairs)(s, p, l, x, n, out);
             for (c = 0; c < 3; ++c) to[c] = l->to[c] + x / MS_SSS__LANES * l->to_group;
             for (g = 0; g < n; ++g) {
                 const int kind = l->plan[(x / MS_SSS__LANES + g) * plan_size];
-                if (kind != MS_SSS__ALL) MS_SSS__NAME(rest)(s, p, l, x + g * MS_SSS__LANES, kind, out[g]);
+                if (three && kind >= MS_SSS__SOME && kind < MS_SSS__ONE) MS_SSS__NAME(by_pairs)(s, p, l, x + g * MS_SSS__LANES, 1, out + g);
+                if (kind < MS_SSS__ALL) MS_SSS__NAME(rest)(s, p, l, x + g * MS_SSS__LANES, kind, out[g]);
                 if (stream) {
                     MS_SSS__UNROLL
                     for (c = 0; c < 3; ++c) MS_SSS__STREAM(to[c] + g * to_group, out[g][c]);
