@@ -3559,7 +3559,7 @@ enum {
     MS_SSS__ROWS = 42,  /* row buffers of a task */
     MS_SSS__PAIRS = 16, /* of taps that are made as pairs */
     MS_SSS__LEANING = 8, /* the same with slopes */
-    MS_SSS__HELD = 4,   /* pairs whose weights are held */
+    MS_SSS__HELD = 3,   /* pairs whose weights are held */
     MS_SSS__FAR = 120,  /* pixels that pairs may reach */
     MS_SSS__MARGIN = 144, /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
     MS_SSS__STEP = 8,   /* rows that the second pass takes together */
