@@ -3284,35 +3284,35 @@ static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->b
 
 /* Packs a matrix, unless it comes from memory rather than from a cache: one of over two million weights, or behind the first
    eight million of a network; nor one of rows so long that their sums want more than two parts. Those are read where they lie,
-   and I8 is summed
-   in integers, faster than it is widened. Nothing here depends on the batch, so that bits do not. 0: no memory. */
+   and I8 is summed in integers, faster than it is widened. Nothing here depends on the batch, so that bits do not. 0: no memory. */
 static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
 {
-    size_t panel = nn->kernels->panel, row0, row, k;
-    ms_nn_dtype dtype = nn->kernels->widen ? MS_NN_F32 : m->dtype == MS_NN_I8 ? MS_NN_F16 : m->dtype;
+    const ms_nn_dtype dtype = nn->kernels->widen ? MS_NN_F32 : m->dtype == MS_NN_I8 ? MS_NN_F16 : m->dtype;
+    const size_t panel = nn->kernels->panel, size = ms_nn__bytes_of(dtype), own = ms_nn__bytes_of(m->dtype);
+    uint16_t half[256]; /* of every I8 */
     unsigned char *w;
+    size_t row, k;
     m->packed = NULL;
     m->packed_dtype = dtype;
     if (m->cols > 16384 || m->rows > 2000000 / m->cols || nn->packed + m->rows * m->cols > 8000000) return 1;
-    m->packed = w = (unsigned char *)ms_nn__hold(nn, (m->rows + panel - 1) / panel * panel * ms_nn__bytes_of(dtype), m->cols);
+    m->packed = w = (unsigned char *)ms_nn__hold(nn, (m->rows + panel - 1) / panel * panel * size, m->cols);
     if (w == NULL) return 0;
     nn->packed += m->rows * m->cols;
-    for (row0 = 0; row0 < m->rows; row0 += panel) {
-        for (k = 0; k < m->cols; ++k)
-            for (row = row0; row < row0 + panel; ++row, w += ms_nn__bytes_of(dtype)) {
-                size_t from = row * m->cols + k;
-                float value;
-                if (row >= m->rows) {
-                    memset(w, 0, ms_nn__bytes_of(dtype));
-                } else if (dtype != m->dtype) {
-                    value = (float)ms_nn__element(m->w, m->dtype, from);
-                    if (dtype == MS_NN_F32) memcpy(w, &value, 4);
-                    else ms_nn__put_u16(w, ms__half_from_float(value));
-                } else if (dtype == MS_NN_F32) {
-                    memcpy(w, m->w + 4 * from, 4);
-                } else {
-                    memcpy(w, m->w + 2 * from, 2);
-                }
+    for (k = 0; k < 256; ++k) half[k] = ms__half_from_float(k < 128 ? (float)k : (float)k - 256);
+    for (row = 0; row < m->rows || row % panel; ++row) {
+        const unsigned char *from = m->w + (row < m->rows ? row * m->cols * own : 0);
+        unsigned char *to = w + (row / panel * panel * m->cols + row % panel) * size;
+        for (k = 0; k < m->cols; ++k, from += own, to += panel * size)
+            if (row >= m->rows) {
+                memset(to, 0, size);
+            } else if (dtype == m->dtype) {
+                if (size == 4) memcpy(to, from, 4);
+                else memcpy(to, from, 2);
+            } else if (size == 2) {
+                ms_nn__put_u16(to, half[*from]);
+            } else {
+                const float value = (float)ms_nn__element(from, m->dtype, 0);
+                memcpy(to, &value, 4);
             }
     }
     return 1;
