@@ -869,7 +869,7 @@ static void test_batches(void)
 
 /* Dense layers around the shapes of the kernels' tiles and of what is packed at load, at every level: sums against double precision within
    the bound of any order of float sums, (n + 4) 2^-24 of the absolute products (I8 that is not packed: and 5e-7 of the largest input for
-   each weight, its fixed point); a batch has the bits of each alone, and nothing but the outputs is written. */
+   each weight, its fixed point), forwards and back; a batch has the bits of each alone, and nothing but the outputs is written. */
 static void test_dense_shapes(void)
 {
     enum { COUNT = 13 };
@@ -890,7 +890,7 @@ static void test_dense_shapes(void)
             for (i = 0; i < COUNT * cols; ++i) x[i] = (float)test_normal(&state);
             for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
                 ms_nn *nn = net_load(&net, (ms_simd)level, 0);
-                float *alone = (float *)malloc(COUNT * rows * sizeof(float));
+                float *alone = (float *)malloc(COUNT * rows * sizeof(float)), *back = (float *)malloc(COUNT * cols * sizeof(float));
                 if (ms_nn_simd(nn) == (ms_simd)level)
                     for (b = 0; b < COUNT; ++b) {
                         double most = 0;
@@ -907,6 +907,18 @@ static void test_dense_shapes(void)
                             CHECK_NEAR(alone[b * rows + i], sum, (double)(cols + 4) * 5.97e-8 * size + (t == MS_NN_I8 && cols > 16384 ? 5e-7 * most * weights : 0));
                         }
                     }
+                for (b = 0; ms_nn_simd(nn) == (ms_simd)level && b < COUNT; ++b) { /* outputs stand for their gradients */
+                    CHECK_INT(ms_nn_vjp(nn, 1, x + b * cols, alone + b * rows, NULL, back + b * cols, NULL), MS_OK);
+                    for (j = 0; j < cols; ++j) {
+                        double sum = 0, size = 0;
+                        for (i = 0; i < rows; ++i) {
+                            double product = net.layer[0].w[i * cols + j] * (double)alone[b * rows + i];
+                            sum += product;
+                            size += fabs(product);
+                        }
+                        CHECK_NEAR(back[b * cols + j], sum, (double)(rows + 4) * 5.97e-8 * size);
+                    }
+                }
                 for (c = 0; ms_nn_simd(nn) == (ms_simd)level && c < sizeof counts / sizeof counts[0]; ++c) {
                     size_t n = (size_t)counts[c];
                     float *y = (float *)malloc((n * rows + 1) * sizeof(float)), *xc = (float *)malloc(n * cols * sizeof(float)); /* to their ends, for sanitizers */
@@ -916,9 +928,16 @@ static void test_dense_shapes(void)
                     CHECK_INT(memcmp(y, alone, n * rows * sizeof(float)), 0);
                     CHECK(y[n * rows] == 7);
                     free(y);
+                    y = (float *)malloc((n * cols + 1) * sizeof(float));
+                    y[n * cols] = 7;
+                    CHECK_INT(ms_nn_vjp(nn, counts[c], xc, alone, NULL, y, NULL), MS_OK);
+                    CHECK_INT(memcmp(y, back, n * cols * sizeof(float)), 0);
+                    CHECK(y[n * cols] == 7);
+                    free(y);
                     free(xc);
                 }
                 free(alone);
+                free(back);
                 ms_nn_destroy(nn);
             }
             free(x);
