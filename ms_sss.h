@@ -9641,8 +9641,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
 static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count, float *const out[7])
 {
     if (s->upright > 0) MS_SSS__NAME(shrink_row)(s, 1, 1, row, first, count, out);
-    else if (row[1][4]) MS_SSS__NAME(shrink_row)(s, 0, 1, row, first, count, out);
-    else MS_SSS__NAME(shrink_row)(s, 0, 0, row, first, count, out);
+    else MS_SSS__NAME(shrink_row)(s, 0, row[1][4] != NULL, row, first, count, out);
 }
 
 /* Weights of a level for kernels of these radii in pixels, linear between the table's sizes: of the blurred alone, or (both) of the own before.
@@ -9877,10 +9876,9 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_row)(const ms_sss__growth *s, con
 
 static void MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6])
 {
-    if (s->upright > 0 && s->wide) MS_SSS__NAME(gather_row)(s, 1, 1, own, coarse, first, count, y, out);
-    else if (s->upright > 0) MS_SSS__NAME(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
-    else if (s->wide) MS_SSS__NAME(gather_row)(s, 1, 0, own, coarse, first, count, y, out);
-    else MS_SSS__NAME(gather_row)(s, 0, 0, own, coarse, first, count, y, out);
+    if (!(s->upright > 0)) MS_SSS__NAME(gather_row)(s, s->wide, 0, own, coarse, first, count, y, out);
+    else if (s->wide) MS_SSS__NAME(gather_row)(s, 1, 1, own, coarse, first, count, y, out);
+    else MS_SSS__NAME(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
 }
 
 /* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
