@@ -224,7 +224,7 @@ IMAGE_DEF const char *image__load(const char *path, image__bytes *b)
 
 /* --- DEFLATE (RFC 1951): LZ77 with hash chains and lazy matching, blocks with their own Huffman codes --- */
 
-enum { image__literals = 286, image__distances = 30, image__tokens = 32768, image__window = 32768, image__chain = 48 };
+enum { image__literals = 286, image__distances = 30, image__tokens = 32768, image__window = 32768, image__chain = 16 };
 
 typedef struct image__deflate {
     uint32_t token[image__tokens]; /* a literal, or length << 16 | distance */
@@ -373,16 +373,16 @@ static inline void image__flush_block(image__deflate *d, image__bytes *out, int 
     d->count = 0;
 }
 
-/* Longest earlier match of the bytes at `at`, of at most 258, or 0; *distance in [1, 32768]. */
+/* Longest earlier match of the bytes at `at`, of more than `best` and at most 258, or 0; *distance in [1, 32768]. */
 static inline int image__match(const image__deflate *d, const unsigned char *data, size_t size, size_t at,
-                               uint32_t hash, int *distance)
+                               uint32_t hash, int best, int *distance)
 {
-    int most = size - at < 258 ? (int)(size - at) : 258, best = 2, tries = image__chain;
+    int most = size - at < 258 ? (int)(size - at) : 258, tries = best < 8 ? image__chain : image__chain / 4, held = best;
     uint32_t from = d->head[hash];
     while (from != 0 && at - (from - 1) <= image__window && tries-- > 0) {
         const unsigned char *a = data + at, *b = data + from - 1;
         int n = 0;
-        if (b[best] == a[best]) {
+        if (best < most && b[best] == a[best] && b[best - 1] == a[best - 1]) {
             while (n < most && a[n] == b[n]) ++n;
             if (n > best) {
                 best = n;
@@ -393,7 +393,7 @@ static inline int image__match(const image__deflate *d, const unsigned char *dat
         if (d->previous[(from - 1) % image__window] >= from) break; /* that slot is newer: the chain ends here */
         from = d->previous[(from - 1) % image__window];
     }
-    return best > 2 ? best : 0;
+    return best > held ? best : 0;
 }
 
 /* zlib stream (RFC 1950) of fewer than 2^32 bytes. */
@@ -413,7 +413,7 @@ static inline void image__zlib(image__bytes *out, const unsigned char *data, siz
         if (at + 2 < size) {
             uint32_t hash = ((data[at] | (uint32_t)data[at + 1] << 8 | (uint32_t)data[at + 2] << 16) * 2654435761u) >>
                             17;
-            if (held < 64) match = image__match(d, data, size, at, hash, &distance);
+            if (held < 64) match = image__match(d, data, size, at, hash, held > 2 ? held : 2, &distance);
             d->previous[at % image__window] = d->head[hash];
             d->head[hash] = (uint32_t)at + 1;
         }
@@ -442,9 +442,11 @@ static inline void image__zlib(image__bytes *out, const unsigned char *data, siz
     }
     image__flush_block(d, out, 1);
     if (out->bit_count) image__put_bits(out, 0, 8 - out->bit_count);
-    for (at = 0; at < size; ++at) { /* Adler-32 */
-        a = (a + data[at]) % 65521;
-        b = (b + a) % 65521;
+    for (at = 0; at < size;) { /* Adler-32; sums of 5552 bytes fit */
+        const size_t end = size - at < 5552 ? size : at + 5552;
+        for (; at < end; ++at) b += a += data[at];
+        a %= 65521;
+        b %= 65521;
     }
     image__put_u32(out, b << 16 | a);
     free(d);
@@ -452,42 +454,51 @@ static inline void image__zlib(image__bytes *out, const unsigned char *data, siz
 
 /* --- PNG --- */
 
+/* CRC-32 of a chunk's name and data (PNG specification, annex D), four bits at a time. */
+static inline uint32_t image__crc(const unsigned char *data, size_t size)
+{
+    uint32_t table[16], crc = 0xffffffffu;
+    size_t i;
+    int k;
+    for (i = 0; i < 16; ++i)
+        for (table[i] = (uint32_t)i, k = 0; k < 4; ++k) table[i] = table[i] >> 1 ^ (table[i] & 1 ? 0xedb88320u : 0);
+    for (i = 0; i < size; ++i) {
+        crc ^= data[i];
+        crc = crc >> 4 ^ table[crc & 15];
+        crc = crc >> 4 ^ table[crc & 15];
+    }
+    return ~crc;
+}
+
 static inline void image__chunk(image__bytes *out, const char *name, const unsigned char *data, size_t size)
 {
-    uint32_t crc = 0xffffffffu;
-    size_t i, start;
-    int k;
+    size_t start;
     image__put_u32(out, (uint32_t)size);
     start = out->size;
     image__put(out, name, 4);
     if (size) image__put(out, data, size);
-    if (out->failed) return;
-    for (i = start; i < out->size; ++i) {
-        crc ^= out->data[i];
-        for (k = 0; k < 8; ++k) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
-    }
-    image__put_u32(out, ~crc);
+    if (!out->failed) image__put_u32(out, image__crc(out->data + start, out->size - start));
 }
 
-/* One row through filter 0 to 4 (PNG specification, section 9) into to[n]; `above` is NULL for the first row.
-   Returns the sum of absolute differences, which the writer keeps low. */
-static inline long image__filter_row(int filter, const unsigned char *row, const unsigned char *above, int n, int step,
-                                     unsigned char *to)
+/* One row through filters 0 to 4 (PNG specification, section 9) into to[5][n]; `above` is NULL for the first row. Returns the one
+   with the least sum of absolute differences. */
+static inline int image__filter_row(const unsigned char *row, const unsigned char *above, int n, int step, unsigned char *to)
 {
-    long sum = 0;
-    int i;
+    unsigned char *sub = to + n, *over = sub + n, *mean = over + n, *paeth = mean + n;
+    long sum[5] = {0};
+    int i, best = 0;
     for (i = 0; i < n; ++i) {
-        int left = i >= step ? row[i - step] : 0, up = above ? above[i] : 0,
-            corner = above && i >= step ? above[i - step] : 0;
-        int pa = abs(up - corner), pb = abs(left - corner), pc = abs(left + up - 2 * corner), guess = 0;
-        if (filter == 1) guess = left;
-        if (filter == 2) guess = up;
-        if (filter == 3) guess = (left + up) / 2;
-        if (filter == 4) guess = pa <= pb && pa <= pc ? left : pb <= pc ? up : corner;
-        to[i] = (unsigned char)(row[i] - guess);
-        sum += to[i] < 128 ? to[i] : 256 - to[i];
+        const int left = i >= step ? row[i - step] : 0, up = above ? above[i] : 0, corner = above && i >= step ? above[i - step] : 0;
+        const int pa = abs(up - corner), pb = abs(left - corner), pc = abs(left + up - 2 * corner), own = row[i];
+        sum[0] += abs((signed char)(to[i] = (unsigned char)own));
+        sum[1] += abs((signed char)(sub[i] = (unsigned char)(own - left)));
+        sum[2] += abs((signed char)(over[i] = (unsigned char)(own - up)));
+        sum[3] += abs((signed char)(mean[i] = (unsigned char)(own - (left + up) / 2)));
+        sum[4] += abs((signed char)(paeth[i] = (unsigned char)(own - (pa <= pb && pa <= pc ? left : pb <= pc ? up : corner))));
     }
-    return sum;
+    for (i = 1; i < 5; ++i)
+        if (sum[i] < sum[best]) best = i;
+    return best;
 }
 
 /* pixels [height][width][channels], top row first; 1 gray, 3 RGB or 4 RGBA. */
@@ -498,26 +509,20 @@ IMAGE_DEF const char *image_write_png8(const char *path, const unsigned char *pi
     image__bytes out, packed;
     unsigned char *rows, header[13];
     const char *problem;
-    int n, y, filter;
+    int n, y;
     size_t stride;
     if (width < 1 || height < 1 || (channels != 1 && channels != 3 && channels != 4))
         return "a PNG has 1, 3 or 4 channels";
     if (width > (1 << 30) / channels / height) return "the picture is too large";
     n = width * channels;
     stride = (size_t)n + 1;
-    rows = (unsigned char *)malloc(stride * ((size_t)height + 1));
+    rows = (unsigned char *)malloc(stride * ((size_t)height + 5));
     if (rows == NULL) return "out of memory";
     for (y = 0; y < height; ++y) {
         const unsigned char *row = pixels + (size_t)y * (size_t)n, *above = y ? row - n : NULL;
         unsigned char *to = rows + (size_t)y * stride, *trial = rows + (size_t)height * stride;
-        long best = -1;
-        for (filter = 0; filter < 5; ++filter) {
-            long sum = image__filter_row(filter, row, above, n, channels, trial);
-            if (best >= 0 && sum >= best) continue;
-            best = sum;
-            to[0] = (unsigned char)filter;
-            memcpy(to + 1, trial, (size_t)n);
-        }
+        to[0] = (unsigned char)image__filter_row(row, above, n, channels, trial);
+        memcpy(to + 1, trial + (size_t)to[0] * (size_t)n, (size_t)n);
     }
     memset(&out, 0, sizeof out);
     memset(&packed, 0, sizeof packed);
@@ -794,16 +799,11 @@ static inline const char *image__decode_png(const unsigned char *data, size_t si
     while (!problem && !ended) {
         size_t length = size - at >= 12 ? image__u32(data + at) : size;
         const unsigned char *body = data + at + 8;
-        uint32_t crc = 0xffffffffu;
         if (size - at < 12 || length > size - at - 12) {
             problem = "the PNG ends before its last chunk";
             break;
         }
-        for (i = at + 4; i < at + 8 + length; ++i) {
-            crc ^= data[i];
-            for (k = 0; k < 8; ++k) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
-        }
-        if (~crc != image__u32(body + length)) problem = "a chunk of the PNG is damaged";
+        if (image__crc(body - 4, length + 4) != image__u32(body + length)) problem = "a chunk of the PNG is damaged";
         else if ((p.width == 0) != (memcmp(body - 4, "IHDR", 4) == 0)) problem = "a PNG begins with one header";
         else if (p.width == 0) {
             if (length != 13 || image__u32(body) - 1 >= 1u << 24 || image__u32(body + 4) - 1 >= 1u << 24) problem = "the PNG's width and height must be from 1 to 2^24";

@@ -60,11 +60,11 @@ static inline void map_dot(image *im, int left, int top, int side, const ms_gpr_
                            const float *rgb)
 {
     double cx = (latent[0] - grid->x0) / (grid->x1 - grid->x0) * side, cy = (grid->y1 - latent[1]) / (grid->y1 - grid->y0) * side;
-    int x, y, c;
-    for (y = 0; y < side; ++y)
-        for (x = 0; x < side; ++x)
-            for (c = 0; c < 3; ++c)
-                if (hypot(x + 0.5 - cx, y + 0.5 - cy) < radius) im->pixels[3 * ((top + y) * im->width + left + x) + c] = rgb[c];
+    const int x0 = (int)fmax(0, fmin(side, cx - radius)), y0 = (int)fmax(0, fmin(side, cy - radius)); /* NaN: nothing */
+    int x, y;
+    for (y = y0; y < side && y < cy + radius; ++y)
+        for (x = x0; x < side && x < cx + radius; ++x)
+            if (hypot(x + 0.5 - cx, y + 0.5 - cy) < radius) memcpy(&im->pixels[3 * ((top + y) * im->width + left + x)], rgb, 3 * sizeof *rgb);
 }
 
 /* The middle of the picture is at the latent point, but all of it inside the map. */
