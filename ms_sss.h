@@ -584,8 +584,6 @@ typedef struct ms_sss_filter_options {
                                 error gets no lower: noise hides structure */
     ms_simd simd;            /* cap of the instruction set */
     ms_parallel parallel;
-    int threads;             /* that run parallel's tasks: rows are cut into as many bands (twice as many with a mask), each of which a
-                                thread's cache holds the better the larger it is; 0: not known, 16. Results do not depend on it */
     float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                                 1: not at all, as if every pixel faced the camera; between: slopes are that much less */
     int exact;               /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1:
@@ -3555,7 +3553,8 @@ enum {
     MS_SSS__LEFT = 16,  /* floats before a row's first pixel: one vector of any level */
     MS_SSS__RIGHT = 32, /* floats behind a row's last block */
     MS_SSS__BLOCK = 32, /* columns that are left out together where none takes part */
-    MS_SSS__TASKS = 16, /* bands of rows at most */
+    MS_SSS__TASKS = 16, /* of a call to options.parallel at most */
+    MS_SSS__PARTS = 32, /* two a task */
     MS_SSS__ROWS = 42,  /* row buffers of a task */
     MS_SSS__PAIRS = 16, /* of taps that are made as pairs */
     MS_SSS__LEANING = 8, /* the same with slopes */
@@ -3572,6 +3571,15 @@ enum {
     MS_SSS__SIDE_MAX = 65536,
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
 };
+
+#if defined(__GNUC__) || defined(__clang__)
+#define MS_SSS__TAKEN(flag) __atomic_load_n((flag), __ATOMIC_RELAXED)
+#define MS_SSS__TAKE(flag) __atomic_exchange_n((flag), 1, __ATOMIC_RELAXED) /* taken before? */
+#elif defined(_MSC_VER)
+#include <intrin.h>
+#define MS_SSS__TAKEN(flag) (*(flag))
+#define MS_SSS__TAKE(flag) _InterlockedExchange((flag), 1)
+#endif
 
 #define MS_SSS__AWAY 1e15f /* in a sweep: depth of what takes no part */
 
@@ -3635,14 +3643,16 @@ typedef struct ms_sss__sweep {
     float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16], lift[MS_SSS__LEANING][3][2][16]; /* lift: K / 4 and 1, times the fourth root of the weight */
     struct ms_sss__job *job;
     int pairs;         /* of taps that weigh the same; 0: any taps */
-    int shaped, reach, bands, band, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
+    int shaped, reach, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
+    int parts, tasks;  /* a band: parts of the picture that one task makes from the top down, in a ring of rows */
+    volatile long taken[MS_SSS__PARTS];
     int simple;        /* weights of one sign that add up to 1 */
     int plain, steep;  /* with slopes: no weight below 0; whether sines can reach their bounds */
     float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
     int rows;          /* of a window: 5 with slopes, else 1 */
     ptrdiff_t plan_row, window_row, window_size;
     unsigned char *plan;
-    int *slot, *held;  /* of each row in the ring, 0: nothing takes part; of each slot the columns that hold something */
+    int *slot, *done, *held; /* of each row, in the ring, 0: nothing takes part; finished; of each slot the columns that hold something */
     ptrdiff_t *row, *column; /* the same in floats, from MARGIN rows above the picture on; 0 1 2 ..., from -MARGIN on */
 } MS_SSS__ALIGNED ms_sss__sweep;
 
@@ -4369,13 +4379,48 @@ static ptrdiff_t ms_sss__ring_row(int padded) { return 4 * (ptrdiff_t)padded + 3
 /* Rows of a band between which nothing has to stay for its neighbours lie in a ring of this many. */
 static int ms_sss__ring_rows(const ms_sss__sweep *s) { return 2 * s->reach + MS_SSS__STEP; }
 
-/* Where row y of band `task` is kept: rows that neighbouring bands need have their own place. */
-static int ms_sss__slot(const ms_sss__sweep *s, int task, int y)
+/* Where row y of a band that begins at `begin` is kept: rows that the band above needs have their own place; those that the
+   band below needs are the last in the ring. */
+static int ms_sss__slot(const ms_sss__sweep *s, int begin, int y)
 {
-    const int low = task ? task * s->band + 2 * s->reach : 0;
-    const int high = task + 1 < s->bands ? (task + 1) * s->band - 2 * s->reach : s->job->frame.height;
-    if (high - low < ms_sss__ring_rows(s) || y < low || y >= high) return 1 + y;
-    return 1 + low + (y - low) % ms_sss__ring_rows(s);
+    const int low = begin ? begin + 2 * s->reach : 0;
+    return 1 + (y < low ? y : low + (y - low) % ms_sss__ring_rows(s));
+}
+
+/* First row of a part of the picture. */
+static int ms_sss__part(const ms_sss__sweep *s, int part) { return (int)((ptrdiff_t)part * s->job->frame.height / s->parts); }
+
+/* Takes the part at which a task begins a band: half-way into the longest run of free ones, so that whoever comes from above
+   finds as much to do; -1: none is left. Who makes a row changes nothing but where it is kept. */
+static int ms_sss__begin_band(ms_sss__sweep *s, int task)
+{
+#ifdef MS_SSS__TAKE
+    (void)task;
+    for (;;) {
+        int i, run = 0, most = 0, part = -1;
+        for (i = 0; i <= s->parts; ++i, ++run) {
+            if (i < s->parts && !MS_SSS__TAKEN(&s->taken[i])) continue;
+            if (run > most) {
+                most = run;
+                part = i > run ? i - (run + 1) / 2 : 0;
+            }
+            run = -1;
+        }
+        if (part < 0 || !MS_SSS__TAKE(&s->taken[part])) return part;
+    }
+#else
+    return s->taken[task]++ ? -1 : 2 * task;
+#endif
+}
+
+/* Whether a band goes on with this part. */
+static int ms_sss__go_on(ms_sss__sweep *s, int part)
+{
+#ifdef MS_SSS__TAKE
+    return part < s->parts && !MS_SSS__TAKE(&s->taken[part]);
+#else
+    return part < s->parts && part % 2;
+#endif
 }
 
 /* Fixed taps along x for columns [begin, end) of a prepared row; a border's columns 16 at a time. */
@@ -4634,51 +4679,51 @@ static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const 
     job->simd->sweep[s->shaped](s, p, &l, 1, first, last);
 }
 
-/* Both passes of band `task`: of the second, the rows that need no other band's. */
+/* Both passes of bands that this task takes; of the second, the rows that need no other band's. */
 static void ms_sss__sweep_band(void *context, int task)
 {
-    const ms_sss__sweep *s = (const ms_sss__sweep *)context;
+    ms_sss__sweep *s = (ms_sss__sweep *)context;
     const ms_sss__job *job = s->job;
-    const int height = job->frame.height, begin = task * s->band, end = task + 1 < s->bands ? begin + s->band : height;
-    const int last_done = task + 1 < s->bands ? end - s->reach : height, ahead = s->rows / 2;
-    float *plane[5][4], *temp[5], *at = s->window + task * s->window_size;
-    int y, r, c, x, done = task ? begin + s->reach : 0, admitted = begin - ahead;
-    for (r = 0; r < s->rows; ++r)
-        for (c = 0; c < 4; ++c, at += s->window_row) {
-            for (x = 0; x < s->window_row; ++x) at[x] = c < 3 ? 0.0f : job->fixed ? INFINITY : MS_SSS__AWAY;
-            plane[r][c] = at + MS_SSS__MARGIN;
-        }
-    for (r = 0; r < 5; ++r, at += s->padded) temp[r] = at;
-    for (y = begin; y < end; ++y) {
-        for (; admitted <= y + ahead; ++admitted)
-            ms_sss__admit(s, task, admitted, admitted < begin || admitted >= end, plane[(admitted + s->rows) % s->rows]);
-        s->slot[y] = job->first[y] < job->last[y] ? ms_sss__slot(s, task, y) : 0;
-        s->row[y] = (ptrdiff_t)s->slot[y] * ms_sss__ring_row(s->padded);
-        if (s->slot[y]) ms_sss__first(s, task, y, (float *const(*)[4])plane, temp);
-        while (done < last_done && (y + 1 == end || y + 1 >= done + MS_SSS__STEP + s->reach)) {
-            const int stop = done + MS_SSS__STEP < last_done ? done + MS_SSS__STEP : last_done;
-            ms_sss__second(s, task, done, stop);
-            done = stop;
+    const int height = job->frame.height, ahead = s->rows / 2;
+    float *plane[5][4], *temp[5];
+    int y, r, c, x, part;
+    while ((part = ms_sss__begin_band(s, task)) >= 0) {
+        const int begin = ms_sss__part(s, part);
+        int end = ms_sss__part(s, part + 1), done = part ? begin + s->reach : 0, admitted = begin - ahead;
+        float *at = s->window + task * s->window_size;
+        for (r = 0; r < s->rows; ++r)
+            for (c = 0; c < 4; ++c, at += s->window_row) {
+                for (x = 0; x < s->window_row; ++x) at[x] = c < 3 ? 0.0f : job->fixed ? INFINITY : MS_SSS__AWAY;
+                plane[r][c] = at + MS_SSS__MARGIN;
+            }
+        for (r = 0; r < 5; ++r, at += s->padded) temp[r] = at;
+        for (y = begin; y < end; ++y) {
+            int last;
+            if (y + 1 + ahead == end && ms_sss__go_on(s, part + 1)) end = ms_sss__part(s, ++part + 1);
+            for (; admitted <= y + ahead; ++admitted)
+                ms_sss__admit(s, task, admitted, admitted < begin || admitted >= end, plane[(admitted + s->rows) % s->rows]);
+            s->slot[y] = job->first[y] < job->last[y] ? ms_sss__slot(s, begin, y) : 0;
+            s->row[y] = (ptrdiff_t)s->slot[y] * ms_sss__ring_row(s->padded);
+            if (s->slot[y]) ms_sss__first(s, task, y, (float *const(*)[4])plane, temp);
+            last = end < height ? end - s->reach : height;
+            while (done < last && (y + 1 == end || y + 1 >= done + MS_SSS__STEP + s->reach)) {
+                const int stop = done + MS_SSS__STEP < last ? done + MS_SSS__STEP : last;
+                ms_sss__second(s, task, done, stop);
+                while (done < stop) s->done[done++] = 1;
+            }
         }
     }
 }
 
-/* The second pass of the rows next to other bands. */
+/* The second pass of the rows next to other bands, STEP at a time: task by task in turn. */
 static void ms_sss__sweep_rest(void *context, int task)
 {
     const ms_sss__sweep *s = (const ms_sss__sweep *)context;
-    const int begin = task * s->band, end = task + 1 < s->bands ? begin + s->band : s->job->frame.height;
-    const int top = task ? begin + s->reach : begin, bottom = task + 1 < s->bands ? end - s->reach : end;
-    int y;
-    for (y = begin; y < end;) {
-        int stop = y + MS_SSS__STEP < end ? y + MS_SSS__STEP : end;
-        if (y >= top && y < bottom) { /* done already */
-            y = bottom;
-            continue;
-        }
-        if (y < top && top < bottom && stop > top) stop = top;
-        ms_sss__second(s, task, y, stop);
-        y = stop;
+    int y, stop, turn = 0;
+    for (y = 0; y < s->job->frame.height; y = stop) {
+        for (stop = y; stop < s->job->frame.height && stop < y + MS_SSS__STEP && !s->done[stop]; ++stop) {}
+        if (stop == y) ++stop;
+        else if (turn++ % s->tasks == task) ms_sss__second(s, task, y, stop);
     }
 }
 
@@ -4750,47 +4795,46 @@ static int ms_sss__reach(ms_sss__job *job)
 static void ms_sss__both_passes(ms_sss__job *job)
 {
     const int height = job->frame.height;
-    ms_sss__sweep s;
+    ms_sss__sweep *s = (ms_sss__sweep *)(void *)job->window;
     int i, c;
-    memset(&s, 0, sizeof s);
-    s.job = job;
-    s.simple = 1;
+    memset(s, 0, sizeof *s);
+    s->job = job;
+    s->simple = 1;
     for (c = 0; c < 3; ++c)
-        if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1)) s.simple = 0;
-    s.lanes = job->simd->lanes;
-    s.shaped = job->shaped && !job->fixed;
-    s.rows = s.shaped ? 5 : 1;
-    s.padded = job->padded;
-    if (!job->fixed) s.pairs = ms_sss__pairs(&s, job);
-    s.reach = job->idle ? 0 : ms_sss__reach(job);
-    s.bands = !job->options.parallel.run ? 1 : job->options.threads ? job->options.threads : MS_SSS__TASKS;
-    if (s.bands > 1 && (job->frame.strength.channel[0] || job->frame.profile)) s.bands = s.bands < MS_SSS__TASKS / 2 ? 2 * s.bands : MS_SSS__TASKS;
-    if (s.bands > height / 32) s.bands = height < 32 ? 1 : height / 32;
-    if (s.bands > MS_SSS__TASKS) s.bands = MS_SSS__TASKS;
-    s.band = height / s.bands;
-    s.plan_size = (s.pairs + 4) / 4 * 4;
-    s.plan_row = (ptrdiff_t)(s.padded / s.lanes) * s.plan_size;
-    s.window_row = s.padded + 2 * MS_SSS__MARGIN;
-    s.window_size = 20 * s.window_row + 5 * s.padded;
-    s.ring = job->planes;
-    s.own = s.ring + (height + 1) * ms_sss__ring_row(s.padded);
-    s.window = job->window;
-    s.row = (ptrdiff_t *)(void *)(s.window + MS_SSS__TASKS * s.window_size) + MS_SSS__MARGIN;
-    s.column = s.row + height + 2 * MS_SSS__MARGIN;
-    s.slot = (int *)(void *)(s.column + MS_SSS__MARGIN);
-    s.held = s.slot + height;
-    s.plan = (unsigned char *)(s.held + 2 * (height + 1));
+        if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1)) s->simple = 0;
+    s->lanes = job->simd->lanes;
+    s->shaped = job->shaped && !job->fixed;
+    s->rows = s->shaped ? 5 : 1;
+    s->padded = job->padded;
+    if (!job->fixed) s->pairs = ms_sss__pairs(s, job);
+    s->reach = job->idle ? 0 : ms_sss__reach(job);
+    s->parts = job->options.parallel.run ? ms_sss__clamp(height / 16, 1, MS_SSS__PARTS) : 1;
+    s->tasks = (s->parts + 1) / 2;
+    s->plan_size = (s->pairs + 4) / 4 * 4;
+    s->plan_row = (ptrdiff_t)(s->padded / s->lanes) * s->plan_size;
+    s->window_row = s->padded + 2 * MS_SSS__MARGIN;
+    s->window_size = 20 * s->window_row + 5 * s->padded;
+    s->ring = job->planes;
+    s->own = s->ring + (height + 1) * ms_sss__ring_row(s->padded);
+    s->window = (float *)(void *)(s + 1);
+    s->row = (ptrdiff_t *)(void *)(s->window + MS_SSS__TASKS * s->window_size) + MS_SSS__MARGIN;
+    s->column = s->row + height + 2 * MS_SSS__MARGIN;
+    s->slot = (int *)(void *)(s->column + MS_SSS__MARGIN);
+    s->done = s->slot + height;
+    s->held = s->done + height;
+    s->plan = (unsigned char *)(s->held + 2 * (height + 1));
 
-    for (i = 0; i < s.padded; i += s.lanes) /* slot 0: what lies outside */
-        for (c = 0; c < 4 * s.lanes; ++c) s.ring[4 * i + c] = c >= 3 * s.lanes ? MS_SSS__AWAY : 0.0f;
-    for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s.row[i] = 0;
-    for (i = -MS_SSS__MARGIN; i < MS_SSS__MARGIN; ++i) s.column[i] = i;
+    for (i = 0; i < s->padded; i += s->lanes) /* slot 0: what lies outside */
+        for (c = 0; c < 4 * s->lanes; ++c) s->ring[4 * i + c] = c >= 3 * s->lanes ? MS_SSS__AWAY : 0.0f;
+    for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s->row[i] = 0;
+    for (i = -MS_SSS__MARGIN; i < MS_SSS__MARGIN; ++i) s->column[i] = i;
+    memset(s->done, 0, (size_t)height * sizeof(int));
     for (i = 0; i <= height; ++i) {
-        s.held[2 * i] = 0;
-        s.held[2 * i + 1] = s.padded;
+        s->held[2 * i] = 0;
+        s->held[2 * i + 1] = s->padded;
     }
-    ms_sss__share(&job->options.parallel, s.bands, ms_sss__sweep_band, &s);
-    if (s.bands > 1) ms_sss__share(&job->options.parallel, s.bands, ms_sss__sweep_rest, &s);
+    ms_sss__share(&job->options.parallel, s->tasks, ms_sss__sweep_band, s);
+    if (s->tasks > 1) ms_sss__share(&job->options.parallel, s->tasks, ms_sss__sweep_rest, s);
 }
 
 /* --- turned axes --- */
@@ -4896,7 +4940,7 @@ static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_
         l.ring = ms__size_mul(rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
         l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (size_t)((pairs + 4) / 4 * 4), (size_t)l.padded / lanes);
         l.sweep = ms__size_add(l.sweep, sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
-                                            (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (3 * rows + 2) * sizeof(int) + 2 * sizeof(ms_sss__fixed));
+                                            (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (4 * rows + 2) * sizeof(int) + 2 * sizeof(ms_sss__fixed) + sizeof(ms_sss__sweep));
     }
     if (kind == MS_SSS__PASSES && terms > 1) l.planes += 3;
     floats = ms__size_add(l.ring, ms__size_mul(l.plane, (size_t)l.planes));
@@ -5044,7 +5088,6 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
     if (!(o->flat >= 0 && o->flat <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "flat %g is not within [0, 1]", (double)o->flat);
     if (!(o->jitter >= 0 && o->jitter <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "jitter %g is not within [0, 1]", (double)o->jitter);
     if (!ms__finite_f(o->rotation)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rotation is not finite");
-    if (o->threads < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "threads %d is negative", o->threads);
     if (!(o->budget >= 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "budget %g is negative", (double)o->budget);
     if ((int)o->method < 0 || (int)o->method > (int)MS_SSS_METHOD_PYRAMID)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method %d is unknown", (int)o->method);

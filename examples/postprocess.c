@@ -66,7 +66,7 @@ int main(int argc, char **argv)
     ok = ms_sss_kernel_make(&kernel, NULL, profile, 24, NULL, NULL, &error) == MS_OK && ms_sss_pyramid_make(&pyramid, profile, &error) == MS_OK;
     ms_sss_profile_destroy(profile);
 
-    /* At a new window size: camera, views of the engine's buffers, workspace. options.parallel takes the thread pool, options.threads its size. */
+    /* At a new window size: camera, views of the engine's buffers, workspace. options.parallel takes the thread pool. */
     options.fov_degrees = 35;
     options.mm_per_unit = 10; /* the scene is in cm */
     options.pyramids = &pyramid;

@@ -1064,7 +1064,6 @@ static void case_threads(void)
             for (t = 0; t < 2; ++t) {
                 test_pool pool;
                 o.parallel = test_parallel(&pool, threads[t]);
-                o.threads = level % 2 ? threads[t] : 40 * t; /* said or not, right or not */
                 test_run(&f, kernel, with & WITH_PROFILE ? 2 : 1, &o);
                 for (c = 0; c < 3; ++c) CHECK(test_same(one[c], many[c], n));
             }
@@ -1076,6 +1075,72 @@ static void case_threads(void)
     }
     TEST_NOTE("1, 2 and 7 threads: equal to the bit");
     test_scene_free(&s);
+}
+
+/* A pool of one thread that runs the last task first. */
+static void run_backwards(void *user, int count, void (*task)(void *context, int index), void *context)
+{
+    (void)user;
+    while (count > 0) task(context, --count);
+}
+
+typedef struct nested {
+    ms_sss_frame frame[2];
+    ms_sss_kernel kernel;
+    ms_sss_filter_options options;
+} nested;
+
+static void nested_task(void *context, int index)
+{
+    nested *n = (nested *)context;
+    test_run(&n->frame[index], &n->kernel, 1, &n->options);
+}
+
+/* Tasks share the rows out among themselves, by who comes first: pictures in place, of any height, on pools of any size and order
+   hold what one thread makes of them. */
+static void case_bands(void)
+{
+    static const int size[][2] = {{70, 1}, {70, 17}, {70, 331}, {33, 4320}}, threads[] = {2, 7, 16};
+    int i, kind, t, c;
+    for (i = 0; i < 4; ++i) {
+        const int w = size[i][0], h = size[i][1], n = w * h;
+        test_scene s = test_scene_make(w, h, test_seed);
+        float *one[3] = {test_floats(n), test_floats(n), test_floats(n)}, *many[2][3];
+        for (c = 0; c < 6; ++c) many[c / 3][c % 3] = test_floats(n);
+        for (kind = 0; kind < 6; ++kind) {
+            nested both;
+            test_pool pool[2];
+            memset(&both, 0, sizeof both);
+            both.kernel = test_kernel(7, 5.0, 0.0);
+            both.options = test_options(kind < 4 ? 1 : 0);
+            both.options.flat = kind % 2 ? 1.0f : 0.0f;
+            if (kind == 2) both.options.method = MS_SSS_METHOD_HALF;
+            both.frame[0] = test_frame(&s, (kind < 4 ? WITH_DEPTH : 0) | (kind == 3 || kind == 5 ? WITH_STRENGTH : 0), one);
+            test_run(&both.frame[0], &both.kernel, 1, &both.options);
+            both.frame[1] = both.frame[0];
+            for (t = 0; t < 2; ++t)
+                both.frame[t].input = both.frame[t].output = ms_sss_planar(many[t][0], many[t][1], many[t][2], 0);
+            for (t = 0; t < 5; ++t) {
+                int j;
+                for (c = 0; c < 6; ++c) memcpy(many[c / 3][c % 3], s.rgb[c % 3], (size_t)n * sizeof(float));
+                both.options.parallel.run = run_backwards;
+                if (t < 3) both.options.parallel = test_parallel(&pool[0], threads[t]);
+                if (t == 4) { /* two calls within two tasks of another pool */
+                    const ms_parallel outer = test_parallel(&pool[1], 2);
+                    outer.run(outer.user, 2, nested_task, &both);
+                } else {
+                    test_run(&both.frame[0], &both.kernel, 1, &both.options);
+                }
+                for (j = 0; j < (t == 4 ? 2 : 1); ++j)
+                    for (c = 0; c < 3; ++c)
+                        if (!test_same(one[c], many[j][c], n)) TEST_FAIL("%d x %d, kind %d, pool %d differ", w, h, kind, t);
+            }
+        }
+        for (c = 0; c < 3; ++c) free(one[c]);
+        for (c = 0; c < 6; ++c) free(many[c / 3][c % 3]);
+        test_scene_free(&s);
+    }
+    TEST_NOTE("24 pictures on 5 pools: equal to the bit");
 }
 
 /* Half resolution as it is described, in double, around ms_sss_filter on a picture of half the sides. */
@@ -1551,11 +1616,11 @@ static void case_refused(void)
     float *out[3];
     int i, c;
     for (c = 0; c < 3; ++c) out[c] = test_floats(200);
-    for (i = 0; i < 33; ++i) {
-        static const char *const gist[33] = {
+    for (i = 0; i < 32; ++i) {
+        static const char *const gist[32] = {
             "", "width", "", "", "depth", "channel 1", "half", "stride", "kernel_count", "tap_count", "tap_count", "term_count",
             "radius_mm", "offset_mm[0]", "finite", "exactly one", "exactly one", "fov_degrees", "ortho_height", "mm_per_unit",
-            "depth_sigma_mm", "fade", "jitter", "rotation", "depth_mode", "albedo_mode", "workspace", "workspace", "input", "output", "flat", "normal", "threads"};
+            "depth_sigma_mm", "fade", "jitter", "rotation", "depth_mode", "albedo_mode", "workspace", "workspace", "input", "output", "flat", "normal"};
         ms_sss_filter_options o = good;
         ms_sss_kernel k = kernel;
         ms_sss_frame f = test_frame(&s, WITH_DEPTH, out);
@@ -1595,7 +1660,6 @@ static void case_refused(void)
         if (i == 29) f.output.channel[0] = NULL;
         if (i == 30) o.flat = -0.5f;
         if (i == 31) f.normal = f.depth;
-        if (i == 32) o.threads = -1;
         for (c = 0; c < 3; ++c)
             for (j = 0; j < 200; ++j) out[c][j] = -7;
         status = ms_sss_filter(&f, &k, count, &o, workspace + 1, given, &error);
@@ -2052,6 +2116,7 @@ static const test_case cases[] = {
     {"memory at any address", case_addresses},
     {"binary16", case_half},
     {"threads", case_threads},
+    {"bands", case_bands},
     {"masks and profiles", case_mask},
     {"half resolution in double", case_half_size},
     {"half resolution: masks", case_half_masks},

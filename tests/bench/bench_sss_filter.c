@@ -224,7 +224,6 @@ static double wall_of(int kind, int threads)
     int i;
     pool_start(&p, threads);
     if (threads > 1) s.options.parallel = pool_parallel(&p);
-    s.options.threads = threads;
     filter(&s);
     for (i = 0; i < RUNS; ++i) {
         t[i] = bench_wall();
