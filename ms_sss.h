@@ -3568,6 +3568,8 @@ enum {
     MS_SSS__ALL = 3,
     MS_SSS__ONE = 4,
     MS_SSS__BESIDE = 128, /* added to a pair's whole part: it or one more */
+    MS_SSS__ROW = 1,    /* ways of a pass: along planes of a row; down the ring's rows */
+    MS_SSS__COLUMN = 2,
     MS_SSS__SIDE_MAX = 65536,
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
 };
@@ -3646,7 +3648,7 @@ typedef struct ms_sss__sweep {
     int shaped, reach, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
     int parts, tasks;  /* a band: parts of the picture that one task makes from the top down, in a ring of rows */
     volatile long taken[MS_SSS__PARTS];
-    int simple;        /* weights of one sign that add up to 1 */
+    int simple;        /* weights make a mean, the centre's above 0 */
     int plain, steep;  /* with slopes: no weight below 0; whether sines can reach their bounds */
     float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
     int rows;          /* of a window: 5 with slopes, else 1 */
@@ -3760,6 +3762,9 @@ typedef struct ms_sss__kernels {
     void (*refine)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4], int odd, int stream, int count,
                    float *const out[3]);
 } ms_sss__kernels;
+
+/* Floats to what lies i steps along the axis. */
+static MS_SSS__INLINE ptrdiff_t ms_sss__at(int way, const ptrdiff_t *step, int i) { return way == MS_SSS__ROW ? i : step[i]; }
 
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
 
@@ -4801,7 +4806,7 @@ static void ms_sss__both_passes(ms_sss__job *job)
     s->job = job;
     s->simple = 1;
     for (c = 0; c < 3; ++c)
-        if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1)) s->simple = 0;
+        if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1) || !(job->pass.weight[0][c] > 1e-20f)) s->simple = 0;
     s->lanes = job->simd->lanes;
     s->shaped = job->shaped && !job->fixed;
     s->rows = s->shaped ? 5 : 1;
@@ -5592,8 +5597,8 @@ static void ms_sss__half_up(void *context, int task)
             for (c = 0; c < 4; ++c) coarse[r][c] = soft[slot][c] + first / 2;
             if (have[slot] == at) continue;
             have[slot] = at;
-            for (x = held[slot][0]; x < held[slot][1]; ++x) /* of the row before */
-                if (x < from || x >= until) soft[slot][3][x] = MS_SSS__AWAY;
+            for (x = held[slot][0]; x < held[slot][1] && x < from; ++x) soft[slot][3][x] = MS_SSS__AWAY; /* of the row before */
+            for (x = until > held[slot][0] ? until : held[slot][0]; x < held[slot][1]; ++x) soft[slot][3][x] = MS_SSS__AWAY;
             held[slot][0] = from;
             held[slot][1] = until;
             for (c = 0; c < 4; ++c) {
@@ -8705,27 +8710,27 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(nearness)(const ms_sss__pass *p, co
 }
 
 /* What the pixels of a pair at distance t weigh by their depths, q: i, i + 1 (and i + 2 where lanes of a group differ), -i, -i - 1 (-i - 2).
-   Returns their sum. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, const int exact, const int one_place, const float *deep, const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
+   way: see flat. Returns their sum. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, const int way, const float *deep,
+                                                         const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
-    const int two = one_place ? 0 : place & MS_SSS__BESIDE, i = place - two;
-    const ptrdiff_t *up = step + i, *down = step - i;
+    const int two = way || MS_SSS__LANES == 1 ? 0 : place & MS_SSS__BESIDE, i = place - two, exact = !way && p->exact;
     MS_SSS__V r = MS_SSS__SUB(t, MS_SSS__SET(ms_sss__whole[i])), share = MS_SSS__SUB(one, r), third = zero, up_sum, down_sum;
     if (two) {
         share = MS_SSS__MAX(share, zero);
         third = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
         r = MS_SSS__SUB(one, MS_SSS__ADD(share, third));
     }
-    q[0] = MS_SSS__MUL(share, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[0]))));
-    q[1] = MS_SSS__MUL(r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[1]))));
-    q[3] = MS_SSS__MUL(share, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[0]))));
-    q[4] = MS_SSS__MUL(r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[-1]))));
+    q[0] = MS_SSS__MUL(share, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, i)))));
+    q[1] = MS_SSS__MUL(r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, i + 1)))));
+    q[3] = MS_SSS__MUL(share, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, -i)))));
+    q[4] = MS_SSS__MUL(r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, -i - 1)))));
     up_sum = MS_SSS__ADD(q[0], q[1]);
     down_sum = MS_SSS__ADD(q[3], q[4]);
     if (two) {
-        q[2] = MS_SSS__MUL(third, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + up[2]))));
-        q[5] = MS_SSS__MUL(third, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + down[-2]))));
+        q[2] = MS_SSS__MUL(third, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + step[i + 2]))));
+        q[5] = MS_SSS__MUL(third, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + step[-i - 2]))));
         up_sum = MS_SSS__ADD(up_sum, q[2]);
         down_sum = MS_SSS__ADD(down_sum, q[5]);
     }
@@ -8733,93 +8738,101 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, 
 }
 
 /* The light of a pair's pixels in a channel. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(light)(const float *from, const ptrdiff_t *step, int i, const int two, const MS_SSS__V *q)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(light)(const float *from, const int way, const ptrdiff_t *step, int i, const int two,
+                                                    const MS_SSS__V *q)
 {
-    const ptrdiff_t *up = step + i, *down = step - i;
-    MS_SSS__V v = MS_SSS__MADD(q[1], MS_SSS__LOAD(from + up[1]), MS_SSS__MUL(q[0], MS_SSS__LOAD(from + up[0])));
-    v = MS_SSS__MADD(q[4], MS_SSS__LOAD(from + down[-1]), MS_SSS__MADD(q[3], MS_SSS__LOAD(from + down[0]), v));
-    if (two) v = MS_SSS__MADD(q[5], MS_SSS__LOAD(from + down[-2]), MS_SSS__MADD(q[2], MS_SSS__LOAD(from + up[2]), v));
+    MS_SSS__V v = MS_SSS__MUL(q[0], MS_SSS__LOAD(from + ms_sss__at(way, step, i)));
+    v = MS_SSS__MADD(q[1], MS_SSS__LOAD(from + ms_sss__at(way, step, i + 1)), v);
+    v = MS_SSS__MADD(q[3], MS_SSS__LOAD(from + ms_sss__at(way, step, -i)), v);
+    v = MS_SSS__MADD(q[4], MS_SSS__LOAD(from + ms_sss__at(way, step, -i - 1)), v);
+    if (two) v = MS_SSS__MADD(q[5], MS_SSS__LOAD(from + step[-i - 2]), MS_SSS__MADD(q[2], MS_SSS__LOAD(from + step[i + 2]), v));
     return v;
 }
 
 /* Adds a pair's light to v and its weights, whose sum is all, to m. */
-static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], const int one_place, const float *const from[3], const ptrdiff_t *step, int place,
-                                                  const MS_SSS__V *q, MS_SSS__V all, MS_SSS__V v[3], MS_SSS__V m[3])
+static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], const int way, const float *red, ptrdiff_t plane,
+                                                  const ptrdiff_t *step, int place, const MS_SSS__V *q, MS_SSS__V all,
+                                                  MS_SSS__V v[3], MS_SSS__V m[3])
 {
     const MS_SSS__V wr = MS_SSS__LOAD(weight[0]), wg = MS_SSS__LOAD(weight[1]), wb = MS_SSS__LOAD(weight[2]);
     m[0] = MS_SSS__MADD(wr, all, m[0]);
     m[1] = MS_SSS__MADD(wg, all, m[1]);
     m[2] = MS_SSS__MADD(wb, all, m[2]);
-    if (one_place || !(place & MS_SSS__BESIDE)) {
-        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(from[0], step, place, 0, q), v[0]);
-        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(from[1], step, place, 0, q), v[1]);
-        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(from[2], step, place, 0, q), v[2]);
+    if (way || MS_SSS__LANES == 1 || !(place & MS_SSS__BESIDE)) {
+        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(red, way, step, place, 0, q), v[0]);
+        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(red + plane, way, step, place, 0, q), v[1]);
+        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(red + 2 * plane, way, step, place, 0, q), v[2]);
     } else {
-        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(from[0], step, place - MS_SSS__BESIDE, 1, q), v[0]);
-        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(from[1], step, place - MS_SSS__BESIDE, 1, q), v[1]);
-        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(from[2], step, place - MS_SSS__BESIDE, 1, q), v[2]);
+        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(red, way, step, place - MS_SSS__BESIDE, 1, q), v[0]);
+        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(red + plane, way, step, place - MS_SSS__BESIDE, 1, q), v[1]);
+        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(red + 2 * plane, way, step, place - MS_SSS__BESIDE, 1, q), v[2]);
     }
 }
 
-/* n groups from column x on, without slopes: HELD pairs of each at a time, first what they weigh, then the sums, since the chains of one
-   group are long. three: of three pairs the groups with one place each, else all that go by pairs. */
-static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, const int three, MS_SSS__V (*out)[3])
+/* n groups from column x on, without slopes: HELD pairs of each at a time, first what they weigh, then the sums, since the chains
+   of one group are long. way: 0: all that go by pairs; ROW, COLUMN: those of one place a pair, of three pairs that make a mean. */
+static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n,
+                                              const int way, MS_SSS__V (*out)[3])
 {
-    const ptrdiff_t *step = l->step, plane = l->plane, here = step[0], group = l->group;
+    const ptrdiff_t *step = l->step, here = ms_sss__at(way, step, 0), plane = way == MS_SSS__COLUMN ? MS_SSS__LANES : l->plane;
+    const ptrdiff_t group = way == MS_SSS__ROW ? MS_SSS__LANES : way == MS_SSS__COLUMN ? 4 * MS_SSS__LANES : l->group;
     const float *first = l->from + x / MS_SSS__LANES * group, (*offset)[16] = s->offset[l->axis];
-    const int pairs = three ? 3 : s->pairs, plan_size = s->plan_size, least = three ? MS_SSS__ONE : MS_SSS__SOME, one_place = three || MS_SSS__LANES == 1, exact = !three && p->exact;
+    const int pairs = way ? 3 : s->pairs, plan_size = way ? 4 : s->plan_size, least = way ? MS_SSS__ONE : MS_SSS__SOME;
     const unsigned char *plans = l->plan + x / MS_SSS__LANES * plan_size + 1;
     MS_SSS__V q[MS_SSS__HELD][MS_SSS__CHUNK][6], all[MS_SSS__HELD][MS_SSS__CHUNK], norm[MS_SSS__CHUNK][3];
     int g, k, c, begin = 0, end = 0;
-    if (MS_SSS__CHUNK == 1 && plans[-1] < least) return;
     do {
         const unsigned char *plan = plans;
         const float *red = first;
         begin = end;
-        end = three || pairs - begin < MS_SSS__HELD ? pairs : begin + MS_SSS__HELD;
+        end = way || pairs - begin < MS_SSS__HELD ? pairs : begin + MS_SSS__HELD;
         for (g = 0; g < n; ++g, plan += plan_size, red += group) {
             const float *deep = red + 3 * plane;
             const MS_SSS__V z = MS_SSS__LOAD(deep + here), size = MS_SSS__NAME(size)(p, z);
-            if (MS_SSS__CHUNK > 1 && plan[-1] < least) continue;
-            if (three) {
+            if (plan[-1] < least) continue;
+            if (way) {
                 MS_SSS__UNROLL
-                for (k = 0; k < 3; ++k) all[k][g] = MS_SSS__NAME(weigh_pair)(p, exact, one_place, deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k][g]);
+                for (k = 0; k < 3; ++k) {
+                    const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(offset[k]));
+                    all[k][g] = MS_SSS__NAME(weigh_pair)(p, way, deep, step, plan[k], z, t, q[k][g]);
+                }
                 continue;
             }
-            for (k = begin; k < end; ++k)
-                all[k - begin][g] = MS_SSS__NAME(weigh_pair)(p, exact, one_place, deep, step, plan[k], z, MS_SSS__MUL(size, MS_SSS__LOAD(offset[k])), q[k - begin][g]);
+            for (k = begin; k < end; ++k) {
+                const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(offset[k]));
+                all[k - begin][g] = MS_SSS__NAME(weigh_pair)(p, 0, deep, step, plan[k], z, t, q[k - begin][g]);
+            }
         }
         plan = plans;
         red = first;
         for (g = 0; g < n; ++g, plan += plan_size, red += group) {
-            const float *from[3];
-            MS_SSS__V v[3], m[3], own[3];
-            if (MS_SSS__CHUNK > 1 && plan[-1] < least) continue;
+            MS_SSS__V v[3], m[3];
+            if (plan[-1] < least) continue;
             MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) {
-                from[c] = red + c * plane;
-                own[c] = MS_SSS__LOAD(from[c] + here);
                 m[c] = begin ? norm[g][c] : MS_SSS__LOAD(s->weight[0][c]);
-                v[c] = begin ? out[g][c] : MS_SSS__MUL(m[c], own[c]);
+                v[c] = begin ? out[g][c] : MS_SSS__MUL(m[c], MS_SSS__LOAD(red + c * plane + here));
             }
-            if (three) {
+            if (way) {
                 MS_SSS__UNROLL
-                for (k = 0; k < 3; ++k) MS_SSS__NAME(add_pair)(s->weight[k + 1], one_place, from, step, plan[k], q[k][g], all[k][g], v, m);
+                for (k = 0; k < 3; ++k)
+                    MS_SSS__NAME(add_pair)(s->weight[k + 1], way, red, plane, step, plan[k], q[k][g], all[k][g], v, m);
             }
-            for (k = begin; k < end && !three; ++k)
-                MS_SSS__NAME(add_pair)(s->weight[k + 1], one_place, from, step, plan[k], q[k - begin][g], all[k - begin][g], v, m);
-            if (end == pairs && s->simple) {
+            for (k = begin; k < end && !way; ++k)
+                MS_SSS__NAME(add_pair)(s->weight[k + 1], 0, red, plane, step, plan[k], q[k - begin][g], all[k - begin][g], v, m);
+            if (way || (end == pairs && s->simple)) {
                 MS_SSS__UNROLL
-                for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(1e-30f), m[c]), MS_SSS__DIV(v[c], m[c]), own[c]);
+                for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__DIV(v[c], m[c]);
                 continue;
             }
             MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) {
+                const MS_SSS__V own = MS_SSS__LOAD(red + c * plane + here);
                 norm[g][c] = m[c];
-                out[g][c] = end < pairs ? v[c] : MS_SSS__NAME(restore)(v[c], m[c], own[c], p->total[c], p->mixed[c]);
+                out[g][c] = end < pairs ? v[c] : MS_SSS__NAME(restore)(v[c], m[c], own, p->total[c], p->mixed[c]);
             }
         }
-    } while (!three && end < pairs);
+    } while (end < pairs);
 }
 
 static MS_SSS__APART void MS_SSS__NAME(by_pairs)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, MS_SSS__V (*out)[3])
@@ -9197,7 +9210,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
         for (y = 0; y < lines; ++y) {
             const ms_sss__line *l = &line[y];
             const int n = (l->last - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (l->last - x) / MS_SSS__LANES : MS_SSS__CHUNK;
-            const int plan_size = s->plan_size, axis = l->axis, stream = l->stream, three = MS_SSS__LANES > 4 && !shaped && s->pairs == 3 && !p->exact;
+            const int plan_size = s->plan_size, axis = l->axis, stream = l->stream;
+            const int three = MS_SSS__LANES > 4 && !shaped && s->pairs == 3 && s->simple && !p->exact;
             const ptrdiff_t group = l->group, to_group = l->to_group;
             const float *deep;
             float *to[3];
@@ -9214,7 +9228,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
 #else
             if (shaped) memset(out, 0, sizeof out);
 #endif
-            else if (three) MS_SSS__NAME(flat)(s, p, l, x, n, 1, out);
+            else if (three && axis) MS_SSS__NAME(flat)(s, p, l, x, n, MS_SSS__COLUMN, out);
+            else if (three) MS_SSS__NAME(flat)(s, p, l, x, n, MS_SSS__ROW, out);
             else if (s->pairs) MS_SSS__NAME(by_pairs)(s, p, l, x, n, out);
             for (c = 0; c < 3; ++c) to[c] = l->to[c] + x / MS_SSS__LANES * l->to_group;
             for (g = 0; g < n; ++g) {
