@@ -3663,6 +3663,7 @@ typedef struct ms_sss__turning {
     const float (*direction)[2];
     int second, height;
     ptrdiff_t stride;
+    const float *packed; /* NULL, or the picture with a pixel's four floats side by side: taps of neighbours lie far apart */
 } ms_sss__turning;
 
 /* A row that a pass makes. What lies i steps along the axis from a group is at from + group + step[i]: red, and `plane` floats on
@@ -3767,6 +3768,14 @@ typedef struct ms_sss__kernels {
 static MS_SSS__INLINE ptrdiff_t ms_sss__at(int way, const ptrdiff_t *step, int i) { return way == MS_SSS__ROW ? i : step[i]; }
 
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
+
+/* From a group's place in `from` to its pixels i rows further; height: rows that there are. */
+static MS_SSS__INLINE ptrdiff_t ms_sss__row(const ms_sss__line *l, int i, int height)
+{
+    if (l->axis == 0) return 0;
+    i = ms_sss__clamp(i, -1 - l->at, height - l->at);
+    return l->turn ? i * l->turn->stride : l->step[i];
+}
 
 /* Which of 64 directions a pixel has: the R2 sequence (Roberts 2018) in 16-bit fixed point, the same on any machine. */
 static MS_SSS__INLINE int ms_sss__turn(int x, int y)
@@ -4052,6 +4061,7 @@ typedef struct ms_sss__job {
     int unwritten;        /* pixels that take no part still have to be copied to the output */
     int raw;              /* and their elements can be copied as they are */
     float *middle[3], *source[3], *depth, *sum[3], *rows;
+    float *packed; /* NULL, or what a turned pass reads, see ms_sss__turning */
     float *fresh; /* a row of depths where all pixels take part */
     int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
     int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
@@ -4746,7 +4756,7 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
     const int pairs = k->tap_count / 2;
     float inner = 0;
     int i, c;
-    if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS) || p->follow || (s->shaped && (p->exact || s->lanes == 1))) return 0;
+    if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS) || p->follow || (s->shaped && p->exact)) return 0;
     s->plain = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
     /* dz / (1 + remote dz^2) is at most half of 1 / sqrt(remote), which is the offset over that of upright; 1 + the square of a ray's tangent is the most that facing adds */
     s->steep = !(0.25 * (1 + (double)(p->tangent * p->tangent) * ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1])) <
@@ -4844,6 +4854,19 @@ static void ms_sss__both_passes(ms_sss__job *job)
 
 /* --- turned axes --- */
 
+/* Of a band of rows what the next pass reads: with jitter. */
+static void ms_sss__turned_pack(void *context, int task)
+{
+    const ms_sss__job *job = (const ms_sss__job *)context;
+    const int begin = job->begin + task * job->band, height = job->frame.height;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    const ptrdiff_t first = (begin - !begin) * job->stride - MS_SSS__LEFT, last = (end + (end == height)) * job->stride - MS_SSS__LEFT;
+    ptrdiff_t i;
+    int c;
+    for (i = first; i < last; ++i)
+        for (c = 0; c < 4; ++c) job->packed[4 * i + c] = (c < 3 ? job->source[c] : job->depth)[i];
+}
+
 /* Both passes read rows above and below: all rows are prepared first, then each pass makes all of them. */
 static void ms_sss__turned_band(void *context, int task)
 {
@@ -4859,6 +4882,7 @@ static void ms_sss__turned_band(void *context, int task)
         }
         ms_sss__prepare(job, y, task, colour, job->depth + y * job->stride);
     }
+    if (job->packed) ms_sss__turned_pack(context, task);
 }
 
 /* A pass of a band of rows, each pixel along its own axis. */
@@ -4878,6 +4902,7 @@ static void ms_sss__turned_pass(const ms_sss__job *job, int task, int second)
     turn.second = second;
     turn.height = job->frame.height;
     turn.stride = job->stride;
+    turn.packed = job->packed;
     memset(&l, 0, sizeof l);
     l.turn = &turn;
     l.plan = &plan;
@@ -4939,7 +4964,7 @@ static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_
     l.padded = ms_sss__round_up(width, l.block);
     l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
     l.plane = ms__size_mul(l.stride, rows + 2); /* an empty row above and below */
-    l.planes = kind == MS_SSS__PLANES ? 3 : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 : 0;
+    l.planes = kind == MS_SSS__PLANES ? 3 : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 + (options->jitter > 0) : 0;
     l.ring = l.sweep = 0;
     if (kind == MS_SSS__PASSES && !ms_sss__turns(options)) {
         l.ring = ms__size_mul(rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
@@ -5386,6 +5411,10 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
         else if (i < 7) job->source[6 - i] = plane; /* so that depth is three planes behind red there, too */
         at += layout.plane;
     }
+    if (layout.planes > 7 && options->jitter > 0) { /* passes read the last four, pixel by pixel, and write where they read their own */
+        job->packed = job->source[2] + 3 * (job->stride + MS_SSS__LEFT);
+        for (c = 0; c < 3; ++c) job->source[c] = job->middle[c];
+    }
     ms_sss__clear_around(job);
     job->fresh = at + MS_SSS__LEFT;
     ms_sss__clear(job, job->fresh, INFINITY);
@@ -5423,8 +5452,9 @@ static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int pro
             ms_sss__both_passes(job);
             continue;
         }
-        if (term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_band);
+        if (term == 0 || job->packed) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_band);
         if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_first);
+        if (!job->idle && job->packed) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_pack);
         if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_second);
     }
 }
@@ -8218,6 +8248,11 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__ODDS(a, b) (b)
 #define MS_SSS__ORDER(a) (a)
 #endif
+#if MS_SSS__LANES == 16 /* floats from LANES n on of eight of each lane */
+#define MS_SSS__EIGHTH(lane, n) _mm512_maskz_insertf32x8(0xffff, _mm512_castps256_ps512(_mm256_loadu_ps((lane)[2 * (n)])), _mm256_loadu_ps((lane)[2 * (n) + 1]), 1)
+#else
+#define MS_SSS__EIGHTH(lane, n) MS_SSS__LOAD((lane)[(n) * MS_SSS__LANES / 8] + (n) * MS_SSS__LANES % 8)
+#endif
 #define MS_SSS__EVEN(a, b) MS_SSS__ORDER(MS_SSS__EVENS(a, b))
 #define MS_SSS__ODD(a, b) MS_SSS__ORDER(MS_SSS__ODDS(a, b))
 
@@ -8840,7 +8875,6 @@ static MS_SSS__APART void MS_SSS__NAME(by_pairs)(const ms_sss__sweep *s, const m
     MS_SSS__NAME(flat)(s, p, l, x, n, 0, out);
 }
 
-#if MS_SSS__LANES > 1
 /* With slopes: what the pixels of one side of a pair weigh, of depths dz over the tangent plane, and the height of the side. One division serves all. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean)(const MS_SSS__V *dz, const MS_SSS__V *share, const float *remote, const int two, MS_SSS__V least, MS_SSS__V *w)
 {
@@ -9060,117 +9094,178 @@ static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const m
         lift = lean;
     }
 }
-#endif
+/* Interleaves eight vectors' first half with the second: of the bits of an element's place the highest becomes the lowest. */
+static MS_SSS__INLINE void MS_SSS__NAME(interleave)(const MS_SSS__V *v, MS_SSS__V *w)
+{
+    w[0] = MS_SSS__ZIP_LOW(v[0], v[4]);
+    w[1] = MS_SSS__ZIP_HIGH(v[0], v[4]);
+    w[2] = MS_SSS__ZIP_LOW(v[1], v[5]);
+    w[3] = MS_SSS__ZIP_HIGH(v[1], v[5]);
+    w[4] = MS_SSS__ZIP_LOW(v[2], v[6]);
+    w[5] = MS_SSS__ZIP_HIGH(v[2], v[6]);
+    w[6] = MS_SSS__ZIP_LOW(v[3], v[7]);
+    w[7] = MS_SSS__ZIP_HIGH(v[3], v[7]);
+}
 
-/* The group at column x by any taps along an axis, or turned: along each pixel's own. Neighbours mostly share the integer part of a
-   tap's position: each distinct one is handled once for all lanes that have it. h is a pixel's share of a tap (bilinear), f what its
-   depth leaves of it. */
+/* Eight floats of each lane become eight vectors. */
+static MS_SSS__INLINE void MS_SSS__NAME(transpose)(const float *const *lane, float *out)
+{
+    MS_SSS__V v[8], w[8];
+    v[0] = MS_SSS__EIGHTH(lane, 0);
+    v[1] = MS_SSS__EIGHTH(lane, 1);
+    v[2] = MS_SSS__EIGHTH(lane, 2);
+    v[3] = MS_SSS__EIGHTH(lane, 3);
+    v[4] = MS_SSS__EIGHTH(lane, 4);
+    v[5] = MS_SSS__EIGHTH(lane, 5);
+    v[6] = MS_SSS__EIGHTH(lane, 6);
+    v[7] = MS_SSS__EIGHTH(lane, 7);
+    if (MS_SSS__LANES > 1) MS_SSS__NAME(interleave)(v, w);
+    if (MS_SSS__LANES > 1) MS_SSS__NAME(interleave)(w, v);
+    if (MS_SSS__LANES > 4) MS_SSS__NAME(interleave)(v, w);
+    if (MS_SSS__LANES > 8) MS_SSS__NAME(interleave)(w, v);
+    MS_SSS__STORE(out, MS_SSS__LANES == 8 ? w[0] : v[0]);
+    MS_SSS__STORE(out + MS_SSS__LANES, MS_SSS__LANES == 8 ? w[1] : v[1]);
+    MS_SSS__STORE(out + 2 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[2] : v[2]);
+    MS_SSS__STORE(out + 3 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[3] : v[3]);
+    MS_SSS__STORE(out + 4 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[4] : v[4]);
+    MS_SSS__STORE(out + 5 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[5] : v[5]);
+    MS_SSS__STORE(out + 6 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[6] : v[6]);
+    MS_SSS__STORE(out + 7 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[7] : v[7]);
+}
+
+/* The group at column x by any taps along an axis, or turned: along each pixel's own. Where the lanes of a tap lie side by side they
+   are read as they lie, else one by one. */
 static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
 {
-    const int turned = l->turn != NULL;
+    const ms_sss__turning *turn = l->turn;
+    const int rows = l->axis == 0 ? 1 : 2, columns = l->axis == 1 ? 1 : 2, shaped = s->shaped, usual = !shaped && !p->follow && !p->exact;
+    const int height = turn ? turn->height : l->count, width = l->axis == 1 ? x + MS_SSS__LANES : l->count;
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const float *here = l->from + x / MS_SSS__LANES * l->group, *at = here + l->step[0];
-    const MS_SSS__V z = MS_SSS__LOAD(at + 3 * l->plane);
-    const int low = l->axis == 1 ? -1 - l->at : -MS_SSS__LANES - x, high = l->axis == 1 ? l->count - l->at : l->count - x;
+    const MS_SSS__V z = MS_SSS__LOAD(at + 3 * l->plane), grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
     const unsigned pending = MS_SSS__BITS(MS_SSS__NAME(need)(p, z));
-    MS_SSS__V size, rise = zero, rise_y = zero, facing = zero, grain = zero, sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
-    MS_SSS__V dx = one, dy = zero;
-    MS_SSS__V away[2] = {zero, zero};
-    float inner[2] = {0, 0};
-    int order, k, c, j, j_y;
+    MS_SSS__V size = MS_SSS__NAME(size)(p, z), facing = zero, rise[2] = {zero, zero}, d[2] = {zero, zero}, away[2] = {zero, zero};
+    MS_SSS__V sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
+    float inner[2] = {0, 0}, lane[3][MS_SSS__LANES], copy[2][MS_SSS__LANES][8], apart[2][8 * MS_SSS__LANES]; /* apart: of rows: two pixels each */
+    const float *eight[2][MS_SSS__LANES], *packed = turn ? turn->packed : NULL;
+    const ptrdiff_t stride = turn ? 4 * turn->stride : 0;
+    const int some = ms_sss__lowest(pending);
+    int order, k, c, i, j;
     if (!pending) return;
-    size = MS_SSS__NAME(size)(p, z);
-    if (s->shaped) grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
-    if (turned) {
-        float turn[2][MS_SSS__LANES];
-        for (k = 0; k < MS_SSS__LANES; ++k) {
-            const float *d = l->turn->direction[ms_sss__turn(x + k, l->at)];
-            turn[0][k] = l->turn->second ? -d[1] : d[0];
-            turn[1][k] = l->turn->second ? d[0] : d[1];
+    if (turn) {
+        const float sign = turn->second ? -1.0f : 1.0f;
+        for (i = 0; i < MS_SSS__LANES && packed; ++i) {
+            const float *to = turn->direction[ms_sss__turn(x + i, l->at)];
+            lane[0][i] = sign * to[turn->second];
+            lane[1][i] = to[!turn->second];
         }
-        dx = MS_SSS__LOAD(turn[0]);
-        dy = MS_SSS__LOAD(turn[1]);
-        if (s->shaped) {
+        d[0] = packed ? MS_SSS__LOAD(lane[0]) : MS_SSS__SET(sign * turn->direction[0][turn->second]);
+        d[1] = packed ? MS_SSS__LOAD(lane[1]) : MS_SSS__SET(turn->direction[0][!turn->second]);
+        if (shaped) {
             const MS_SSS__V sx = MS_SSS__LOAD(l->own[0] + x), sy = MS_SSS__LOAD(l->own[1] + x);
             const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x), ry = MS_SSS__SET(((float)l->at + 0.5f - p->middle[1]) * p->tangent);
-            const MS_SSS__V square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)), along = MS_SSS__MADD(dx, sx, MS_SSS__MUL(dy, sy));
-            size = MS_SSS__NAME(foreshorten)(size, along, MS_SSS__MADD(dx, rx, MS_SSS__MUL(dy, ry)), square);
+            const MS_SSS__V square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)), along = MS_SSS__MADD(d[0], sx, MS_SSS__MUL(d[1], sy));
+            size = MS_SSS__NAME(foreshorten)(size, along, MS_SSS__MADD(d[0], rx, MS_SSS__MUL(d[1], ry)), square);
             facing = MS_SSS__NAME(facing)(p, sx, sy, rx, ry);
-            rise = MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0]));
-            rise_y = MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]));
+            rise[0] = MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0]));
+            rise[1] = MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]));
         }
-        dy = MS_SSS__MUL(dy, MS_SSS__MUL(size, MS_SSS__SET(p->aspect[1])));
-    } else if (s->shaped) {
-        size = MS_SSS__LOAD(l->own[0] + x);
-        rise = MS_SSS__LOAD(l->own[1] + x);
-        facing = MS_SSS__LOAD(l->own[2] + x);
+    } else {
+        d[l->axis] = one;
+        if (shaped) {
+            size = MS_SSS__LOAD(l->own[0] + x);
+            rise[l->axis] = MS_SSS__LOAD(l->own[1] + x);
+            facing = MS_SSS__LOAD(l->own[2] + x);
+        }
     }
-    dx = MS_SSS__MUL(dx, MS_SSS__MUL(size, MS_SSS__SET(p->aspect[turned ? 0 : l->axis])));
+    for (i = 0; i < 2; ++i) d[i] = MS_SSS__MUL(d[i], MS_SSS__MUL(size, MS_SSS__SET(p->aspect[i])));
     for (order = 1; order < p->tap_count; ++order) { /* with slopes outwards */
-        const int side = p->offset_mm[s->shaped ? order : 0] < 0;
-        const float mm = p->offset_mm[k = s->shaped ? order : p->tap_count - order], remote = ms_sss__remote(p, mm), bulge = ms_sss__bulge(p, mm, &inner[side]);
-        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SET(mm), dx), whole = MS_SSS__FLOOR(t), r = MS_SSS__SUB(t, whole);
-        const MS_SSS__V t_y = MS_SSS__MUL(MS_SSS__SET(mm), dy), whole_y = turned ? MS_SSS__FLOOR(t_y) : zero, r_y = MS_SSS__SUB(t_y, whole_y);
-        MS_SSS__V tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
-        float floors[MS_SSS__LANES], floors_y[MS_SSS__LANES];
-        unsigned left = pending;
-        MS_SSS__STORE(floors, whole);
-        MS_SSS__STORE(floors_y, whole_y);
-        while (left) {
-            const int lane = ms_sss__lowest(left), i = (int)floors[lane], i_y = (int)floors_y[lane];
-            MS_SSS__MASK same = MS_SSS__SAME(whole, MS_SSS__SET(floors[lane]));
-            if (turned) same = MS_SSS__BOTH(same, MS_SSS__SAME(whole_y, MS_SSS__SET(floors_y[lane])));
-            left &= ~MS_SSS__BITS(same);
-            MS_SSS__UNROLL
-            for (j_y = 0; j_y < (turned ? 2 : 1); ++j_y) {
-                const float *row = turned ? here + ms_sss__clamp(i_y + j_y, -1 - l->at, l->turn->height - l->at) * l->turn->stride : here;
-                MS_SSS__UNROLL
-                for (j = 0; j < 2; ++j) {
-                    const int near_i = ms_sss__clamp(i + j, low, high);
-                    const float *from = l->axis == 1 ? row + l->step[near_i] : row + near_i;
-                    const MS_SSS__V there = MS_SSS__LOAD(from + 3 * l->plane);
-                    MS_SSS__V dz = MS_SSS__SUB(there, z), q, f, h = j ? r : MS_SSS__SUB(one, r);
-                    MS_SSS__MASK near_by;
-                    if (turned) h = MS_SSS__MUL(h, j_y ? r_y : MS_SSS__SUB(one, r_y));
-                    if (s->shaped) {
-                        MS_SSS__V gain = MS_SSS__MUL(rise, MS_SSS__SET((float)(i + j)));
-                        if (turned) gain = MS_SSS__MADD(rise_y, MS_SSS__SET((float)(i_y + j_y)), gain);
-                        dz = p->perspective ? MS_SSS__LESSEN(gain, there, dz) : MS_SSS__SUB(dz, gain);
-                    }
-                    q = MS_SSS__MUL(dz, dz);
-                    near_by = MS_SSS__BOTH(same, MS_SSS__LESS(q, MS_SSS__SET(p->cut)));
-                    if (!MS_SSS__BITS(near_by)) continue;
-                    if (p->follow) f = MS_SSS__SUB(one, MS_SSS__ABS(dz));
-                    else if (p->exact) f = MS_SSS__NAME(exp2_minus)(MS_SSS__MIN(q, MS_SSS__SET(120.0f)));
-                    else if (s->shaped) f = MS_SSS__DIV(MS_SSS__SUB(one, q), MS_SSS__MADD(MS_SSS__SET(remote), q, one));
-                    else f = MS_SSS__NAME(falloff)(dz);
-                    f = MS_SSS__SELECT(near_by, MS_SSS__MUL(h, f), zero);
-                    MS_SSS__UNROLL
-                    for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MADD(f, MS_SSS__LOAD(from + c * l->plane), tap[c]);
-                    n = MS_SSS__ADD(n, f);
-                    if (s->shaped) below = MS_SSS__MADD(f, turned ? MS_SSS__SELECT(near_by, dz, zero) : dz, below); /* turned axes meet infinite depths */
-                }
+        const float mm = p->offset_mm[k = shaped ? order : p->tap_count - order], remote = ms_sss__remote(p, mm);
+        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SET(mm), d[0]), t_y = MS_SSS__MUL(MS_SSS__SET(mm), d[1]), whole = MS_SSS__FLOOR(t), whole_y = MS_SSS__FLOOR(t_y);
+        MS_SSS__V share[2], share_y[2], tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
+        const float *row[2];
+        ptrdiff_t plane = l->plane, next = 1;
+        int first, first_y, together = 0;
+        share[1] = MS_SSS__SUB(t, whole);
+        share[0] = MS_SSS__SUB(one, share[1]);
+        share_y[1] = MS_SSS__SUB(t_y, whole_y);
+        share_y[0] = MS_SSS__SUB(one, share_y[1]);
+        MS_SSS__STORE(lane[0], whole);
+        MS_SSS__STORE(lane[1], whole_y);
+        first = (int)lane[0][some];
+        first_y = (int)lane[1][some];
+        if (packed) {
+            MS_SSS__STORE(lane[0], MS_SSS__MIN(MS_SSS__MAX(MS_SSS__ADD(whole, MS_SSS__ADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET((float)x))), MS_SSS__SET(-2.0f)), MS_SSS__SET((float)width)));
+            for (j = 0; j < 2; ++j) MS_SSS__STORE(lane[1 + j], MS_SSS__MIN(MS_SSS__MAX(MS_SSS__ADD(whole_y, MS_SSS__SET((float)(l->at + j))), MS_SSS__SET(-1.0f)), MS_SSS__SET((float)height)));
+            for (i = 0; i < MS_SSS__LANES; ++i) {
+                const float *column = packed + 4 * (int)lane[0][i];
+                eight[0][i] = column + (int)lane[1][i] * stride;
+                eight[1][i] = column + (int)lane[2][i] * stride;
             }
+        } else if (x + first < -MS_SSS__LANES || x + first >= width ||
+                   (pending & ~MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__SAME(whole, MS_SSS__SET((float)first)), MS_SSS__SAME(whole_y, MS_SSS__SET((float)first_y)))))) {
+            for (i = 0; i < MS_SSS__LANES; ++i)
+                for (j = 0; j < rows; ++j) {
+                    const float *from = here + ms_sss__row(l, (int)lane[1][i] + j, height) + ms_sss__clamp(x + i + (int)lane[0][i], -2, width) - x;
+                    eight[j][i] = copy[j][i];
+                    for (c = 0; c < 4; ++c, from += plane) {
+                        copy[j][i][c] = from[0];
+                        copy[j][i][c + 4] = from[1];
+                    }
+                }
+        } else {
+            together = 1;
+            for (j = 0; j < 2; ++j) row[j] = here + ms_sss__row(l, first_y + j, height) + first;
         }
-        if (s->shaped) {
-            MS_SSS__V bend;
+        if (!together) {
+            for (j = 0; j < rows; ++j) MS_SSS__NAME(transpose)(eight[j], apart[j]);
+            row[0] = apart[0];
+            row[1] = apart[1];
+            plane = MS_SSS__LANES;
+            next = 4 * MS_SSS__LANES;
+        }
+        for (j = 0; j < rows; ++j)
+            for (i = 0; i < columns; ++i) {
+                const float *from = row[j] + i * next;
+                MS_SSS__V there = MS_SSS__LOAD(from + 3 * plane), dz = MS_SSS__SUB(there, z), f = MS_SSS__MUL(share[i], share_y[j]);
+                if (usual) {
+                    f = MS_SSS__MUL(f, MS_SSS__NAME(falloff)(dz));
+                } else {
+                    if (shaped) {
+                        const MS_SSS__V gain = MS_SSS__MADD(rise[1], MS_SSS__ADD(whole_y, MS_SSS__SET((float)j)), MS_SSS__MUL(rise[0], MS_SSS__ADD(whole, MS_SSS__SET((float)i))));
+                        there = MS_SSS__MIN(there, MS_SSS__SET(MS_SSS__AWAY)); /* turned axes meet infinite ones */
+                        dz = p->perspective ? MS_SSS__LESSEN(gain, there, MS_SSS__SUB(there, z)) : MS_SSS__SUB(MS_SSS__SUB(there, z), gain);
+                    }
+                    if (p->follow) {
+                        f = MS_SSS__MUL(f, MS_SSS__MAX(MS_SSS__SUB(one, MS_SSS__ABS(dz)), zero));
+                    } else if (p->exact) {
+                        f = MS_SSS__MUL(f, MS_SSS__NAME(nearness)(p, 1, dz));
+                    } else {
+                        const MS_SSS__V q = MS_SSS__MIN(MS_SSS__MUL(dz, dz), one);
+                        f = MS_SSS__MUL(MS_SSS__LESSEN(f, q, f), MS_SSS__NAME(inverse)(MS_SSS__MADD(MS_SSS__SET(remote), q, one)));
+                    }
+                    below = MS_SSS__MADD(f, dz, below);
+                }
+                MS_SSS__UNROLL
+                for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MADD(f, MS_SSS__LOAD(from + c * plane), tap[c]);
+                n = MS_SSS__ADD(n, f);
+            }
+        if (shaped) {
+            MS_SSS__V area;
             below = MS_SSS__NAME(beyond)(below, MS_SSS__MADD(grain, MS_SSS__ADD(MS_SSS__ABS(t), MS_SSS__ABS(t_y)), MS_SSS__ADD(grain, grain)));
             below = MS_SSS__MUL(facing, below);
             sine = MS_SSS__MUL(below, MS_SSS__SET(fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0.0f));
             sine = MS_SSS__MAX(MS_SSS__MIN(sine, one), MS_SSS__SET(p->least));
-            below = MS_SSS__DIV(MS_SSS__MADD(MS_SSS__SET(MS_SSS__SPARSE), away[side], below), MS_SSS__ADD(n, MS_SSS__SET(MS_SSS__SPARSE)));
-            bend = MS_SSS__MUL(MS_SSS__SUB(below, away[side]), MS_SSS__SET(bulge));
-            away[side] = below;
-            bend = MS_SSS__MIN(MS_SSS__MADD(bend, bend, one), MS_SSS__SET(MS_SSS__AREA_MAX));
-            n = MS_SSS__MUL(n, bend);
+            area = MS_SSS__NAME(lean_area)(n, below, MS_SSS__SET(ms_sss__bulge(p, mm, &inner[mm < 0])), &away[mm < 0]);
+            n = MS_SSS__MUL(n, area);
             MS_SSS__UNROLL
-            for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MUL(tap[c], bend);
+            for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MUL(tap[c], area);
         }
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
             MS_SSS__V w = MS_SSS__SET(p->weight[k][c]);
             norm[c] = MS_SSS__MADD(w, n, norm[c]);
-            if (s->shaped) {
+            if (shaped) {
                 w = MS_SSS__MUL(w, MS_SSS__NAME(lift)(p, c, sine));
                 lifted[c] = MS_SSS__MADD(w, n, lifted[c]);
             }
@@ -9181,7 +9276,7 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
     for (c = 0; c < 3; ++c) {
         const MS_SSS__V own = MS_SSS__LOAD(at + c * l->plane), w = MS_SSS__SET(p->weight[0][c]);
         norm[c] = MS_SSS__ADD(norm[c], w);
-        if (s->shaped && !p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(MS_SSS__SET(p->root[c]), MS_SSS__ADD(lifted[c], w)));
+        if (shaped && !p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(MS_SSS__SET(p->root[c]), MS_SSS__ADD(lifted[c], w)));
         out[c] = MS_SSS__NAME(restore)(MS_SSS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
     }
 }
@@ -9223,11 +9318,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
                 ptrdiff_t b;
                 for (b = 0; b < n * MS_SSS__LANES * l->ahead_step[c]; b += 64) MS_SSS__PREFETCH(ahead + b);
             }
-#if MS_SSS__LANES > 1
             if (shaped) MS_SSS__NAME(leaning)(s, p, l, x, n, out);
-#else
-            if (shaped) memset(out, 0, sizeof out);
-#endif
             else if (three && axis) MS_SSS__NAME(flat)(s, p, l, x, n, MS_SSS__COLUMN, out);
             else if (three) MS_SSS__NAME(flat)(s, p, l, x, n, MS_SSS__ROW, out);
             else if (s->pairs) MS_SSS__NAME(by_pairs)(s, p, l, x, n, out);
@@ -10044,6 +10135,7 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__BITS
 #undef MS_SSS__ZIP_LOW
 #undef MS_SSS__ZIP_HIGH
+#undef MS_SSS__EIGHTH
 #undef MS_SSS__EVEN
 #undef MS_SSS__ODD
 #undef MS_SSS__EVENS
