@@ -8079,7 +8079,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
 #define MS_SSS__CHUNK (MS_SSS__LANES == 16 ? 1 : MS_SSS__LANES == 1 ? 16 : 4) /* groups in flight */
 #if defined(__GNUC__) && !defined(__clang__) && MS_SSS__LANES >= 8
-#define MS_SSS__UNROLL _Pragma("GCC unroll 3")
+#define MS_SSS__UNROLL _Pragma("GCC unroll 8")
 #else
 #define MS_SSS__UNROLL
 #endif
@@ -9094,43 +9094,24 @@ static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const m
         lift = lean;
     }
 }
-/* Interleaves eight vectors' first half with the second: of the bits of an element's place the highest becomes the lowest. */
-static MS_SSS__INLINE void MS_SSS__NAME(interleave)(const MS_SSS__V *v, MS_SSS__V *w)
-{
-    w[0] = MS_SSS__ZIP_LOW(v[0], v[4]);
-    w[1] = MS_SSS__ZIP_HIGH(v[0], v[4]);
-    w[2] = MS_SSS__ZIP_LOW(v[1], v[5]);
-    w[3] = MS_SSS__ZIP_HIGH(v[1], v[5]);
-    w[4] = MS_SSS__ZIP_LOW(v[2], v[6]);
-    w[5] = MS_SSS__ZIP_HIGH(v[2], v[6]);
-    w[6] = MS_SSS__ZIP_LOW(v[3], v[7]);
-    w[7] = MS_SSS__ZIP_HIGH(v[3], v[7]);
-}
-
-/* Eight floats of each lane become eight vectors. */
+/* Eight floats of each lane become eight vectors: interleaving half the vectors with the other half makes the highest bit of an
+   element's place the lowest. */
 static MS_SSS__INLINE void MS_SSS__NAME(transpose)(const float *const *lane, float *out)
 {
-    MS_SSS__V v[8], w[8];
-    v[0] = MS_SSS__EIGHTH(lane, 0);
-    v[1] = MS_SSS__EIGHTH(lane, 1);
-    v[2] = MS_SSS__EIGHTH(lane, 2);
-    v[3] = MS_SSS__EIGHTH(lane, 3);
-    v[4] = MS_SSS__EIGHTH(lane, 4);
-    v[5] = MS_SSS__EIGHTH(lane, 5);
-    v[6] = MS_SSS__EIGHTH(lane, 6);
-    v[7] = MS_SSS__EIGHTH(lane, 7);
-    if (MS_SSS__LANES > 1) MS_SSS__NAME(interleave)(v, w);
-    if (MS_SSS__LANES > 1) MS_SSS__NAME(interleave)(w, v);
-    if (MS_SSS__LANES > 4) MS_SSS__NAME(interleave)(v, w);
-    if (MS_SSS__LANES > 8) MS_SSS__NAME(interleave)(w, v);
-    MS_SSS__STORE(out, MS_SSS__LANES == 8 ? w[0] : v[0]);
-    MS_SSS__STORE(out + MS_SSS__LANES, MS_SSS__LANES == 8 ? w[1] : v[1]);
-    MS_SSS__STORE(out + 2 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[2] : v[2]);
-    MS_SSS__STORE(out + 3 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[3] : v[3]);
-    MS_SSS__STORE(out + 4 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[4] : v[4]);
-    MS_SSS__STORE(out + 5 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[5] : v[5]);
-    MS_SSS__STORE(out + 6 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[6] : v[6]);
-    MS_SSS__STORE(out + 7 * MS_SSS__LANES, MS_SSS__LANES == 8 ? w[7] : v[7]);
+    MS_SSS__V v[2][8];
+    int i, n, now = 0;
+    MS_SSS__UNROLL
+    for (i = 0; i < 8; ++i) v[0][i] = MS_SSS__EIGHTH(lane, i);
+    MS_SSS__UNROLL
+    for (n = 1; n < MS_SSS__LANES; n *= 2, now = !now) {
+        MS_SSS__UNROLL
+        for (i = 0; i < 4; ++i) {
+            v[!now][2 * i] = MS_SSS__ZIP_LOW(v[now][i], v[now][i + 4]);
+            v[!now][2 * i + 1] = MS_SSS__ZIP_HIGH(v[now][i], v[now][i + 4]);
+        }
+    }
+    MS_SSS__UNROLL
+    for (i = 0; i < 8; ++i) MS_SSS__STORE(out + i * MS_SSS__LANES, v[now][i]);
 }
 
 /* The group at column x by any taps along an axis, or turned: along each pixel's own. Where the lanes of a tap lie side by side they
