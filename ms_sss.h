@@ -9130,9 +9130,9 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
     float inner[2] = {0, 0}, lane[3][MS_SSS__LANES], copy[2][MS_SSS__LANES][8], apart[2][8 * MS_SSS__LANES]; /* apart: of rows: two pixels each */
     const float *eight[2][MS_SSS__LANES], *packed = turn ? turn->packed : NULL;
     const ptrdiff_t stride = turn ? 4 * turn->stride : 0;
-    const int some = ms_sss__lowest(pending);
-    int order, k, c, i, j;
+    int order, k, c, i, j, some;
     if (!pending) return;
+    some = ms_sss__lowest(pending);
     if (turn) {
         const float sign = turn->second ? -1.0f : 1.0f;
         for (i = 0; i < MS_SSS__LANES && packed; ++i) {
