@@ -3755,7 +3755,7 @@ typedef struct ms_sss__kernels {
     void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first, int count, float *const out[3]);
     void (*shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count, float *const out[7]);
     void (*gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6]);
-    void (*settle)(const ms_sss__growth *s, const float *row[3][4], const float *const slope[3], const float *const sum[6], int first, int count,
+    void (*settle)(const ms_sss__growth *s, const float *const row[4], ptrdiff_t stride, const float *const slope[3], const float *const sum[6], int first, int count,
                    int stream, float *const out[3]);
     void (*invert)(const ms_sss__growth *s, const float *depth, int count, float *d);
     int (*halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit, int count, float *const out[4]);
@@ -6107,15 +6107,14 @@ static void ms_sss__tower_grow(void *context, int task)
             const ms_sss_image *image = &job->frame.output;
             const int direct = job->direct && job->whole[y] && high <= v->width && ms_sss__solid(job, y, low, high);
             int stream = direct;
-            const float *row[3][4];
+            const float *row[4];
             float *depth = ms_sss__buffer(job, task, 17);
-            for (i = 0; i < 3; ++i)
-                for (c = 0; c < 4; ++c) row[i][c] = v->plane[c] + (y + i - 1) * v->stride;
+            for (c = 0; c < 4; ++c) row[c] = v->plane[c] + y * v->stride;
             for (c = 0; c < 3; ++c) {
                 blur[c] = direct ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(job, task, c);
                 if ((uintptr_t)blur[c] % 64) stream = 0;
             }
-            job->simd->settle(&tower->growth, row, (const float *const *)lie, (const float *const *)sum, low, high, stream, blur);
+            job->simd->settle(&tower->growth, row, v->stride, (const float *const *)lie, (const float *const *)sum, low, high, stream, blur);
             if (direct) continue;
             for (c = 0; c < 3; ++c) blur[c] += low;
             for (c = low; c < high; ++c) depth[c] = own[0][c] < 0 || own[0][c] > 0 ? 0 : INFINITY;
@@ -9774,34 +9773,53 @@ static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const float *row[4][7]
     else MS_SSS__NAME(shrink_row)(s, 0, row[1][4] != NULL, row, first, count, out);
 }
 
-/* Weights of a level for kernels of these radii in pixels, linear between the table's sizes: of the blurred alone, or (both) of the own before.
-   part: lanes that count. */
-static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int level, const int both, MS_SSS__V size, unsigned part, MS_SSS__V out[])
+/* Three or six weights of a level between two sizes of the table. */
+typedef struct MS_SSS__NAME(scale) {
+    MS_SSS__V low, high, unit, from[6], more[6];
+} MS_SSS__NAME(scale);
+
+/* Where a radius of a lane of part is not between w's sizes: w for the first of those lanes; returns whether it serves for all, else out is made. */
+static MS_SSS__APART int MS_SSS__NAME(rescale)(const ms_sss__growth *s, int level, int both, MS_SSS__V size, unsigned part, MS_SSS__NAME(scale) *w, MS_SSS__V out[])
 {
-    const int blurred = !both;
-    float sizes[MS_SSS__LANES], low, high;
+    float sizes[MS_SSS__LANES], lerped[6][MS_SSS__LANES], low, high;
+    const float *w0, *w1;
     int c, k;
     MS_SSS__STORE(sizes, size);
     k = ms_sss__size_index(sizes[ms_sss__lowest(part)]);
     low = ms_sss__index_size(k);
     high = ms_sss__index_size(k + 1);
-    if (!((MS_SSS__BITS(MS_SSS__LESS(size, MS_SSS__SET(low))) | MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(high), size))) & part)) {
-        const float *w0 = s->table[k][level][blurred], *w1 = s->table[k + 1][level][blurred];
-        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SUB(size, MS_SSS__SET(low)), MS_SSS__SET(1 / (high - low)));
-        out[0] = MS_SSS__MADD(t, MS_SSS__SET(w1[0] - w0[0]), MS_SSS__SET(w0[0]));
-        out[1] = MS_SSS__MADD(t, MS_SSS__SET(w1[1] - w0[1]), MS_SSS__SET(w0[1]));
-        out[2] = MS_SSS__MADD(t, MS_SSS__SET(w1[2] - w0[2]), MS_SSS__SET(w0[2]));
-        if (!both) return;
-        out[3] = MS_SSS__MADD(t, MS_SSS__SET(w1[3] - w0[3]), MS_SSS__SET(w0[3]));
-        out[4] = MS_SSS__MADD(t, MS_SSS__SET(w1[4] - w0[4]), MS_SSS__SET(w0[4]));
-        out[5] = MS_SSS__MADD(t, MS_SSS__SET(w1[5] - w0[5]), MS_SSS__SET(w0[5]));
-    } else {
-        float lerped[6][MS_SSS__LANES];
-        for (k = 0; k < MS_SSS__LANES; ++k) {
-            ms_sss__weights_at(s, sizes[k], level, blurred, &lerped[0][k], MS_SSS__LANES);
-            if (both) ms_sss__weights_at(s, sizes[k], level, 1, &lerped[3][k], MS_SSS__LANES);
-        }
-        for (c = 0; c < (both ? 6 : 3); ++c) out[c] = MS_SSS__LOAD(lerped[c]);
+    w0 = s->table[k][level][!both];
+    w1 = s->table[k + 1][level][!both];
+    w->low = MS_SSS__SET(low);
+    w->high = MS_SSS__SET(high);
+    w->unit = MS_SSS__SET(1 / (high - low));
+    for (c = 0; c < (both ? 6 : 3); ++c) {
+        w->from[c] = MS_SSS__SET(w0[c]);
+        w->more[c] = MS_SSS__SET(w1[c] - w0[c]);
+    }
+    if (!((MS_SSS__BITS(MS_SSS__LESS(size, w->low)) | MS_SSS__BITS(MS_SSS__LESS(w->high, size))) & part)) return 1;
+    for (k = 0; k < MS_SSS__LANES; ++k) {
+        ms_sss__weights_at(s, sizes[k], level, !both, &lerped[0][k], MS_SSS__LANES);
+        if (both) ms_sss__weights_at(s, sizes[k], level, 1, &lerped[3][k], MS_SSS__LANES);
+    }
+    for (c = 0; c < (both ? 6 : 3); ++c) out[c] = MS_SSS__LOAD(lerped[c]);
+    return 0;
+}
+
+/* Weights of a level for kernels of these radii in pixels, linear between the table's sizes: of the blurred alone, or (both) of the own before.
+   part: lanes that count; w: of the group before in the row, at first with low above high. */
+static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int level, const int both, MS_SSS__V size, unsigned part, MS_SSS__NAME(scale) *w,
+                                              MS_SSS__V out[])
+{
+    MS_SSS__V t;
+    int c;
+    if (((MS_SSS__BITS(MS_SSS__LESS(size, w->low)) | MS_SSS__BITS(MS_SSS__LESS(w->high, size))) & part) &&
+        !MS_SSS__NAME(rescale)(s, level, both, size, part, w, out)) return;
+    t = MS_SSS__MUL(MS_SSS__SUB(size, w->low), w->unit);
+    MS_SSS__UNROLL
+    for (c = 0; c < 3; ++c) {
+        out[c] = MS_SSS__MADD(t, w->more[c], w->from[c]);
+        if (both) out[c + 3] = MS_SSS__MADD(t, w->more[c + 3], w->from[c + 3]);
     }
 }
 
@@ -9847,7 +9865,7 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(bounded)(MS_SSS__V n, MS_SSS__V lif
 
 /* gather for the even or the odd columns of LANES pairs: at, their d and changes of d. */
 static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const int tilted, MS_SSS__V d, MS_SSS__V dx, MS_SSS__V dy,
-                                                    const float *coarse, const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry, MS_SSS__V result[6])
+                                                    const float *coarse, const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry, MS_SSS__NAME(scale) *scale, MS_SSS__V result[6])
 {
     static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f, 0.5f}; /* fourth roots of 9, 3, 3, 1 of 16 */
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
@@ -9961,7 +9979,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, co
         g = MS_SSS__NAME(raise)(s, 1, g, MS_SSS__MUL(mg, turn), v, grain);
         b = MS_SSS__NAME(raise)(s, 2, b, MS_SSS__MUL(mb, turn), v, grain);
     }
-    MS_SSS__NAME(weigh)(s, s->level + 1, 0, size, parts, weight);
+    MS_SSS__NAME(weigh)(s, s->level + 1, 0, size, parts, scale, weight);
     n = MS_SSS__MUL(n, norm);
     result[0] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[0], norm), r, s0), zero);
     result[1] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[1], norm), g, s1), zero);
@@ -9980,7 +9998,10 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_row)(const ms_sss__growth *s, con
 {
     const float cells = (float)(1 << (s->level + 1));
     const MS_SSS__V ry = MS_SSS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
+    MS_SSS__NAME(scale) scale;
     int i, c, odd;
+    scale.low = MS_SSS__SET(1.0f);
+    scale.high = MS_SSS__SET(0.0f);
     for (i = first; i < count; i += MS_SSS__LANES) {
         MS_SSS__V result[2][6];
         const MS_SSS__V d0 = MS_SSS__LOAD(own[0] + 2 * i), d1 = MS_SSS__LOAD(own[0] + 2 * i + MS_SSS__LANES);
@@ -9995,7 +10016,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_row)(const ms_sss__growth *s, con
             const MS_SSS__V rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(cells * s->tangent),
                                               MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
             MS_SSS__NAME(gather_side)(s, wide, tilted, odd ? MS_SSS__ODD(d0, d1) : MS_SSS__EVEN(d0, d1), odd ? MS_SSS__ODD(x0, x1) : MS_SSS__EVEN(x0, x1),
-                                      odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, result[odd]);
+                                      odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, &scale, result[odd]);
         }
         for (c = 0; c < 6; ++c) {
             MS_SSS__STORE(out[c] + 2 * i, MS_SSS__ZIP_LOW(result[0][c], result[1][c]));
@@ -10012,16 +10033,20 @@ static void MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own
 }
 
 /* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
-   tangent plane, and the sums. row: colour and d of the rows above, at and below; slope: share, then the changes of d. */
-static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *row[3][4], const float *const slope[3],
-                                                    const float *const sum[6], int first, int count, int stream, float *const out[3])
+   tangent plane, and the sums. row: colour and d, of rows stride floats apart; slope: share, then the changes of d. */
+static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *const row[4], ptrdiff_t stride,
+                                                    const float *const slope[3], const float *const sum[6], int first, int count, int stream, float *const out[3])
 {
     static const float root[2][2] = {{0.25f, 0.35355339f}, {0.35355339f, 0.5f}}; /* of (1, 2, 1) / 4 both ways */
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f);
     const int check = !s->perspective || !s->shaped || s->step > 0.4f; /* else what takes no part lies too deep to count */
+    const float *const red = row[0], *const green = row[1], *const blue = row[2], *const from = row[3];
+    MS_SSS__NAME(scale) scale;
     int i, j, k, c;
+    scale.low = one;
+    scale.high = zero;
     for (i = first; i < count; i += MS_SSS__LANES) {
-        const MS_SSS__V d = MS_SSS__LOAD(row[1][3] + i);
+        const MS_SSS__V d = MS_SSS__LOAD(from + i);
         const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
         const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe, 1), radius = MS_SSS__NAME(radius)(s, safe);
         MS_SSS__V r = zero, g = zero, b = zero, n = zero, share[6], size = radius, dx = zero, dy = zero;
@@ -10035,12 +10060,13 @@ static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, con
             dx = MS_SSS__LOAD(slope[1] + i);
             dy = MS_SSS__LOAD(slope[2] + i);
         }
-        MS_SSS__NAME(weigh)(s, 0, 1, size, parts, share);
+        MS_SSS__NAME(weigh)(s, 0, 1, size, parts, &scale, share);
         if (MS_SSS__BITS(MS_SSS__LESS(zero, MS_SSS__MAX(share[3], MS_SSS__MAX(share[4], share[5])))) & parts) {
             for (j = 0; j < 3; ++j) {
                 MS_SSS__UNROLL
                 for (k = 0; k < 3; ++k) {
-                    const MS_SSS__V there = MS_SSS__LOAD(row[j][3] + i + k - 1);
+                    const ptrdiff_t at = i + k - 1 + (j - 1) * stride;
+                    const MS_SSS__V there = MS_SSS__LOAD(from + at);
                     MS_SSS__V f = MS_SSS__SUB(there, d);
                     if (tilted) f = MS_SSS__SUB(f, MS_SSS__MADD(MS_SSS__SET((float)(k - 1)), dx, MS_SSS__MUL(MS_SSS__SET((float)(j - 1)), dy)));
                     f = MS_SSS__MUL(f, deep); /* none 2 pixels away */
@@ -10048,14 +10074,14 @@ static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, con
                     f = MS_SSS__MUL(f, f);
                     if (check) f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f, zero);
                     n = MS_SSS__ADD(n, f);
-                    r = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][0] + i + k - 1), r);
-                    g = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][1] + i + k - 1), g);
-                    b = MS_SSS__MADD(f, MS_SSS__LOAD(row[j][2] + i + k - 1), b);
+                    r = MS_SSS__MADD(f, MS_SSS__LOAD(red + at), r);
+                    g = MS_SSS__MADD(f, MS_SSS__LOAD(green + at), g);
+                    b = MS_SSS__MADD(f, MS_SSS__LOAD(blue + at), b);
                 }
             }
         }
         for (c = 0; c < 3; ++c) {
-            const MS_SSS__V e = MS_SSS__LOAD(row[1][c] + i), soft = c == 0 ? r : c == 1 ? g : b;
+            const MS_SSS__V e = MS_SSS__LOAD(row[c] + i), soft = c == 0 ? r : c == 1 ? g : b;
             const MS_SSS__V light = MS_SSS__ADD(MS_SSS__MADD(share[c], e, MS_SSS__MUL(share[c + 3], soft)), MS_SSS__LOAD(sum[c] + i));
             const MS_SSS__V all = MS_SSS__ADD(MS_SSS__MADD(share[c + 3], n, share[c]), MS_SSS__LOAD(sum[c + 3] + i));
             const MS_SSS__MASK sound = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(1e-30f), all), MS_SSS__LESS(half, radius)); /* kernels under half a pixel leave it as it is */
@@ -10066,11 +10092,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, con
     }
 }
 
-static void MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *row[3][4], const float *const slope[3], const float *const sum[6],
+static void MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *const row[4], ptrdiff_t stride, const float *const slope[3], const float *const sum[6],
                                  int first, int count, int stream, float *const out[3])
 {
-    if (s->upright > 0) MS_SSS__NAME(settle_row)(s, 1, row, slope, sum, first, count, stream, out);
-    else MS_SSS__NAME(settle_row)(s, 0, row, slope, sum, first, count, stream, out);
+    if (s->upright > 0) MS_SSS__NAME(settle_row)(s, 1, row, stride, slope, sum, first, count, stream, out);
+    else MS_SSS__NAME(settle_row)(s, 0, row, stride, slope, sum, first, count, stream, out);
 }
 
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
