@@ -3849,17 +3849,6 @@ static const float ms_sss__whole[MS_SSS__FAR + 1] = {MS_SSS__TEN(0),  MS_SSS__TE
                                          MS_SSS__TEN(70), MS_SSS__TEN(80), MS_SSS__TEN(90), MS_SSS__TEN(100), MS_SSS__TEN(110), 120};
 #undef MS_SSS__TEN
 
-/* The three weights of a level for a radius in pixels, step floats apart. */
-static MS_SSS__INLINE void ms_sss__weights_at(const ms_sss__growth *s, float size, int level, int blurred, float *out, int step)
-{
-    const int i = ms_sss__size_index(size);
-    const float from = ms_sss__index_size(i), width = ms_sss__index_size(i + 1) - from;
-    const float t = size > from ? (size > from + width ? 1 : (size - from) / width) : 0;
-    int c;
-    for (c = 0; c < 3; ++c)
-        out[c * step] = s->table[i][level][blurred][c] + t * (s->table[i + 1][level][blurred][c] - s->table[i][level][blurred][c]);
-}
-
 #if defined(MS__X64)
 static MS_SSS__INLINE __m128 ms_sss__floor_sse2(__m128 x)
 {
@@ -5956,12 +5945,12 @@ static void ms_sss__tower_lie(const ms_sss__tower *tower, int task, int y, int f
     job->simd->lie(&tower->growth, d, given ? normal : NULL, y, first, last, out);
 }
 
-/* Clears what lies beside the columns that rows [begin, end) of a level hold, as far as those of rows up to `beyond` away make others read
-   it: where such rows are not known, whole. */
-static void ms_sss__tower_clear(const ms_sss__level *v, int begin, int end, int beyond, int planes)
+/* Clears what lies beside the columns that rows [from, to) of a level hold, as far as those of rows up to `beyond` away make others
+   read it: where such rows are not within [begin, end), whole. */
+static void ms_sss__tower_clear(const ms_sss__level *v, int begin, int end, int from, int to, int beyond, int planes)
 {
     int y, i, c;
-    for (y = begin; y < end; ++y) {
+    for (y = from; y < to; ++y) {
         const int whole = (begin > 0 && y - beyond < begin) || (end < v->height && y + beyond >= end);
         const int right = (int)v->stride - MS_SSS__LEFT, first = v->first[y] < v->last[y] ? v->first[y] : 0, last = v->first[y] < v->last[y] ? v->last[y] : 0;
         int low = right, high = -MS_SSS__LEFT;
@@ -6018,7 +6007,13 @@ static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin
         for (i = 0; i < 7; ++i)
             for (c = v->width; c < last; ++c) out[i][c] = 0;
     }
-    ms_sss__tower_clear(v, begin, end, 4, MS_SSS__TOWER_PLANES); /* a gather reads 4 rows up and down */
+}
+
+/* Clears beside rows [begin, end) of level at + 1: a gather reads 4 rows up and down. */
+static void ms_sss__tower_beside(const ms_sss__tower *tower, int begin, int end)
+{
+    const int planes = tower->growth.upright > 0 ? MS_SSS__TOWER_PLANES : MS_SSS__CHANGES;
+    ms_sss__tower_clear(&tower->level[tower->at + 1], begin, end, begin, end, 4, planes);
 }
 
 /* The rows of level 1 that a band of the picture makes without its neighbours. */
@@ -6037,18 +6032,26 @@ static void ms_sss__tower_load(void *context, int task)
     const ms_sss__level *v = &tower->level[0];
     const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    const int behind = tower->growth.upright > 0 ? 4 : 2; /* rows that a row of level 1 takes behind its first two, slopes 2 more */
     float *colour[3];
-    int y, c, first, last;
+    int y, c, first, last, to, from = begin;
+    ms_sss__tower_inside(tower, begin, end, &first, &last);
     for (y = begin; y < end; ++y) {
         float *depth = ms_sss__buffer(job, task, 17), *d = v->plane[MS_SSS__D] + y * v->stride;
         for (c = 0; c < 3; ++c) colour[c] = v->plane[c] + y * v->stride;
         ms_sss__prepare(job, y, task, colour, depth);
         job->simd->invert(&tower->growth, depth + job->first[y], job->last[y] - job->first[y], d + job->first[y]);
+        if ((y + 1) % 16 && y + 1 < end) continue; /* while the cache holds them */
+        to = y + 1 < end ? y - 1 : end;
+        ms_sss__tower_clear(v, begin, end, from, to, 2, MS_SSS__D + 1);
+        from = to;
+        if (tower->levels < 2 || job->idle) continue;
+        to = y + 1 < end ? ms_sss__clamp((to - 1 - behind) / 2 + 1, first, last) : last;
+        ms_sss__tower_shrink(tower, task, first, to);
+        first = to;
     }
-    ms_sss__tower_clear(v, begin, end, 2, MS_SSS__D + 1);
-    if (job->idle || tower->levels < 2) return;
     ms_sss__tower_inside(tower, begin, end, &first, &last);
-    ms_sss__tower_shrink(tower, task, first, last);
+    if (tower->levels > 1 && !job->idle) ms_sss__tower_beside(tower, first, last);
 }
 
 /* The rows of level 1 between bands. */
@@ -6062,13 +6065,16 @@ static void ms_sss__tower_join(void *context, int task)
     ms_sss__tower_inside(tower, begin, end, &first[0], &last[0]);
     ms_sss__tower_inside(tower, end, after < job->end ? after : job->end, &first[1], &last[1]);
     ms_sss__tower_shrink(tower, task, last[0], first[1]);
+    ms_sss__tower_beside(tower, last[0], first[1]);
 }
 
 static void ms_sss__tower_down(void *context, int task)
 {
     const ms_sss__tower *tower = (const ms_sss__tower *)context;
-    const int begin = tower->job.begin + task * tower->job.band, end = begin + tower->job.band;
-    ms_sss__tower_shrink(tower, task, begin, end < tower->job.end ? end : tower->job.end);
+    const int begin = tower->job.begin + task * tower->job.band;
+    const int end = begin + tower->job.band < tower->job.end ? begin + tower->job.band : tower->job.end;
+    ms_sss__tower_shrink(tower, task, begin, end);
+    ms_sss__tower_beside(tower, begin, end);
 }
 
 /* The sums of a band of level at from those of level at + 1; of the finest level the picture. */
@@ -9645,27 +9651,23 @@ static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[5], 
     }
 }
 
-/* (1 - q)^4 of q = (distance from the tangent plane / reach)^2; off: that distance over the reach. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(beside)(MS_SSS__V off)
-{
-    MS_SSS__V f = MS_SSS__MAX(MS_SSS__SUB(MS_SSS__SET(1.0f), MS_SSS__MUL(off, off)), MS_SSS__SET(0.0f));
-    f = MS_SSS__MUL(f, f);
-    return MS_SSS__MUL(f, f);
-}
-
 /* One row of a level from rows 2j - 1 to 2j + 2 of the finer one, each colour, d, share, changes of d: pixel i is the mean of columns 2i - 1
    to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of what lies near the tangent plane of the nearest of the middle four that has a quarter of the
    largest share. tilted 0: no changes, on the picture (share NULL) shares of 1, and colours of levels are times their share. */
 static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, const int tilted, const int shares, const float *row[4][7],
                                                     int first, int count, float *const out[7])
 {
-    static const float side[4] = {0.125f, 0.375f, 0.375f, 0.125f};
+    /* Fourth roots of 1, 3, 9 of 64, by how many sides are near, and their roots. */
+    static const float root[3] = {0.353553391f, 0.465302426f, 0.612372436f};
+    static const float half_root[3] = {0.594603558f, 0.682130799f, 0.782542290f};
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
     int i, y, x, c;
     for (i = first; i < count; i += MS_SSS__LANES) {
-        MS_SSS__V most = zero, d = infinity, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least, greatest, nearest, scale, narrow;
+        MS_SSS__V most = zero, d = infinity, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least, greatest, nearest, scale;
+        MS_SSS__V narrow[3];
         MS_SSS__V sum[3], dd = zero, gx = zero, gy = zero, seen = zero, middle[2][2], share[2][2];
         MS_SSS__MASK some;
+        int check;
         MS_SSS__UNROLL
         for (y = 0; y < 2; ++y) {
             const float *z = row[y + 1][3] + 2 * i, *w = shares ? row[y + 1][4] + 2 * i : z;
@@ -9699,7 +9701,9 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
         }
         d = MS_SSS__SELECT(some, d, MS_SSS__SET(-1.0f));
         scale = MS_SSS__DIV(MS_SSS__NAME(deep)(s, d, 0), MS_SSS__NAME(radius)(s, d));
-        narrow = MS_SSS__MUL(scale, MS_SSS__SET(1 / s->join));
+        for (c = 0; c < 3; ++c) narrow[c] = MS_SSS__MUL(scale, MS_SSS__SET(half_root[c] / s->join));
+        /* Else what takes no part lies too deep to count. */
+        check = !shares && MS_SSS__BITS(MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ABS(d), narrow[0]), MS_SSS__SET(half_root[0])));
         nearest = least = greatest = d;
         if (tilted) d = MS_SSS__SUB(d, MS_SSS__MADD(bx, dx, MS_SSS__MUL(by, dy))); /* at the middle */
         sum[0] = sum[1] = sum[2] = zero;
@@ -9711,22 +9715,27 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
                 MS_SSS__UNROLL
                 for (x = 0; x < 2; ++x) {
                     const float along = (float)(2 * half + x) - 1.5f;
+                    const int inner = (half != x) + (y == 1 || y == 2);
                     const MS_SSS__V there = x ? MS_SSS__ODDS(a, b) : MS_SSS__EVENS(a, b), away = MS_SSS__SUB(there, nearest);
                     MS_SSS__V level = there, off = away, w;
                     if (tilted) {
                         level = MS_SSS__SUB(there, MS_SSS__MADD(MS_SSS__SET(along), dx, MS_SSS__MUL(MS_SSS__SET((float)y - 1.5f), dy)));
                         off = MS_SSS__SUB(level, d);
                     }
-                    f[x] = MS_SSS__MUL(MS_SSS__NAME(beside)(MS_SSS__MUL(off, narrow)), MS_SSS__SET(side[2 * half + x] * side[y]));
+                    off = MS_SSS__MUL(off, narrow[inner]);
+                    f[x] = MS_SSS__MAX(MS_SSS__LESSEN(off, off, MS_SSS__SET(root[inner])), zero);
+                    f[x] = MS_SSS__MUL(f[x], f[x]);
+                    f[x] = MS_SSS__MUL(f[x], f[x]);
                     if (shares) {
                         const MS_SSS__V w0 = MS_SSS__LOAD(row[y][4] + at), w1 = MS_SSS__LOAD(row[y][4] + at + MS_SSS__LANES);
                         w = x ? MS_SSS__ODDS(w0, w1) : MS_SSS__EVENS(w0, w1);
                         if (tilted) f[x] = MS_SSS__MUL(f[x], w);
                     } else {
                         w = one;
-                        f[x] = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f[x], zero);
+                        if (check) f[x] = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f[x], zero);
                     }
-                    f[x] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(away, scale)), one), f[x], zero);
+                    if (tilted || s->join > 1)
+                        f[x] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(away, scale)), one), f[x], zero);
                     off = shares && !tilted ? MS_SSS__MUL(f[x], w) : f[x];
                     n = MS_SSS__ADD(n, off);
                     dd = MS_SSS__MADD(off, level, dd);
@@ -9773,48 +9782,45 @@ static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const float *row[4][7]
     else MS_SSS__NAME(shrink_row)(s, 0, row[1][4] != NULL, row, first, count, out);
 }
 
-/* Three or six weights of a level between two sizes of the table. */
+/* Weights of a level, of each lane between two sizes of the table: only the blurred, or (both) the own and the blurred. */
 typedef struct MS_SSS__NAME(scale) {
     MS_SSS__V low, high, unit, from[6], more[6];
 } MS_SSS__NAME(scale);
 
-/* Where a radius of a lane of part is not between w's sizes: w for the first of those lanes; returns whether it serves for all, else out is made. */
-static MS_SSS__APART int MS_SSS__NAME(rescale)(const ms_sss__growth *s, int level, int both, MS_SSS__V size, unsigned part, MS_SSS__NAME(scale) *w, MS_SSS__V out[])
+static MS_SSS__APART void MS_SSS__NAME(rescale)(const ms_sss__growth *s, int level, int both, MS_SSS__V size, unsigned part, MS_SSS__NAME(scale) *w)
 {
-    float sizes[MS_SSS__LANES], lerped[6][MS_SSS__LANES], low, high;
-    const float *w0, *w1;
+    float sizes[MS_SSS__LANES], value[15][MS_SSS__LANES];
     int c, k;
     MS_SSS__STORE(sizes, size);
-    k = ms_sss__size_index(sizes[ms_sss__lowest(part)]);
-    low = ms_sss__index_size(k);
-    high = ms_sss__index_size(k + 1);
-    w0 = s->table[k][level][!both];
-    w1 = s->table[k + 1][level][!both];
-    w->low = MS_SSS__SET(low);
-    w->high = MS_SSS__SET(high);
-    w->unit = MS_SSS__SET(1 / (high - low));
-    for (c = 0; c < (both ? 6 : 3); ++c) {
-        w->from[c] = MS_SSS__SET(w0[c]);
-        w->more[c] = MS_SSS__SET(w1[c] - w0[c]);
-    }
-    if (!((MS_SSS__BITS(MS_SSS__LESS(size, w->low)) | MS_SSS__BITS(MS_SSS__LESS(w->high, size))) & part)) return 1;
     for (k = 0; k < MS_SSS__LANES; ++k) {
-        ms_sss__weights_at(s, sizes[k], level, !both, &lerped[0][k], MS_SSS__LANES);
-        if (both) ms_sss__weights_at(s, sizes[k], level, 1, &lerped[3][k], MS_SSS__LANES);
+        const float at = sizes[part >> k & 1 ? k : ms_sss__lowest(part)];
+        const int i = ms_sss__size_index(at);
+        const float low = ms_sss__index_size(i), high = ms_sss__index_size(i + 1);
+        const float *w0 = s->table[i + (at > high)][level][!both], *w1 = s->table[i + !(at < low)][level][!both]; /* the same beyond the table */
+        value[0][k] = low;
+        value[1][k] = high;
+        value[2][k] = 1 / (high - low);
+        for (c = 0; c < (both ? 6 : 3); ++c) {
+            value[3 + c][k] = w0[c];
+            value[9 + c][k] = w1[c] - w0[c];
+        }
     }
-    for (c = 0; c < (both ? 6 : 3); ++c) out[c] = MS_SSS__LOAD(lerped[c]);
-    return 0;
+    w->low = MS_SSS__LOAD(value[0]);
+    w->high = MS_SSS__LOAD(value[1]);
+    w->unit = MS_SSS__LOAD(value[2]);
+    for (c = 0; c < (both ? 6 : 3); ++c) {
+        w->from[c] = MS_SSS__LOAD(value[3 + c]);
+        w->more[c] = MS_SSS__LOAD(value[9 + c]);
+    }
 }
 
-/* Weights of a level for kernels of these radii in pixels, linear between the table's sizes: of the blurred alone, or (both) of the own before.
-   part: lanes that count; w: of the group before in the row, at first with low above high. */
-static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int level, const int both, MS_SSS__V size, unsigned part, MS_SSS__NAME(scale) *w,
-                                              MS_SSS__V out[])
+/* Weights for kernels of these radii in pixels. part: lanes that count; w: of the group before in the row, at first with low above high. */
+static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int level, const int both, MS_SSS__V size, unsigned part,
+                                              MS_SSS__NAME(scale) *w, MS_SSS__V out[])
 {
     MS_SSS__V t;
     int c;
-    if (((MS_SSS__BITS(MS_SSS__LESS(size, w->low)) | MS_SSS__BITS(MS_SSS__LESS(w->high, size))) & part) &&
-        !MS_SSS__NAME(rescale)(s, level, both, size, part, w, out)) return;
+    if ((MS_SSS__BITS(MS_SSS__LESS(size, w->low)) | MS_SSS__BITS(MS_SSS__LESS(w->high, size))) & part) MS_SSS__NAME(rescale)(s, level, both, size, part, w);
     t = MS_SSS__MUL(MS_SSS__SUB(size, w->low), w->unit);
     MS_SSS__UNROLL
     for (c = 0; c < 3; ++c) {
@@ -9865,9 +9871,11 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(bounded)(MS_SSS__V n, MS_SSS__V lif
 
 /* gather for the even or the odd columns of LANES pairs: at, their d and changes of d. */
 static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const int tilted, MS_SSS__V d, MS_SSS__V dx, MS_SSS__V dy,
-                                                    const float *coarse, const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry, MS_SSS__NAME(scale) *scale, MS_SSS__V result[6])
+                                                    const float *coarse, const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry,
+                                                    MS_SSS__NAME(scale) *scale, MS_SSS__V result[6])
 {
     static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f, 0.5f}; /* fourth roots of 9, 3, 3, 1 of 16 */
+    static const float half_nearness[3] = {0.93060486f, 0.81119480f, 0.70710678f}; /* theirs */
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const ptrdiff_t plane = s->plane;
     const float cells = (float)(1 << (s->level + 1)), square = MS_SSS__GATHER(wide, s->level); /* pixels of the picture in one of the coarse level */
@@ -9901,14 +9909,17 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, co
         rough = s->perspective ? MS_SSS__SET(s->rough) : MS_SSS__MUL(d, MS_SSS__SET(s->rough));
     }
     if (s->sums) {
-        const MS_SSS__V near_plane = MS_SSS__MUL(MS_SSS__SET(1 / s->reach), MS_SSS__NAME(inverse)(limit)), near_deep = MS_SSS__MUL(deep, near_plane);
+        const MS_SSS__V near_plane = MS_SSS__MUL(MS_SSS__SET(1 / s->reach), MS_SSS__NAME(inverse)(limit));
         const int cut = tilted || s->reach > 1; /* else what lies beyond the limit is too far from the plane */
+        MS_SSS__V close[3];
+        for (k = 0; k < 3; ++k) close[k] = MS_SSS__MUL(tilted ? near_plane : MS_SSS__MUL(deep, near_plane), MS_SSS__SET(half_nearness[k]));
         for (k = 0; k < 4; ++k) {
             const float *p = coarse + tap[k].at;
             const MS_SSS__V away = MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d);
-            const MS_SSS__V off = tilted ? MS_SSS__MUL(MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, MS_SSS__MUL(away, deep))), near_plane) : MS_SSS__MUL(away, near_deep);
-            const MS_SSS__V most = MS_SSS__SET(nearness[k]);
-            MS_SSS__V t = MS_SSS__MAX(MS_SSS__LESSEN(MS_SSS__MUL(off, off), most, most), zero);
+            MS_SSS__V off = away, t;
+            if (tilted) off = MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, MS_SSS__MUL(away, deep)));
+            off = MS_SSS__MUL(off, close[(k + 1) / 2]);
+            t = MS_SSS__MAX(MS_SSS__LESSEN(off, off, MS_SSS__SET(nearness[k])), zero);
             t = MS_SSS__MUL(t, t);
             t = MS_SSS__MUL(t, t);
             if (cut) t = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(away, deep)), limit), t, zero);
@@ -10037,8 +10048,7 @@ static void MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own
 static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *const row[4], ptrdiff_t stride,
                                                     const float *const slope[3], const float *const sum[6], int first, int count, int stream, float *const out[3])
 {
-    static const float root[2][2] = {{0.25f, 0.35355339f}, {0.35355339f, 0.5f}}; /* of (1, 2, 1) / 4 both ways */
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f), quarter = MS_SSS__SET(0.25f);
     const int check = !s->perspective || !s->shaped || s->step > 0.4f; /* else what takes no part lies too deep to count */
     const float *const red = row[0], *const green = row[1], *const blue = row[2], *const from = row[3];
     MS_SSS__NAME(scale) scale;
@@ -10062,15 +10072,21 @@ static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, con
         }
         MS_SSS__NAME(weigh)(s, 0, 1, size, parts, &scale, share);
         if (MS_SSS__BITS(MS_SSS__LESS(zero, MS_SSS__MAX(share[3], MS_SSS__MAX(share[4], share[5])))) & parts) {
-            for (j = 0; j < 3; ++j) {
+            const MS_SSS__V corner = MS_SSS__MUL(deep, quarter), edge = MS_SSS__MUL(deep, MS_SSS__SET(0.29730178f)); /* roots / 2 */
+            n = quarter;
+            r = MS_SSS__MUL(quarter, MS_SSS__LOAD(red + i));
+            g = MS_SSS__MUL(quarter, MS_SSS__LOAD(green + i));
+            b = MS_SSS__MUL(quarter, MS_SSS__LOAD(blue + i));
+            for (j = -1; j < 2; ++j) {
                 MS_SSS__UNROLL
-                for (k = 0; k < 3; ++k) {
-                    const ptrdiff_t at = i + k - 1 + (j - 1) * stride;
+                for (k = -1; k < 2; ++k) {
+                    const ptrdiff_t at = i + k + j * stride;
                     const MS_SSS__V there = MS_SSS__LOAD(from + at);
                     MS_SSS__V f = MS_SSS__SUB(there, d);
-                    if (tilted) f = MS_SSS__SUB(f, MS_SSS__MADD(MS_SSS__SET((float)(k - 1)), dx, MS_SSS__MUL(MS_SSS__SET((float)(j - 1)), dy)));
-                    f = MS_SSS__MUL(f, deep); /* none 2 pixels away */
-                    f = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__MUL(f, f), MS_SSS__SET(-0.25f * root[j == 1][k == 1]), MS_SSS__SET(root[j == 1][k == 1])), zero);
+                    if (!j && !k) continue;
+                    if (tilted) f = MS_SSS__LESSEN(MS_SSS__SET((float)k), dx, MS_SSS__LESSEN(MS_SSS__SET((float)j), dy, f));
+                    f = MS_SSS__MUL(f, j && k ? corner : edge); /* none 2 pixels away */
+                    f = MS_SSS__MAX(MS_SSS__LESSEN(f, f, j && k ? quarter : MS_SSS__SET(0.35355339f)), zero); /* roots of 1, 2 of 16 */
                     f = MS_SSS__MUL(f, f);
                     if (check) f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f, zero);
                     n = MS_SSS__ADD(n, f);
