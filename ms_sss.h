@@ -2250,18 +2250,26 @@ typedef struct ms_sss__measurer {
     double line[2][3][MS_SSS__HALF + 1]; /* right result, curve; by distance */
 } ms_sss__measurer;
 
+/* What one pass reads of a wave: the taps of each term along (x, y). */
+static void ms_sss__curve_pass(const ms_sss_designer *d, const ms_sss__curve *v, int k1, int k2, double x, double y,
+                               double out[3][MS_SSS_TERMS_MAX])
+{
+    int t, c, i;
+    for (c = 0; c < 3; ++c)
+        for (t = 0; t < v->terms; ++t) out[c][t] = v->weight[c][t][0];
+    for (i = 1; i <= v->pairs; ++i) {
+        const double wave = 2 * ms_sss__pair_transfer(d, k1, k2, v->offset[i] * x, v->offset[i] * y, 0, 0, NULL);
+        for (c = 0; c < 3; ++c)
+            for (t = 0; t < v->terms; ++t) out[c][t] += v->weight[c][t][i] * wave;
+    }
+}
+
 static void ms_sss__curve_waves(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves)
 {
     double line[3][MS_SSS_TERMS_MAX];
-    int k, t, c, i;
+    int k, t, c;
     for (k = 0; k <= MS_SSS__HALF; ++k) {
-        for (c = 0; c < 3; ++c)
-            for (t = 0; t < v->terms; ++t) line[c][t] = v->weight[c][t][0];
-        for (i = 1; i <= v->pairs; ++i) {
-            double wave = 2 * ms_sss__pair_transfer(d, k, 0, v->offset[i], 0, 0, 0, NULL);
-            for (c = 0; c < 3; ++c)
-                for (t = 0; t < v->terms; ++t) line[c][t] += v->weight[c][t][i] * wave;
-        }
+        ms_sss__curve_pass(d, v, k, 0, 1, 0, line);
         for (c = 0; c < 3; ++c)
             for (t = 0; t < v->terms; ++t) waves->line[c][t][k] = (float)line[c][t];
     }
@@ -2271,28 +2279,16 @@ static void ms_sss__curve_waves(const ms_sss_designer *d, const ms_sss__curve *v
 static void ms_sss__curve_transfer(const ms_sss_designer *d, const ms_sss__curve *v, const ms_sss__waves *waves, int k1, int k2,
                                    double out[3])
 {
-    int f, t, c, i;
+    double pass[2][3][MS_SSS_TERMS_MAX];
+    int f, t, c;
     for (c = 0; c < 3; ++c) out[c] = v->delta[c];
-    if (v->frames == 1) {
-        for (c = 0; c < 3; ++c)
-            for (t = 0; t < v->terms; ++t)
-                out[c] += v->sign[c][t] * (double)waves->line[c][t][k1] * (double)waves->line[c][t][k2];
-        return;
-    }
-    for (f = 0; f < v->frames; ++f) {
-        double turn = 0.5 * MS_SSS__PI * f / v->frames, x = cos(turn), y = sin(turn), pass[2][3][MS_SSS_TERMS_MAX];
-        for (c = 0; c < 3; ++c)
-            for (t = 0; t < v->terms; ++t) pass[0][c][t] = pass[1][c][t] = v->weight[c][t][0];
-        for (i = 1; i <= v->pairs; ++i) {
-            double o = v->offset[i];
-            double a = 2 * ms_sss__pair_transfer(d, k1, k2, o * x, o * y, 0, 0, NULL);
-            double b = 2 * ms_sss__pair_transfer(d, k1, k2, -o * y, o * x, 0, 0, NULL);
-            for (c = 0; c < 3; ++c)
-                for (t = 0; t < v->terms; ++t) {
-                    pass[0][c][t] += v->weight[c][t][i] * a;
-                    pass[1][c][t] += v->weight[c][t][i] * b;
-                }
-        }
+    for (c = 0; c < 3 && v->frames == 1; ++c)
+        for (t = 0; t < v->terms; ++t)
+            out[c] += v->sign[c][t] * (double)waves->line[c][t][k1] * (double)waves->line[c][t][k2];
+    for (f = 0; f < v->frames && v->frames > 1; ++f) {
+        const double turn = 0.5 * MS_SSS__PI * f / v->frames, x = cos(turn), y = sin(turn);
+        ms_sss__curve_pass(d, v, k1, k2, x, y, pass[0]);
+        ms_sss__curve_pass(d, v, k1, k2, -y, x, pass[1]);
         for (c = 0; c < 3; ++c)
             for (t = 0; t < v->terms; ++t) out[c] += v->sign[c][t] * pass[0][c][t] * pass[1][c][t] / v->frames;
     }
@@ -5066,6 +5062,12 @@ static MS_SSS__COLD ms_status ms_sss__check_sides(int width, int height, ms_erro
     return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
 }
 
+static MS_SSS__COLD ms_status ms_sss__check_lent(const void *workspace, size_t size, size_t needed, ms_error *error)
+{
+    if (workspace && size >= needed) return MS_OK;
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? size : 0, needed);
+}
+
 /* Fills in the strides. */
 static MS_SSS__COLD ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_depth, ms_error *error)
 {
@@ -5087,34 +5089,31 @@ static MS_SSS__COLD ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_dep
 
 static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
 {
-    const int sizes = ms_sss__differ(o->pixels_per_mm[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
+    static const char *const name[] = {"ortho_height", "mm_per_unit", "depth_sigma_mm", "follow_mm"};
+    const float length[] = {o->ortho_height, o->mm_per_unit, o->depth_sigma_mm, o->follow_mm}, *a = o->pixels_per_mm;
+    const int sizes = ms_sss__differ(a[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
+    ms_status status;
+    int i;
     if (sizes != 1)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed", sizes);
-    if (ms_sss__differ(o->pixels_per_mm[0], 0) && (!ms_sss__positive(o->pixels_per_mm[0]) || !(o->pixels_per_mm[1] >= 0) || !ms__finite_f(o->pixels_per_mm[1])))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pixels_per_mm %g, %g: expected positive numbers", (double)o->pixels_per_mm[0], (double)o->pixels_per_mm[1]);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                        "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed", sizes);
+    if (ms_sss__differ(a[0], 0) && !(ms_sss__positive(a[0]) && a[1] >= 0 && ms__finite_f(a[1])))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pixels_per_mm %g, %g: expected positive numbers", (double)a[0], (double)a[1]);
     if (ms_sss__differ(o->fov_degrees, 0) && !(o->fov_degrees > 0 && o->fov_degrees < 180))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fov_degrees %g is not within (0, 180)", (double)o->fov_degrees);
-    if (ms_sss__differ(o->ortho_height, 0) && !ms_sss__positive(o->ortho_height))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ortho_height %g is not positive", (double)o->ortho_height);
-    if (ms_sss__differ(o->mm_per_unit, 0) && !ms_sss__positive(o->mm_per_unit))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mm_per_unit %g is not positive", (double)o->mm_per_unit);
-    if (ms_sss__differ(o->depth_sigma_mm, 0) && !ms_sss__positive(o->depth_sigma_mm))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth_sigma_mm %g is not positive", (double)o->depth_sigma_mm);
-    if (ms_sss__differ(o->follow_mm, 0) && !ms_sss__positive(o->follow_mm))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "follow_mm %g is not positive", (double)o->follow_mm);
-    if (!(o->fade >= 0 && o->fade <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fade %g is not within [0, 1]", (double)o->fade);
-    if (o->exact != 0 && o->exact != 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "exact is %d, not 0 or 1", o->exact);
-    if (!(o->flat >= 0 && o->flat <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "flat %g is not within [0, 1]", (double)o->flat);
-    if (!(o->jitter >= 0 && o->jitter <= 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "jitter %g is not within [0, 1]", (double)o->jitter);
-    if (!ms__finite_f(o->rotation)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rotation is not finite");
-    if (!(o->budget >= 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "budget %g is negative", (double)o->budget);
-    if ((int)o->method < 0 || (int)o->method > (int)MS_SSS_METHOD_PYRAMID)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method %d is unknown", (int)o->method);
-    if ((int)o->depth_mode < 0 || (int)o->depth_mode > (int)MS_SSS_DEPTH_SCALE)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth_mode %d is unknown", (int)o->depth_mode);
-    if ((int)o->albedo_mode < 0 || (int)o->albedo_mode > (int)MS_SSS_ALBEDO_BOTH)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "albedo_mode %d is unknown", (int)o->albedo_mode);
-    return MS_OK;
+    for (i = 0; i < 4; ++i)
+        if (ms_sss__differ(length[i], 0) && !ms_sss__positive(length[i]))
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s %g is not positive", name[i], (double)length[i]);
+    if ((status = ms_sss__within((double)o->fade, "fade", 0, 1, error)) != MS_OK ||
+        (status = ms_sss__within((double)o->flat, "flat", 0, 1, error)) != MS_OK ||
+        (status = ms_sss__within((double)o->jitter, "jitter", 0, 1, error)) != MS_OK ||
+        (status = ms_sss__within((double)o->rotation, "rotation", -1e30, 1e30, error)) != MS_OK ||
+        (status = ms_sss__within((double)o->budget, "budget", 0, HUGE_VAL, error)) != MS_OK ||
+        (status = ms_sss__within(o->exact, "exact", 0, 1, error)) != MS_OK ||
+        (status = ms_sss__within((int)o->method, "method", 0, (int)MS_SSS_METHOD_PYRAMID, error)) != MS_OK ||
+        (status = ms_sss__within((int)o->depth_mode, "depth_mode", 0, (int)MS_SSS_DEPTH_SCALE, error)) != MS_OK)
+        return status;
+    return ms_sss__within((int)o->albedo_mode, "albedo_mode", 0, (int)MS_SSS_ALBEDO_BOTH, error);
 }
 
 /* Pixels a mm; in perspective at a depth of 1. */
@@ -5227,40 +5226,31 @@ MS_API ms_sss_filter_options ms_sss_filter_defaults(void)
     return o;
 }
 
-MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half)
-{
-    ms_sss_image image;
-    char *p = (char *)(uintptr_t)pixels;
-    const size_t size = half ? sizeof(uint16_t) : sizeof(float);
-    memset(&image, 0, sizeof image);
-    image.channel[0] = p;
-    image.channel[1] = p ? p + size : NULL;
-    image.channel[2] = p ? p + 2 * size : NULL;
-    image.pixel_stride = channels;
-    image.half = half;
-    return image;
-}
-
-MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half)
+static ms_sss_image ms_sss__view(const void *red, const void *green, const void *blue, int pixel_stride, int half)
 {
     ms_sss_image image;
     memset(&image, 0, sizeof image);
     image.channel[0] = (void *)(uintptr_t)red;
     image.channel[1] = (void *)(uintptr_t)green;
     image.channel[2] = (void *)(uintptr_t)blue;
+    image.pixel_stride = pixel_stride;
     image.half = half;
     return image;
 }
 
-MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half)
+MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half)
 {
-    ms_sss_image image;
-    memset(&image, 0, sizeof image);
-    image.channel[0] = (void *)(uintptr_t)values;
-    image.pixel_stride = stride;
-    image.half = half;
-    return image;
+    const char *p = (const char *)pixels;
+    const size_t size = half ? sizeof(uint16_t) : sizeof(float);
+    return ms_sss__view(p, p ? p + size : NULL, p ? p + 2 * size : NULL, channels, half);
 }
+
+MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half)
+{
+    return ms_sss__view(red, green, blue, 0, half);
+}
+
+MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half) { return ms_sss__view(values, NULL, NULL, stride, half); }
 
 MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height)
 {
@@ -5280,10 +5270,10 @@ MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int 
     double near_plane, far_plane;
     int x, y, endless;
     if (!buffer || !how || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "buffer, how or out is NULL");
-    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
     from = *buffer;
-    if ((status = ms_sss__check_image(&from, "buffer", 1, 1, width, height, error)) != MS_OK) return status;
+    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&from, "buffer", 1, 1, width, height, error)) != MS_OK)
+        return status;
     near_plane = (double)how->near_plane;
     far_plane = (double)how->far_plane;
     endless = !(far_plane > 0) || !ms__finite_f(how->far_plane);
@@ -5309,24 +5299,26 @@ MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height
     return (float)(2 * atan(tan((double)fov_degrees_along_x * degree / 2) * height / width) / degree);
 }
 
-/* Whether a scene in other units than millimetres is the likelier reading: mm_per_unit was not given, and the smallest kernel
-   covers half of the picture, as the mean over up to 64 x 64 pixels. */
-static MS_SSS__COLD int ms_sss__too_close(const ms_sss_frame *f, const ms_sss_filter_options *o, double radius_mm)
+/* Refuses a scene that is likelier in other units than millimetres: mm_per_unit was not given, and the smallest kernel covers
+   half of the picture, as the mean over up to 64 x 64 pixels. */
+static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const ms_sss_filter_options *o, double radius_mm,
+                                                  ms_error *error)
 {
     const int side = f->width > f->height ? f->width : f->height, step_x = (f->width + 63) / 64, step_y = (f->height + 63) / 64;
-    double sum = 0, size;
-    int x, y, n = 0;
-    if (o->mm_per_unit > 0 || o->pixels_per_mm[0] > 0) return 0;
-    if (!(o->fov_degrees > 0)) return radius_mm * f->height / (double)o->ortho_height > 0.5 * side;
-    size = radius_mm * f->height / (2 * tan((double)o->fov_degrees * (3.14159265358979323846 / 360)));
-    for (y = step_y / 2; y < f->height; y += step_y)
+    const double size = radius_mm * ms_sss__pixels(o, f->height);
+    double sum = o->fov_degrees > 0 ? 0 : size;
+    int x, y, n = !(o->fov_degrees > 0);
+    if (o->mm_per_unit > 0 || o->pixels_per_mm[0] > 0) return MS_OK;
+    for (y = step_y / 2; y < f->height && o->fov_degrees > 0; y += step_y)
         for (x = step_x / 2; x < f->width; x += step_x) {
             const float z = ms_sss__get(&f->depth, 0, x, y);
             if (!ms_sss__positive(z)) continue;
             sum += size / (double)z < side ? size / (double)z : side;
             ++n;
         }
-    return n > 0 && sum > 0.5 * side * n;
+    if (!(sum > 0.5 * side * n)) return MS_OK;
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
+                    "1000 for a scene in metres, 1 if it is in mm", radius_mm);
 }
 
 /* The empty rows above and below the planes, of which the fourth is depth. */
@@ -5361,14 +5353,12 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
     memset(job, 0, sizeof *job);
     *f = *frame;
     job->options = *options;
-    if ((status = ms_sss__check_frame(f, options->fov_degrees > 0, error)) != MS_OK) return status;
-    if (!workspace || workspace_size < needed)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
     for (i = 1, c = 0; i < kernel_count; ++i)
         if (kernels[i].radius_mm < kernels[c].radius_mm) c = i;
-    if (ms_sss__too_close(f, options, (double)kernels[c].radius_mm))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernels of %g mm cover half of the picture: mm_per_unit is needed, 1000 for a scene in metres, 1 if it is in mm",
-                        (double)kernels[c].radius_mm);
+    if ((status = ms_sss__check_frame(f, options->fov_degrees > 0, error)) != MS_OK ||
+        (status = ms_sss__check_lent(workspace, workspace_size, needed, error)) != MS_OK ||
+        (status = ms_sss__check_scale(f, options, (double)kernels[c].radius_mm, error)) != MS_OK)
+        return status;
 
     layout = ms_sss__plan(w, h, kernels, kernel_count, options, kind);
     job->simd = ms_sss__pick(options->simd);
@@ -6196,7 +6186,7 @@ static MS_SSS__COLD size_t ms_sss__tower_plan(int width, int height, size_t *bef
 MS_API size_t ms_sss_pyramid_workspace(int width, int height)
 {
     size_t before;
-    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX) return SIZE_MAX;
+    if (ms_sss__check_sides(width, height, NULL) != MS_OK) return SIZE_MAX;
     return ms_sss__tower_plan(width, height, &before);
 }
 
@@ -6313,16 +6303,12 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
                                            ms_error *error)
 {
     ms_status status;
-    size_t needed;
     if (!frame || !pyramid || !options)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, pyramid or options is NULL");
-    needed = ms_sss_pyramid_workspace(frame->width, frame->height);
-    if (needed < SIZE_MAX && (!workspace || workspace_size < needed))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
-    if (needed == SIZE_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", frame->width, frame->height,
-                        (int)MS_SSS__SIDE_MAX);
-    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
+    status = ms_sss__check_sides(frame->width, frame->height, error);
+    if (status == MS_OK) status = ms_sss__check_lent(workspace, workspace_size, ms_sss_pyramid_workspace(frame->width, frame->height), error);
+    if (status == MS_OK) status = ms_sss__check_options(options, error);
+    if (status != MS_OK) return status;
     if (frame->profile || !ms_sss__tower_takes(options))
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
     return ms_sss__tower_filter(frame, pyramid, 0, 1, options, workspace, error);
@@ -6366,7 +6352,7 @@ MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const 
                                           const ms_sss_filter_options *options)
 {
     size_t size = 0, needed;
-    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX || !kernels || !options) return SIZE_MAX;
+    if (ms_sss__check_sides(width, height, NULL) != MS_OK || !kernels || !options) return SIZE_MAX;
     if (ms_sss__may(options, MS_SSS_METHOD_TAPS)) size = ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__PASSES).total;
     if (ms_sss__may(options, MS_SSS_METHOD_HALF) && size < (needed = ms_sss__half_plan(width, height, kernels, kernel_count, options)))
         size = needed;
@@ -6677,7 +6663,7 @@ MS_API size_t ms_sss_gather_workspace(int width, int height, int with_back)
 {
     ms_sss__gather g;
     size_t patches;
-    if (width < 1 || height < 1 || width > MS_SSS__SIDE_MAX || height > MS_SSS__SIDE_MAX) return SIZE_MAX;
+    if (ms_sss__check_sides(width, height, NULL) != MS_OK) return SIZE_MAX;
     patches = ms__size_mul(ms_sss__gather_patches(&g, width, height), with_back ? 2 : 1);
     return ms__size_add(ms__size_mul(patches, sizeof(ms_sss__patch)), 64 + 3 * sizeof(float) * (MS_SSS__GATHER_STEPS + 2));
 }
@@ -6689,8 +6675,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_
     ms_sss__gather g;
     double total[3], radius[3], widest;
     ms_status status;
-    size_t needed;
-    int c, i, w, h, layer, level;
+    const int w = frame ? frame->width : 0, h = frame ? frame->height : 0;
+    int c, i, layer, level;
     ms_sss__patch *at;
     if (!frame || !profile || !options)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, profile or options is NULL");
@@ -6698,29 +6684,23 @@ MS_SSS__COLD MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_
     g.frame = *frame;
     g.options = *options;
     if (back) g.back = *back;
-    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
-    if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK) return status;
-    needed = ms_sss_gather_workspace(frame->width, frame->height, back != NULL);
+    if ((status = ms_sss__check_options(options, error)) != MS_OK || (status = ms_sss__check_sides(w, h, error)) != MS_OK) return status;
     if (options->pixels_per_mm[0] > 0)
         return ms__fail(error, MS_UNSUPPORTED, 0, "a gather needs fov_degrees or ortho_height; pixels_per_mm is for textures");
     if (frame->profile) return ms__fail(error, MS_UNSUPPORTED, 0, "a gather has one profile; frame->profile is set");
     if ((status = ms_sss__check_frame(&g.frame, 1, error)) != MS_OK) return status;
-    w = frame->width;
-    h = frame->height;
     if (back && ((status = ms_sss__check_image(&g.back.normal, "back normal", 3, 0, w, h, error)) != MS_OK ||
                  (status = ms_sss__check_image(&g.back.input, "back input", 3, 1, w, h, error)) != MS_OK ||
                  (status = ms_sss__check_image(&g.back.depth, "back depth", 1, 1, w, h, error)) != MS_OK))
         return status;
-    if (!workspace || workspace_size < needed)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? workspace_size : 0, needed);
     widest = ms_sss__extent(profile, total, radius);
+    if ((status = ms_sss__check_lent(workspace, workspace_size, ms_sss_gather_workspace(w, h, back != NULL), error)) != MS_OK ||
+        (status = ms_sss__check_scale(&g.frame, options, widest, error)) != MS_OK)
+        return status;
     for (c = 0; c < 3; ++c) {
         g.reflectance[c] = (float)total[c];
         g.elevation[c] = (float)ms_sss_elevation(total[c], 1) * (1 - options->flat);
     }
-    if (ms_sss__too_close(&g.frame, options, widest))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
-                        "1000 for a scene in metres, 1 if it is in mm", widest);
     if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light in any channel");
     g.reach = (float)(1.5 * widest); /* what is farther is worth less than the pixels' own shape */
     g.layers = back ? 2 : 1;
