@@ -8071,22 +8071,13 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 
 #if MS_SSS__LANES == 16
 #define MS_SSS__V __m512
+#define MS_SSS__X(name) _mm512_##name
+#define MS_SSS__Z(name, ...) _mm512_maskz_##name(0xffff, __VA_ARGS__) /* GCC 12 warns about the plain ones in C++ */
 #define MS_SSS__MASK __mmask16
-#define MS_SSS__LOAD(p) _mm512_loadu_ps(p)
-#define MS_SSS__STORE(p, a) _mm512_storeu_ps(p, a)
-#define MS_SSS__SET(s) _mm512_set1_ps(s)
-#define MS_SSS__ADD(a, b) _mm512_add_ps(a, b)
-#define MS_SSS__SUB(a, b) _mm512_sub_ps(a, b)
-#define MS_SSS__MUL(a, b) _mm512_mul_ps(a, b)
-#define MS_SSS__DIV(a, b) _mm512_div_ps(a, b)
 #define MS_SSS__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
 #define MS_SSS__LESSEN(a, b, c) _mm512_fnmadd_ps(a, b, c) /* c - a b */
-#define MS_SSS__STREAM(p, a) _mm512_stream_ps(p, a)
 #define MS_SSS__WIDEN(p) _mm512_maskz_cvtph_ps(0xffff, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
 #define MS_SSS__NARROW(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), _mm512_maskz_cvtps_ph(0xffff, a, _MM_FROUND_TO_NEAREST_INT))
-#define MS_SSS__MIN(a, b) _mm512_maskz_min_ps(0xffff, a, b) /* maskz: GCC 12 warns about the plain ones in C++ */
-#define MS_SSS__MAX(a, b) _mm512_maskz_max_ps(0xffff, a, b)
-#define MS_SSS__SQRT(a) _mm512_maskz_sqrt_ps(0xffff, a)
 #define MS_SSS__RSQRT(a) _mm512_maskz_rsqrt14_ps(0xffff, a)
 #define MS_SSS__ABS(a) _mm512_abs_ps(a)
 #define MS_SSS__RCP(a) _mm512_maskz_rcp14_ps(0xffff, a)
@@ -8101,27 +8092,16 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__ZIP_LOW(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
 #define MS_SSS__ZIP_HIGH(a, b) \
     _mm512_permutex2var_ps(a, _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31), b)
-#define MS_SSS__EVENS(a, b) _mm512_maskz_shuffle_ps(0xffff, a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
-#define MS_SSS__ODDS(a, b) _mm512_maskz_shuffle_ps(0xffff, a, b, 0xdd)
 #define MS_SSS__ORDER(a) _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xff, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(a)))
 #elif MS_SSS__LANES == 8
 #define MS_SSS__V __m256
+#define MS_SSS__X(name) _mm256_##name
+#define MS_SSS__Z(name, ...) _mm256_##name(__VA_ARGS__)
 #define MS_SSS__MASK __m256
-#define MS_SSS__LOAD(p) _mm256_loadu_ps(p)
-#define MS_SSS__STORE(p, a) _mm256_storeu_ps(p, a)
-#define MS_SSS__SET(s) _mm256_set1_ps(s)
-#define MS_SSS__ADD(a, b) _mm256_add_ps(a, b)
-#define MS_SSS__SUB(a, b) _mm256_sub_ps(a, b)
-#define MS_SSS__MUL(a, b) _mm256_mul_ps(a, b)
-#define MS_SSS__DIV(a, b) _mm256_div_ps(a, b)
 #define MS_SSS__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
 #define MS_SSS__LESSEN(a, b, c) _mm256_fnmadd_ps(a, b, c)
-#define MS_SSS__STREAM(p, a) _mm256_stream_ps(p, a)
 #define MS_SSS__WIDEN(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
 #define MS_SSS__NARROW(p, a) _mm_storeu_si128((__m128i *)(void *)(p), _mm256_cvtps_ph(a, _MM_FROUND_TO_NEAREST_INT))
-#define MS_SSS__MIN(a, b) _mm256_min_ps(a, b)
-#define MS_SSS__MAX(a, b) _mm256_max_ps(a, b)
-#define MS_SSS__SQRT(a) _mm256_sqrt_ps(a)
 #define MS_SSS__RSQRT(a) _mm256_rsqrt_ps(a)
 #define MS_SSS__RCP(a) _mm256_rcp_ps(a)
 #define MS_SSS__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
@@ -8136,25 +8116,14 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__BITS(m) ((unsigned)_mm256_movemask_ps(m))
 #define MS_SSS__ZIP_LOW(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x20)
 #define MS_SSS__ZIP_HIGH(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x31)
-#define MS_SSS__EVENS(a, b) _mm256_shuffle_ps(a, b, 0x88)
-#define MS_SSS__ODDS(a, b) _mm256_shuffle_ps(a, b, 0xdd)
 #define MS_SSS__ORDER(a) _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(a), 0xd8))
 #elif MS_SSS__LANES == 4 && defined(MS__X64)
 #define MS_SSS__V __m128
+#define MS_SSS__X(name) _mm_##name
+#define MS_SSS__Z(name, ...) _mm_##name(__VA_ARGS__)
 #define MS_SSS__MASK __m128
-#define MS_SSS__LOAD(p) _mm_loadu_ps(p)
-#define MS_SSS__STORE(p, a) _mm_storeu_ps(p, a)
-#define MS_SSS__SET(s) _mm_set1_ps(s)
-#define MS_SSS__ADD(a, b) _mm_add_ps(a, b)
-#define MS_SSS__SUB(a, b) _mm_sub_ps(a, b)
-#define MS_SSS__MUL(a, b) _mm_mul_ps(a, b)
-#define MS_SSS__DIV(a, b) _mm_div_ps(a, b)
 #define MS_SSS__MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
 #define MS_SSS__LESSEN(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
-#define MS_SSS__STREAM(p, a) _mm_stream_ps(p, a)
-#define MS_SSS__MIN(a, b) _mm_min_ps(a, b)
-#define MS_SSS__MAX(a, b) _mm_max_ps(a, b)
-#define MS_SSS__SQRT(a) _mm_sqrt_ps(a)
 #define MS_SSS__RSQRT(a) _mm_rsqrt_ps(a)
 #define MS_SSS__RCP(a) _mm_rcp_ps(a)
 #define MS_SSS__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
@@ -8168,8 +8137,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__BITS(m) ((unsigned)_mm_movemask_ps(m))
 #define MS_SSS__ZIP_LOW(a, b) _mm_unpacklo_ps(a, b)
 #define MS_SSS__ZIP_HIGH(a, b) _mm_unpackhi_ps(a, b)
-#define MS_SSS__EVENS(a, b) _mm_shuffle_ps(a, b, 0x88)
-#define MS_SSS__ODDS(a, b) _mm_shuffle_ps(a, b, 0xdd)
 #define MS_SSS__ORDER(a) (a)
 #elif MS_SSS__LANES == 4
 #define MS_SSS__V float32x4_t
@@ -8232,6 +8199,21 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__EVENS(a, b) (a)
 #define MS_SSS__ODDS(a, b) (b)
 #define MS_SSS__ORDER(a) (a)
+#endif
+#ifdef MS_SSS__X
+#define MS_SSS__LOAD(p) MS_SSS__X(loadu_ps)(p)
+#define MS_SSS__STORE(p, a) MS_SSS__X(storeu_ps)(p, a)
+#define MS_SSS__STREAM(p, a) MS_SSS__X(stream_ps)(p, a)
+#define MS_SSS__SET(s) MS_SSS__X(set1_ps)(s)
+#define MS_SSS__ADD(a, b) MS_SSS__X(add_ps)(a, b)
+#define MS_SSS__SUB(a, b) MS_SSS__X(sub_ps)(a, b)
+#define MS_SSS__MUL(a, b) MS_SSS__X(mul_ps)(a, b)
+#define MS_SSS__DIV(a, b) MS_SSS__X(div_ps)(a, b)
+#define MS_SSS__MIN(a, b) MS_SSS__Z(min_ps, a, b)
+#define MS_SSS__MAX(a, b) MS_SSS__Z(max_ps, a, b)
+#define MS_SSS__SQRT(a) MS_SSS__Z(sqrt_ps, a)
+#define MS_SSS__EVENS(a, b) MS_SSS__Z(shuffle_ps, a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
+#define MS_SSS__ODDS(a, b) MS_SSS__Z(shuffle_ps, a, b, 0xdd)
 #endif
 #if MS_SSS__LANES == 16 /* floats from LANES n on of eight of each lane */
 #define MS_SSS__EIGHTH(lane, n) _mm512_maskz_insertf32x8(0xffff, _mm512_castps256_ps512(_mm256_loadu_ps((lane)[2 * (n)])), _mm256_loadu_ps((lane)[2 * (n) + 1]), 1)
@@ -10109,6 +10091,8 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__CHUNK
 #undef MS_SSS__UNROLL
 #undef MS_SSS__V
+#undef MS_SSS__X
+#undef MS_SSS__Z
 #undef MS_SSS__MASK
 #undef MS_SSS__LOAD
 #undef MS_SSS__STORE
