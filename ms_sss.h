@@ -1279,7 +1279,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #endif
 
 /* Refuses a number outside [low, high], and NaN. */
-static MS_SSS__APART ms_status ms_sss__within(double x, const char *name, double low, double high, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__within(double x, const char *name, double low, double high, ms_error *error)
 {
     if (x >= low && x <= high) return MS_OK;
     return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s %g: %g to %g expected", name, x, low, high);
@@ -1728,7 +1728,7 @@ static int ms_sss__ring_of(const ms_sss_profile *p, double r)
     return low;
 }
 
-MS_API void ms_sss_profile_value(const ms_sss_profile *p, double r, double out[3])
+MS_SSS__COLD MS_API void ms_sss_profile_value(const ms_sss_profile *p, double r, double out[3])
 {
     int c, i;
     if (p == NULL || out == NULL) return;
@@ -1776,7 +1776,7 @@ MS_API void ms_sss_profile_reflectance(const ms_sss_profile *p, double out[3])
     ms_sss_profile_disc(p, p->kind == MS_SSS__RINGS ? p->edge[p->count] : 1e30, out);
 }
 
-MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double fraction, double out[3])
+MS_SSS__COLD MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double fraction, double out[3])
 {
     double total[3], inside[3];
     int c, i;
@@ -1820,7 +1820,7 @@ static double ms_sss__chord(double mean, double slope, double u)
     return 2 * u * (mean + slope * u * u / 3);
 }
 
-MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3])
+MS_SSS__COLD MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3])
 {
     int c, i;
     if (p == NULL || out == NULL) return;
@@ -1851,7 +1851,7 @@ MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3]
     }
 }
 
-MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double out[3])
+MS_SSS__COLD MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double out[3])
 {
     int c, i;
     if (p == NULL || out == NULL) return;
@@ -2096,7 +2096,7 @@ static void ms_sss__signal_power(const ms_sss_designer *d)
 }
 
 /* Mean of r over each channel's light, in mm; widest: any length of the profile's size. */
-static void ms_sss__mean_distance(const ms_sss_profile *profile, const double total[3], double widest, double mean[3])
+static MS_SSS__COLD void ms_sss__mean_distance(const ms_sss_profile *profile, const double total[3], double widest, double mean[3])
 {
     const int steps = 1500;
     double inside[3] = {0, 0, 0}, disc[3], r = 0;
@@ -2385,7 +2385,7 @@ static void ms_sss__measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, 
     errors->bands = ms_sss__curve_bands(designer, m);
 }
 
-MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer)
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer)
 {
     ms_sss__measurer *m;
     if (errors == NULL || kernel == NULL || designer == NULL) return MS_INVALID_ARGUMENT;
@@ -3221,7 +3221,7 @@ static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curv
     }
 }
 
-static MS_SSS__APART void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *v, double index,
+static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *v, double index,
                                                ms_sss_kernel *kernel)
 {
     int order[MS_SSS__CELLS_MAX + 1], n, i, t, c, side;
@@ -3260,7 +3260,7 @@ static MS_SSS__APART void ms_sss__store_kernel(const ms_sss_designer *d, const m
     kernel->radius_mm = (float)(d->cell_mm * (1.5 * v->offset[order[n]] - 0.5 * (n ? v->offset[order[n - 1]] : 0)));
 }
 
-static MS_SSS__APART ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms_error *error)
 {
     const int dense = o->tap_count == MS_SSS_DENSE, most = o->placement == MS_SSS_OPTIMISED ? 33 : MS_SSS_TAPS_MAX;
     ms_status status;
@@ -3310,7 +3310,7 @@ MS_API ms_sss_artist ms_sss_artist_production(void)
     return production;
 }
 
-MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *d, const ms_sss_kernel_options *options,
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *d, const ms_sss_kernel_options *options,
                                      ms_error *error)
 {
     ms_sss_kernel_options o = options != NULL ? *options : ms_sss_kernel_defaults();
@@ -3444,7 +3444,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss
                                  tap_budget, best.texture, best.bands, tolerance, MS_SSS_BANDS_SEEN);
 }
 
-MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile, double radius_px,
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile, double radius_px,
                                     const ms_sss_kernel_options *options, const ms_allocator *allocator, ms_error *error)
 {
     ms_sss_designer *designer;
@@ -5786,7 +5786,7 @@ static void ms_sss__pyramid_wave(int wide, double k, double wave[MS_SSS__WAVE_TE
     }
 }
 
-MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error)
 {
     /* A wave of k radians a mm keeps T(k) = integral of a_p(x) cos(k x) dx of its height. T is tabled on a grid whose
        steps are those of the pixel frequencies below, so that a change of size is a shift. */
@@ -6520,7 +6520,7 @@ static void ms_sss__gather_load(void *context, int task)
 }
 
 /* Four patches as one, by their areas. */
-static MS_SSS__APART void ms_sss__gather_join(const ms_sss__gather *g, int layer, int level)
+static MS_SSS__COLD void ms_sss__gather_join(const ms_sss__gather *g, int layer, int level)
 {
     const int w = g->width[level], h = g->height[level], below_w = g->width[level - 1], below_h = g->height[level - 1];
     int x, y, i, c;
