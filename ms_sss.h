@@ -3761,7 +3761,10 @@ typedef struct ms_sss__kernels {
 } ms_sss__kernels;
 
 /* Floats to what lies i steps along the axis. */
-static MS_SSS__INLINE ptrdiff_t ms_sss__at(int way, const ptrdiff_t *step, int i) { return way == MS_SSS__ROW ? i : step[i]; }
+static MS_SSS__INLINE ptrdiff_t ms_sss__at(int way, const ptrdiff_t *step, ptrdiff_t i)
+{
+    return way == MS_SSS__ROW ? i : step[i];
+}
 
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
 
@@ -8717,7 +8720,8 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, 
                                                          const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
-    const int two = way || MS_SSS__LANES == 1 ? 0 : place & MS_SSS__BESIDE, i = place - two, exact = !way && p->exact;
+    const int two = way || MS_SSS__LANES == 1 ? 0 : place & MS_SSS__BESIDE, exact = !way && p->exact;
+    const ptrdiff_t i = place - two;
     MS_SSS__V r = MS_SSS__SUB(t, MS_SSS__SET(ms_sss__whole[i])), share = MS_SSS__SUB(one, r), third = zero, up_sum, down_sum;
     if (two) {
         share = MS_SSS__MAX(share, zero);
@@ -8740,8 +8744,8 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, 
 }
 
 /* The light of a pair's pixels in a channel. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(light)(const float *from, const int way, const ptrdiff_t *step, int i, const int two,
-                                                    const MS_SSS__V *q)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(light)(const float *from, const int way, const ptrdiff_t *step, ptrdiff_t i,
+                                                    const int two, const MS_SSS__V *q)
 {
     MS_SSS__V v = MS_SSS__MUL(q[0], MS_SSS__LOAD(from + ms_sss__at(way, step, i)));
     v = MS_SSS__MADD(q[1], MS_SSS__LOAD(from + ms_sss__at(way, step, i + 1)), v);
@@ -9244,28 +9248,86 @@ static MS_SSS__APART void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_ss
     for (c = 0; c < 3 && kind != MS_SSS__LEAVE; ++c) out[c] = MS_SSS__SELECT(need, out[c], own[c]);
 }
 
+/* What the next row needs of n groups. */
+static MS_SSS__INLINE void MS_SSS__NAME(fetch)(const ms_sss__line *l, int x, int n)
+{
+    ptrdiff_t b;
+    int c;
+    for (c = 0; c < 4; ++c)
+        for (b = 0; b < n * MS_SSS__LANES * l->ahead_step[c]; b += 64) MS_SSS__PREFETCH(l->ahead[c] + x * l->ahead_step[c] + b);
+}
+
+#if MS_SSS__LANES == 16
+/* A pass whose three pairs make a mean, a group at a time: there are registers for what a group needs. */
+static MS_SSS__APART void MS_SSS__NAME(means)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines,
+                                              int first, int last)
+{
+    int x, y, k, c;
+    for (x = first; x < last; x += MS_SSS__LANES)
+        for (y = 0; y < lines; ++y) {
+            const ms_sss__line *l = &line[y];
+            const ptrdiff_t at = x / MS_SSS__LANES, plane = l->plane, *step = l->step;
+            const unsigned char *plan = l->plan + at * 4 + 1;
+            const float *red = l->from + at * l->group;
+            MS_SSS__V v[1][3];
+            if (x < l->first || x >= l->last) continue;
+            MS_SSS__NAME(fetch)(l, x, 1);
+            if (plan[-1] == MS_SSS__ONE) {
+                const MS_SSS__V z = MS_SSS__LOAD(red + 3 * plane + step[0]), size = MS_SSS__NAME(size)(p, z);
+                MS_SSS__V m[3];
+                MS_SSS__UNROLL
+                for (c = 0; c < 3; ++c) {
+                    m[c] = MS_SSS__LOAD(s->weight[0][c]);
+                    v[0][c] = MS_SSS__MUL(m[c], MS_SSS__LOAD(red + c * plane + step[0]));
+                }
+                MS_SSS__UNROLL
+                for (k = 0; k < 3; ++k) {
+                    MS_SSS__V q[6];
+                    const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[l->axis][k]));
+                    const MS_SSS__V all = MS_SSS__NAME(weigh_pair)(p, MS_SSS__COLUMN, red + 3 * plane, step, plan[k], z, t, q);
+                    MS_SSS__NAME(add_pair)(s->weight[k + 1], MS_SSS__COLUMN, red, plane, step, plan[k], q, all, v[0], m);
+                }
+                MS_SSS__UNROLL
+                for (c = 0; c < 3; ++c) v[0][c] = MS_SSS__DIV(v[0][c], m[c]);
+            } else {
+                if (plan[-1] >= MS_SSS__SOME) MS_SSS__NAME(by_pairs)(s, p, l, x, 1, v);
+                if (plan[-1] < MS_SSS__ALL) MS_SSS__NAME(rest)(s, p, l, x, plan[-1], v[0]);
+            }
+            MS_SSS__UNROLL
+            for (c = 0; c < 3; ++c) {
+                float *to = l->to[c] + at * l->to_group;
+                if (l->stream) MS_SSS__STREAM(to, v[0][c]);
+                else MS_SSS__STORE(to, v[0][c]);
+            }
+            if (!l->axis) MS_SSS__STORE(l->to[2] + at * l->to_group + MS_SSS__LANES, MS_SSS__LOAD(red + 3 * plane + step[0]));
+        }
+}
+#endif
+
 /* A pass of several rows between columns first and last, chunk by chunk so that what they share stays in the cache. */
 static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const ms_sss__line *line, int lines,
                                                int first, int last)
 {
+    const int three = MS_SSS__LANES == 8 && !shaped && s->pairs == 3 && s->simple && !p->exact;
     int x, y, g, c;
+#if MS_SSS__LANES == 16
+    if (!shaped && s->pairs == 3 && s->simple && !p->exact) {
+        MS_SSS__NAME(means)(s, p, line, lines, first, last);
+        return;
+    }
+#endif
     for (x = first; x < last; x += MS_SSS__CHUNK * MS_SSS__LANES)
         for (y = 0; y < lines; ++y) {
             const ms_sss__line *l = &line[y];
             const int n = (l->last - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (l->last - x) / MS_SSS__LANES : MS_SSS__CHUNK;
             const int plan_size = s->plan_size, axis = l->axis, stream = l->stream;
-            const int three = MS_SSS__LANES > 4 && !shaped && s->pairs == 3 && s->simple && !p->exact;
             const ptrdiff_t group = l->group, to_group = l->to_group;
             const float *deep;
             float *to[3];
             MS_SSS__V out[MS_SSS__CHUNK][3];
             if (x < l->first || x >= l->last) continue;
             deep = l->from + x / MS_SSS__LANES * group + l->step[0] + 3 * l->plane;
-            for (c = 0; c < 4; ++c) {
-                const char *ahead = l->ahead[c] + x * l->ahead_step[c];
-                ptrdiff_t b;
-                for (b = 0; b < n * MS_SSS__LANES * l->ahead_step[c]; b += 64) MS_SSS__PREFETCH(ahead + b);
-            }
+            MS_SSS__NAME(fetch)(l, x, n);
             if (shaped) MS_SSS__NAME(leaning)(s, p, l, x, n, out);
             else if (three && axis) MS_SSS__NAME(flat)(s, p, l, x, n, MS_SSS__COLUMN, out);
             else if (three) MS_SSS__NAME(flat)(s, p, l, x, n, MS_SSS__ROW, out);
