@@ -4848,10 +4848,10 @@ static void ms_sss__turned_pack(void *context, int task)
     const ms_sss__job *job = (const ms_sss__job *)context;
     const int begin = job->begin + task * job->band, height = job->frame.height;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const ptrdiff_t first = (begin - !begin) * job->stride - MS_SSS__LEFT, last = (end + (end == height)) * job->stride - MS_SSS__LEFT;
+    const ptrdiff_t last = (end + (end == height)) * job->stride - MS_SSS__LEFT;
     ptrdiff_t i;
     int c;
-    for (i = first; i < last; ++i)
+    for (i = (begin - !begin) * job->stride - MS_SSS__LEFT; i < last; ++i)
         for (c = 0; c < 4; ++c) job->packed[4 * i + c] = (c < 3 ? job->source[c] : job->depth)[i];
 }
 
@@ -5393,7 +5393,7 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
         else if (i < 7) job->source[6 - i] = plane; /* so that depth is three planes behind red there, too */
         at += layout.plane;
     }
-    if (layout.planes > 7 && options->jitter > 0) { /* passes read the last four, pixel by pixel, and write where they read their own */
+    if (layout.planes > 7 && options->jitter > 0) { /* passes read the last four, pixel by pixel, and write in place */
         job->packed = job->source[2] + 3 * (job->stride + MS_SSS__LEFT);
         for (c = 0; c < 3; ++c) job->source[c] = job->middle[c];
     }
@@ -8219,7 +8219,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__ODDS(a, b) MS_SSS__Z(shuffle_ps, a, b, 0xdd)
 #endif
 #if MS_SSS__LANES == 16 /* floats from LANES n on of eight of each lane */
-#define MS_SSS__EIGHTH(lane, n) _mm512_maskz_insertf32x8(0xffff, _mm512_castps256_ps512(_mm256_loadu_ps((lane)[2 * (n)])), _mm256_loadu_ps((lane)[2 * (n) + 1]), 1)
+#define MS_SSS__EIGHTH(lane, n) \
+    _mm512_maskz_insertf32x8(0xffff, _mm512_castps256_ps512(_mm256_loadu_ps((lane)[2 * (n)])), _mm256_loadu_ps((lane)[2 * (n) + 1]), 1)
 #else
 #define MS_SSS__EIGHTH(lane, n) MS_SSS__LOAD((lane)[(n) * MS_SSS__LANES / 8] + (n) * MS_SSS__LANES % 8)
 #endif
@@ -9085,12 +9086,13 @@ static MS_SSS__INLINE void MS_SSS__NAME(transpose)(const float *const *lane, flo
     for (i = 0; i < 8; ++i) MS_SSS__STORE(out + i * MS_SSS__LANES, v[now][i]);
 }
 
-/* The group at column x by any taps along an axis, or turned: along each pixel's own. Where the lanes of a tap lie side by side they
-   are read as they lie, else one by one. */
+/* The group at column x by any taps along an axis, or turned: along each pixel's own. A tap's two pixels along each axis are read
+   where they lie if all lanes have one place, else put together: place by place, or lane by lane where each has its direction. */
 static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
 {
     const ms_sss__turning *turn = l->turn;
-    const int rows = l->axis == 0 ? 1 : 2, columns = l->axis == 1 ? 1 : 2, shaped = s->shaped, usual = !shaped && !p->follow && !p->exact;
+    const int rows = l->axis == 0 ? 1 : 2, columns = l->axis == 1 ? 1 : 2, shaped = s->shaped;
+    const int usual = !shaped && !p->follow && !p->exact;
     const int height = turn ? turn->height : l->count, width = l->axis == 1 ? x + MS_SSS__LANES : l->count;
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const float *here = l->from + x / MS_SSS__LANES * l->group, *at = here + l->step[0];
@@ -9098,12 +9100,12 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
     const unsigned pending = MS_SSS__BITS(MS_SSS__NAME(need)(p, z));
     MS_SSS__V size = MS_SSS__NAME(size)(p, z), facing = zero, rise[2] = {zero, zero}, d[2] = {zero, zero}, away[2] = {zero, zero};
     MS_SSS__V sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
-    float inner[2] = {0, 0}, lane[3][MS_SSS__LANES], copy[2][MS_SSS__LANES][8], apart[2][8 * MS_SSS__LANES]; /* apart: of rows: two pixels each */
-    const float *eight[2][MS_SSS__LANES], *packed = turn ? turn->packed : NULL;
-    const ptrdiff_t stride = turn ? 4 * turn->stride : 0;
-    int order, k, c, i, j, some;
+    float inner[2] = {0, 0}, lane[2][MS_SSS__LANES], apart[2][8 * MS_SSS__LANES];
+    const float *eight[MS_SSS__LANES], *packed = turn ? turn->packed : NULL;
+    MS_SSS__MASK same;
+    unsigned left;
+    int order, k, c, i, j;
     if (!pending) return;
-    some = ms_sss__lowest(pending);
     if (turn) {
         const float sign = turn->second ? -1.0f : 1.0f;
         for (i = 0; i < MS_SSS__LANES && packed; ++i) {
@@ -9116,8 +9118,9 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
         if (shaped) {
             const MS_SSS__V sx = MS_SSS__LOAD(l->own[0] + x), sy = MS_SSS__LOAD(l->own[1] + x);
             const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x), ry = MS_SSS__SET(((float)l->at + 0.5f - p->middle[1]) * p->tangent);
-            const MS_SSS__V square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)), along = MS_SSS__MADD(d[0], sx, MS_SSS__MUL(d[1], sy));
-            size = MS_SSS__NAME(foreshorten)(size, along, MS_SSS__MADD(d[0], rx, MS_SSS__MUL(d[1], ry)), square);
+            const MS_SSS__V ray = MS_SSS__MADD(d[0], rx, MS_SSS__MUL(d[1], ry));
+            const MS_SSS__V along = MS_SSS__MADD(d[0], sx, MS_SSS__MUL(d[1], sy));
+            size = MS_SSS__NAME(foreshorten)(size, along, ray, MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)));
             facing = MS_SSS__NAME(facing)(p, sx, sy, rx, ry);
             rise[0] = MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0]));
             rise[1] = MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]));
@@ -9132,61 +9135,64 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
     }
     for (i = 0; i < 2; ++i) d[i] = MS_SSS__MUL(d[i], MS_SSS__MUL(size, MS_SSS__SET(p->aspect[i])));
     for (order = 1; order < p->tap_count; ++order) { /* with slopes outwards */
-        const float mm = p->offset_mm[k = shaped ? order : p->tap_count - order], remote = ms_sss__remote(p, mm);
-        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SET(mm), d[0]), t_y = MS_SSS__MUL(MS_SSS__SET(mm), d[1]), whole = MS_SSS__FLOOR(t), whole_y = MS_SSS__FLOOR(t_y);
-        MS_SSS__V share[2], share_y[2], tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
-        const float *row[2];
+        const float mm = p->offset_mm[k = shaped ? order : p->tap_count - order];
+        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SET(mm), d[0]), t_y = MS_SSS__MUL(MS_SSS__SET(mm), d[1]);
+        const MS_SSS__V whole = MS_SSS__FLOOR(t), whole_y = MS_SSS__FLOOR(t_y);
+        const MS_SSS__V remote = MS_SSS__SET(shaped ? ms_sss__remote(p, mm) : 0);
+        MS_SSS__V share[2][2], tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
+        const float *row[2] = {apart[0], apart[1]};
         ptrdiff_t plane = l->plane, next = 1;
-        int first, first_y, together = 0;
-        share[1] = MS_SSS__SUB(t, whole);
-        share[0] = MS_SSS__SUB(one, share[1]);
-        share_y[1] = MS_SSS__SUB(t_y, whole_y);
-        share_y[0] = MS_SSS__SUB(one, share_y[1]);
+        int together = 0;
+        share[0][1] = MS_SSS__SUB(t, whole);
+        share[0][0] = MS_SSS__SUB(one, share[0][1]);
+        share[1][1] = MS_SSS__SUB(t_y, whole_y);
+        share[1][0] = MS_SSS__SUB(one, share[1][1]);
         MS_SSS__STORE(lane[0], whole);
         MS_SSS__STORE(lane[1], whole_y);
-        first = (int)lane[0][some];
-        first_y = (int)lane[1][some];
         if (packed) {
-            MS_SSS__STORE(lane[0], MS_SSS__MIN(MS_SSS__MAX(MS_SSS__ADD(whole, MS_SSS__ADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET((float)x))), MS_SSS__SET(-2.0f)), MS_SSS__SET((float)width)));
-            for (j = 0; j < 2; ++j) MS_SSS__STORE(lane[1 + j], MS_SSS__MIN(MS_SSS__MAX(MS_SSS__ADD(whole_y, MS_SSS__SET((float)(l->at + j))), MS_SSS__SET(-1.0f)), MS_SSS__SET((float)height)));
-            for (i = 0; i < MS_SSS__LANES; ++i) {
-                const float *column = packed + 4 * (int)lane[0][i];
-                eight[0][i] = column + (int)lane[1][i] * stride;
-                eight[1][i] = column + (int)lane[2][i] * stride;
+            const MS_SSS__V column = MS_SSS__ADD(whole, MS_SSS__ADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET((float)x)));
+            MS_SSS__STORE(lane[0], MS_SSS__MIN(MS_SSS__MAX(column, MS_SSS__SET(-2.0f)), MS_SSS__SET((float)width)));
+            for (j = 0; j < 2; ++j) {
+                const MS_SSS__V down = MS_SSS__MAX(MS_SSS__ADD(whole_y, MS_SSS__SET((float)(l->at + j))), MS_SSS__SET(-1.0f));
+                MS_SSS__STORE(lane[1], MS_SSS__MIN(down, MS_SSS__SET((float)height)));
+                for (i = 0; i < MS_SSS__LANES; ++i) eight[i] = packed + 4 * ((int)lane[0][i] + (int)lane[1][i] * turn->stride);
+                MS_SSS__NAME(transpose)(eight, apart[j]);
             }
-        } else if (x + first < -MS_SSS__LANES || x + first >= width ||
-                   (pending & ~MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__SAME(whole, MS_SSS__SET((float)first)), MS_SSS__SAME(whole_y, MS_SSS__SET((float)first_y)))))) {
-            for (i = 0; i < MS_SSS__LANES; ++i)
-                for (j = 0; j < rows; ++j) {
-                    const float *from = here + ms_sss__row(l, (int)lane[1][i] + j, height) + ms_sss__clamp(x + i + (int)lane[0][i], -2, width) - x;
-                    eight[j][i] = copy[j][i];
-                    for (c = 0; c < 4; ++c, from += plane) {
-                        copy[j][i][c] = from[0];
-                        copy[j][i][c + 4] = from[1];
-                    }
+        }
+        for (left = packed ? 0 : pending; left; left &= ~MS_SSS__BITS(same)) {
+            const int lead = ms_sss__lowest(left), first = (int)lane[0][lead];
+            same = MS_SSS__SAME(whole, MS_SSS__SET(lane[0][lead]));
+            same = MS_SSS__BOTH(same, MS_SSS__SAME(whole_y, MS_SSS__SET(lane[1][lead])));
+            together = !(pending & ~MS_SSS__BITS(same)) && x + first >= -MS_SSS__LANES && x + first < width;
+            for (j = 0; j < rows; ++j) {
+                const float *from = here + ms_sss__row(l, (int)lane[1][lead] + j, height);
+                if (together) row[j] = from + first;
+                for (c = 0; c < 8 && !together; ++c) {
+                    const int column = ms_sss__clamp(first + (c >> 2), -MS_SSS__LANES - x, width - x);
+                    const MS_SSS__V there = MS_SSS__LOAD(from + (c & 3) * plane + column);
+                    float *to = apart[j] + c * MS_SSS__LANES;
+                    MS_SSS__STORE(to, left == pending ? there : MS_SSS__SELECT(same, there, MS_SSS__LOAD(to)));
                 }
-        } else {
-            together = 1;
-            for (j = 0; j < 2; ++j) row[j] = here + ms_sss__row(l, first_y + j, height) + first;
+            }
         }
         if (!together) {
-            for (j = 0; j < rows; ++j) MS_SSS__NAME(transpose)(eight[j], apart[j]);
-            row[0] = apart[0];
-            row[1] = apart[1];
             plane = MS_SSS__LANES;
             next = 4 * MS_SSS__LANES;
         }
         for (j = 0; j < rows; ++j)
             for (i = 0; i < columns; ++i) {
                 const float *from = row[j] + i * next;
-                MS_SSS__V there = MS_SSS__LOAD(from + 3 * plane), dz = MS_SSS__SUB(there, z), f = MS_SSS__MUL(share[i], share_y[j]);
+                MS_SSS__V there = MS_SSS__LOAD(from + 3 * plane), dz = MS_SSS__SUB(there, z);
+                MS_SSS__V f = MS_SSS__MUL(share[0][i], share[1][j]);
                 if (usual) {
                     f = MS_SSS__MUL(f, MS_SSS__NAME(falloff)(dz));
                 } else {
                     if (shaped) {
-                        const MS_SSS__V gain = MS_SSS__MADD(rise[1], MS_SSS__ADD(whole_y, MS_SSS__SET((float)j)), MS_SSS__MUL(rise[0], MS_SSS__ADD(whole, MS_SSS__SET((float)i))));
+                        MS_SSS__V gain = MS_SSS__MADD(rise[0], whole, MS_SSS__MUL(rise[1], whole_y));
+                        if (i) gain = MS_SSS__ADD(gain, rise[0]);
+                        if (j) gain = MS_SSS__ADD(gain, rise[1]);
                         there = MS_SSS__MIN(there, MS_SSS__SET(MS_SSS__AWAY)); /* turned axes meet infinite ones */
-                        dz = p->perspective ? MS_SSS__LESSEN(gain, there, MS_SSS__SUB(there, z)) : MS_SSS__SUB(MS_SSS__SUB(there, z), gain);
+                        dz = MS_SSS__LESSEN(gain, p->perspective ? there : one, MS_SSS__SUB(there, z));
                     }
                     if (p->follow) {
                         f = MS_SSS__MUL(f, MS_SSS__MAX(MS_SSS__SUB(one, MS_SSS__ABS(dz)), zero));
@@ -9194,7 +9200,7 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
                         f = MS_SSS__MUL(f, MS_SSS__NAME(nearness)(p, 1, dz));
                     } else {
                         const MS_SSS__V q = MS_SSS__MIN(MS_SSS__MUL(dz, dz), one);
-                        f = MS_SSS__MUL(MS_SSS__LESSEN(f, q, f), MS_SSS__NAME(inverse)(MS_SSS__MADD(MS_SSS__SET(remote), q, one)));
+                        f = MS_SSS__MUL(MS_SSS__LESSEN(f, q, f), MS_SSS__NAME(inverse)(MS_SSS__MADD(remote, q, one)));
                     }
                     below = MS_SSS__MADD(f, dz, below);
                 }
@@ -9204,11 +9210,12 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
             }
         if (shaped) {
             MS_SSS__V area;
-            below = MS_SSS__NAME(beyond)(below, MS_SSS__MADD(grain, MS_SSS__ADD(MS_SSS__ABS(t), MS_SSS__ABS(t_y)), MS_SSS__ADD(grain, grain)));
-            below = MS_SSS__MUL(facing, below);
+            area = MS_SSS__MADD(grain, MS_SSS__ADD(MS_SSS__ABS(t), MS_SSS__ABS(t_y)), MS_SSS__ADD(grain, grain));
+            below = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(below, area));
             sine = MS_SSS__MUL(below, MS_SSS__SET(fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0.0f));
             sine = MS_SSS__MAX(MS_SSS__MIN(sine, one), MS_SSS__SET(p->least));
-            area = MS_SSS__NAME(lean_area)(n, below, MS_SSS__SET(ms_sss__bulge(p, mm, &inner[mm < 0])), &away[mm < 0]);
+            area = MS_SSS__SET(ms_sss__bulge(p, mm, &inner[mm < 0]));
+            area = MS_SSS__NAME(lean_area)(n, below, area, &away[mm < 0]);
             n = MS_SSS__MUL(n, area);
             MS_SSS__UNROLL
             for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MUL(tap[c], area);
@@ -9228,7 +9235,8 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
     for (c = 0; c < 3; ++c) {
         const MS_SSS__V own = MS_SSS__LOAD(at + c * l->plane), w = MS_SSS__SET(p->weight[0][c]);
         norm[c] = MS_SSS__ADD(norm[c], w);
-        if (shaped && !p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], MS_SSS__MUL(MS_SSS__SET(p->root[c]), MS_SSS__ADD(lifted[c], w)));
+        lifted[c] = MS_SSS__MUL(MS_SSS__SET(p->root[c]), MS_SSS__ADD(lifted[c], w));
+        if (shaped && !p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], lifted[c]);
         out[c] = MS_SSS__NAME(restore)(MS_SSS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
     }
 }
