@@ -8220,7 +8220,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #endif
 #if MS_SSS__LANES == 16 /* floats from LANES n on of eight of each lane */
 #define MS_SSS__EIGHTH(lane, n) \
-    _mm512_maskz_insertf32x8(0xffff, _mm512_castps256_ps512(_mm256_loadu_ps((lane)[2 * (n)])), _mm256_loadu_ps((lane)[2 * (n) + 1]), 1)
+    _mm512_maskz_insertf32x8(0xffff, _mm512_castps256_ps512(_mm256_loadu_ps((lane)[2 * (n)])), \
+                             _mm256_loadu_ps((lane)[2 * (n) + 1]), 1)
 #else
 #define MS_SSS__EIGHTH(lane, n) MS_SSS__LOAD((lane)[(n) * MS_SSS__LANES / 8] + (n) * MS_SSS__LANES % 8)
 #endif
