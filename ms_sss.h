@@ -583,7 +583,7 @@ typedef struct ms_sss_filter_options {
     float jitter;            /* 0 to 1: turns each pixel's axes by up to this part of 90 degrees (interleaved noise); the
                                 error gets no lower: noise hides structure */
     ms_simd simd;            /* cap of the instruction set */
-    ms_parallel parallel;
+    ms_parallel parallel;    /* the program's threads: up to 16 tasks a call; zero: the calling thread alone */
     float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                                 1: not at all, as if every pixel faced the camera; between: slopes are that much less */
     int exact;               /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1:
@@ -1278,11 +1278,13 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #define MS_SSS__COLD
 #endif
 
+#define MS_SSS__REFUSE(error, ...) ms__fail(error, MS_INVALID_ARGUMENT, 0, __VA_ARGS__)
+
 /* Refuses a number outside [low, high], and NaN. */
 static MS_SSS__COLD ms_status ms_sss__within(double x, const char *name, double low, double high, ms_error *error)
 {
     if (x >= low && x <= high) return MS_OK;
-    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s %g: %g to %g expected", name, x, low, high);
+    return MS_SSS__REFUSE(error, "%s %g: %g to %g expected", name, x, low, high);
 }
 
 #ifndef MS_SSS_NO_DESIGN
@@ -1474,8 +1476,8 @@ static MS_SSS__COLD ms_status ms_sss__check_table(int count, int least, const do
 {
     int i, c;
     if (count < least || radius == NULL || value == NULL || value[0] == NULL || value[1] == NULL || value[2] == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d rows of a profile; at least %d and no NULL expected", count, least);
-    if (stride < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "stride is %d; 0 or more expected", stride);
+        return MS_SSS__REFUSE(error, "%d rows of a profile; at least %d and no NULL expected", count, least);
+    if (stride < 1) return MS_SSS__REFUSE(error, "stride is %d; 0 or more expected", stride);
     for (i = 0; i < radii; ++i)
         if (!ms__finite(radius[i]) || radius[i] < 0 || radius[i] > 1e9 || (i > 0 && radius[i] - radius[i - 1] < 1e-9))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
@@ -1497,7 +1499,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile
     ms_sss_profile *p;
     ms_status status;
     int i, c;
-    if (profile == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile is NULL");
+    if (profile == NULL) return MS_SSS__REFUSE(error, "profile is NULL");
     *profile = NULL;
     if (stride == 0) stride = 1;
     status = ms_sss__check_table(count, 1, edge_mm, count + 1, value, stride, error);
@@ -1531,7 +1533,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profi
     ms_sss_profile *p;
     ms_status status;
     int i, c, inner;
-    if (profile == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile is NULL");
+    if (profile == NULL) return MS_SSS__REFUSE(error, "profile is NULL");
     *profile = NULL;
     if (stride == 0) stride = 1;
     status = ms_sss__check_table(count, 2, r_mm, count, value, stride, error);
@@ -1561,10 +1563,10 @@ static MS_SSS__COLD ms_status ms_sss__from_lengths(ms_sss_profile **profile, ms_
 {
     ms_status status;
     int i, c;
-    if (profile == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile is NULL");
+    if (profile == NULL) return MS_SSS__REFUSE(error, "profile is NULL");
     *profile = NULL;
     if (count < 1 || count > MS_SSS_GAUSSIANS_MAX || length_mm == NULL || weight == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d Gaussians; 1 to %d and no NULL expected", count, MS_SSS_GAUSSIANS_MAX);
+        return MS_SSS__REFUSE(error, "%d Gaussians; 1 to %d and no NULL expected", count, MS_SSS_GAUSSIANS_MAX);
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c)
             if (!(length_mm[i][c] >= 1e-9 && length_mm[i][c] <= 1e9 && weight[i][c] >= 0 && weight[i][c] <= 1e9))
@@ -1663,7 +1665,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, 
     size_t line_number = 0, rows = 0, capacity = 1, bytes, i;
     ms_status status = MS_OK;
     int kind, rings = 1;
-    if (profile == NULL || text == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile or text is NULL");
+    if (profile == NULL || text == NULL) return MS_SSS__REFUSE(error, "profile or text is NULL");
     *profile = NULL;
     if (size >= 2 && (memcmp(text, "\xFF\xFE", 2) == 0 || memcmp(text, "\xFE\xFF", 2) == 0))
         return ms__fail(error, MS_UNSUPPORTED, 1, "the text is UTF-16; UTF-8 expected");
@@ -2141,14 +2143,13 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     size_t header = (sizeof(ms_sss_designer) + 63) / 64 * 64, doubles, bytes, row;
     ms_sss_designer *d;
     int c, s, o;
-    if (designer == NULL || profile == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "designer or profile is NULL");
+    if (designer == NULL || profile == NULL) return MS_SSS__REFUSE(error, "designer or profile is NULL");
     *designer = NULL;
     if (radius_px == 0) radius_px = 24;
     if (!(radius_px > 0 && radius_px <= 1e9))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "radius_px is %g; above 0, at most 1e9 expected", radius_px);
+        return MS_SSS__REFUSE(error, "radius_px is %g; above 0, at most 1e9 expected", radius_px);
     widest = ms_sss__extent(profile, total, radius);
-    if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light in any channel");
+    if (!(widest > 0)) return MS_SSS__REFUSE(error, "the profile holds no light in any channel");
     if (radius_px > (int)MS_SSS__CELLS_MAX) radius_px = (int)MS_SSS__CELLS_MAX;
     row = (size_t)(radius_px + 0.5) + 1;
     doubles = 3 * row * (row + 1) + 3 * MS_SSS__OCTANT + (MS_SSS__HALF + 1) * row;
@@ -3273,10 +3274,9 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_o
         (status = ms_sss__within(o->index, "index", 1, 2, error)) != MS_OK)
         return status;
     if (!dense && (o->tap_count < 3 || o->tap_count > most || o->tap_count % 2 == 0))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tap_count is %d; odd, 3 to %d, or MS_SSS_DENSE expected",
-                        o->tap_count, most);
+        return MS_SSS__REFUSE(error, "tap_count is %d; odd, 3 to %d, or MS_SSS_DENSE expected", o->tap_count, most);
     if (o->model == MS_SSS_ROTATED && (dense || o->placement != MS_SSS_OPTIMISED || o->frame_count < 2 || o->frame_count > 8))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+        return MS_SSS__REFUSE(error,
                         "model rotated: frame_count is %d; 2 to 8, MS_SSS_OPTIMISED and no MS_SSS_DENSE expected", o->frame_count);
     for (c = 0; c < 3; ++c) {
         const ms_sss_artist *a = &o->artist;
@@ -3318,7 +3318,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
     ms_sss__curve *dense, *taps, *scratch;
     ms_status status;
     int pairs, c, of_profile;
-    if (kernel == NULL || d == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel or designer is NULL");
+    if (kernel == NULL || d == NULL) return MS_SSS__REFUSE(error, "kernel or designer is NULL");
     if (o.tap_count == 0) o.tap_count = 7;
     if (o.term_count == 0) o.term_count = o.model == MS_SSS_RESIDUAL ? 2 : 1;
     if (o.frame_count == 0) o.frame_count = 4;
@@ -3381,7 +3381,7 @@ MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, doubl
     double q[MS_SSS_TERMS_MAX], sigma[MS_SSS_TERMS_MAX];
     int c, n;
     if (d == NULL || sigma_mm == NULL || weight == NULL || count < 1 || count > MS_SSS_TERMS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d Gaussians; 1 to %d and no NULL expected", count, MS_SSS_TERMS_MAX);
+        return MS_SSS__REFUSE(error, "%d Gaussians; 1 to %d and no NULL expected", count, MS_SSS_TERMS_MAX);
     for (c = 0; c < 3; ++c) {
         ms_sss__fit_mixture(d, c, count, q, sigma);
         for (n = 0; n < count; ++n) {
@@ -3406,10 +3406,9 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss
     double least = HUGE_VAL, miss;
     size_t n;
     int one_term;
-    if (kernel == NULL || d == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", kernel ? "designer" : "kernel");
+    if (kernel == NULL || d == NULL) return MS_SSS__REFUSE(error, "%s is NULL", kernel ? "designer" : "kernel");
     if (!(tolerance > 0) || tap_budget < 3)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g, tap_budget %d; above 0 and at least 3 expected",
-                        tolerance, tap_budget);
+        return MS_SSS__REFUSE(error, "tolerance is %g, tap_budget %d; above 0 and at least 3 expected", tolerance, tap_budget);
     options.tap_count = MS_SSS_DENSE; /* the best that any number of taps can do with one term, at the cost of a few taps */
     m = (ms_sss__measurer *)ms__alloc(&d->allocator, sizeof *m + 2 * sizeof *trial);
     if (m == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to choose a kernel");
@@ -3558,7 +3557,7 @@ enum {
     MS_SSS__FAR = 120,  /* pixels that pairs may reach */
     MS_SSS__MARGIN = 144, /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
     MS_SSS__STEP = 8,   /* rows that the second pass takes together */
-    MS_SSS__LEAVE = 0,  /* plans of a group: no lane has a kernel; lane by lane; pairs, where some lanes have kernels; where all have; and one place each */
+    MS_SSS__LEAVE = 0,  /* plans of a group: no lane has a kernel; lane by lane; by pairs, where some have; all; at one place each */
     MS_SSS__ANY = 1,
     MS_SSS__SOME = 2,
     MS_SSS__ALL = 3,
@@ -3610,14 +3609,15 @@ typedef struct ms_sss__pass {
     float upright;      /* 1 - flat */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
     float unit;         /* mm of dz 1 */
-    float grain;        /* a plane that fits depths with relative errors of grain / 2 errs by at most grain (2 + i) times depth i pixels away:
-                           2 errors for the depths there and here, as many for each step between, and one pixel more beside a tap */
+    float grain;        /* a plane that fits depths with relative errors of grain / 2 errs by at most grain (2 + i) times depth i
+                           pixels away: 2 errors for the depths there and here and for each step between, one pixel beside a tap */
     float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
     float remote, bulge; /* square of the mm of dz 1, times upright; square root of upright / 2; exact: 0 */
     float apart;        /* dz at which the pixels of a larger one part */
 } ms_sss__pass;
 
-/* Light of a tap x mm away falls about as 1 / x^2: what lies dz off the plane counts 1 / (1 + remote dz^2). At most 1e6, so that products of three stay finite. */
+/* Light of a tap x mm away falls about as 1 / x^2: what lies dz off the plane counts 1 / (1 + remote dz^2). Products of three
+   stay finite. */
 static MS_SSS__INLINE float ms_sss__remote(const ms_sss__pass *p, float mm)
 {
     const float most = 1e6f, square = mm * mm;
@@ -3650,7 +3650,7 @@ typedef struct ms_sss__sweep {
     int rows;          /* of a window: 5 with slopes, else 1 */
     ptrdiff_t plan_row, window_row, window_size;
     unsigned char *plan;
-    int *slot, *done, *held; /* of each row, in the ring, 0: nothing takes part; finished; of each slot the columns that hold something */
+    int *slot, *done, *held; /* of each row: in the ring, 0: nothing takes part; finished; of each slot: columns that hold something */
     ptrdiff_t *row, *column; /* the same in floats, from MARGIN rows above the picture on; 0 1 2 ..., from -MARGIN on */
 } MS_SSS__ALIGNED ms_sss__sweep;
 
@@ -4958,7 +4958,8 @@ static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_
         l.ring = ms__size_mul(rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
         l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (size_t)((pairs + 4) / 4 * 4), (size_t)l.padded / lanes);
         l.sweep = ms__size_add(l.sweep, sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
-                                            (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (4 * rows + 2) * sizeof(int) + 2 * sizeof(ms_sss__fixed) + sizeof(ms_sss__sweep));
+                                            (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (4 * rows + 2) * sizeof(int) +
+                                            2 * sizeof(ms_sss__fixed) + sizeof(ms_sss__sweep));
     }
     if (kind == MS_SSS__PASSES && terms > 1) l.planes += 3;
     floats = ms__size_add(l.ring, ms__size_mul(l.plane, (size_t)l.planes));
@@ -5044,31 +5045,30 @@ static MS_SSS__COLD ms_status ms_sss__check_image(ms_sss_image *image, const cha
     int c;
     if (!image->channel[0]) {
         if (!needed) return MS_OK;
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s: no pixels were given", name);
+        return MS_SSS__REFUSE(error, "%s: no pixels were given", name);
     }
     for (c = 1; c < channels; ++c)
-        if (!image->channel[c]) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s: channel %d has no pixels", name, c);
-    if (image->half != 0 && image->half != 1)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s: half is %d, not 0 or 1", name, image->half);
+        if (!image->channel[c]) return MS_SSS__REFUSE(error, "%s: channel %d has no pixels", name, c);
+    if (image->half != 0 && image->half != 1) return MS_SSS__REFUSE(error, "%s: half is %d, not 0 or 1", name, image->half);
     if (image->pixel_stride == 0) image->pixel_stride = 1;
     if (image->pixel_stride > limit / width || image->pixel_stride < -(limit / width))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s: pixel_stride is too large", name);
+        return MS_SSS__REFUSE(error, "%s: pixel_stride is too large", name);
     if (image->row_stride == 0) image->row_stride = image->pixel_stride * width;
     if (image->row_stride > limit / height || image->row_stride < -(limit / height))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s: row_stride is too large", name);
+        return MS_SSS__REFUSE(error, "%s: row_stride is too large", name);
     return MS_OK;
 }
 
 static MS_SSS__COLD ms_status ms_sss__check_sides(int width, int height, ms_error *error)
 {
     if (width >= 1 && height >= 1 && width <= MS_SSS__SIDE_MAX && height <= MS_SSS__SIDE_MAX) return MS_OK;
-    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
+    return MS_SSS__REFUSE(error, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
 }
 
 static MS_SSS__COLD ms_status ms_sss__check_lent(const void *workspace, size_t size, size_t needed, ms_error *error)
 {
     if (workspace && size >= needed) return MS_OK;
-    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a workspace of %z bytes: expected %z", workspace ? size : 0, needed);
+    return MS_SSS__REFUSE(error, "a workspace of %z bytes: expected %z", workspace ? size : 0, needed);
 }
 
 /* Fills in the strides. */
@@ -5098,15 +5098,14 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
     ms_status status;
     int i;
     if (sizes != 1)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                        "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed", sizes);
+        return MS_SSS__REFUSE(error, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed", sizes);
     if (ms_sss__differ(a[0], 0) && !(ms_sss__positive(a[0]) && a[1] >= 0 && ms__finite_f(a[1])))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pixels_per_mm %g, %g: expected positive numbers", (double)a[0], (double)a[1]);
+        return MS_SSS__REFUSE(error, "pixels_per_mm %g, %g: expected positive numbers", (double)a[0], (double)a[1]);
     if (ms_sss__differ(o->fov_degrees, 0) && !(o->fov_degrees > 0 && o->fov_degrees < 180))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fov_degrees %g is not within (0, 180)", (double)o->fov_degrees);
+        return MS_SSS__REFUSE(error, "fov_degrees %g is not within (0, 180)", (double)o->fov_degrees);
     for (i = 0; i < 4; ++i)
         if (ms_sss__differ(length[i], 0) && !ms_sss__positive(length[i]))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s %g is not positive", name[i], (double)length[i]);
+            return MS_SSS__REFUSE(error, "%s %g is not positive", name[i], (double)length[i]);
     if ((status = ms_sss__within((double)o->fade, "fade", 0, 1, error)) != MS_OK ||
         (status = ms_sss__within((double)o->flat, "flat", 0, 1, error)) != MS_OK ||
         (status = ms_sss__within((double)o->jitter, "jitter", 0, 1, error)) != MS_OK ||
@@ -5134,7 +5133,8 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     const int width = job->full_width, height = job->full_height;
     const double side = (double)(width > height ? width : height) / (double)job->coarse, radius = (double)k->radius_mm;
     const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
-    double size = ms_sss__pixels(o, height) / (double)job->coarse, widest, kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: differences so small that they count as none */
+    double size = ms_sss__pixels(o, height) / (double)job->coarse, widest;
+    double kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: differences so small that they count as none */
     ms_sss__pass *p = &job->pass;
     int c;
     job->kernel = k;
@@ -5149,7 +5149,8 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
         kappa = mm / (o->follow_mm > 0 ? (double)o->follow_mm : radius);
     } else if (o->depth_mode == MS_SSS_DEPTH_AWARE) {
         const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
-        const double upright = job->shaped ? 1 - (double)o->flat : 0, sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
+        const double upright = job->shaped ? 1 - (double)o->flat : 0;
+        const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
         double end = MS_SSS__FALLOFF_END * sigma, unit = 0.84932180028801904 / sigma, apart; /* exp(-dz^2 / (2 sigma^2)) = 2^-(unit dz)^2 */
         if (!job->shaped && (o->exact || radius < end)) end = radius;
         apart = end;
@@ -5253,7 +5254,7 @@ MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void
     return ms_sss__view(red, green, blue, 0, half);
 }
 
-MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half) { return ms_sss__view(values, NULL, NULL, stride, half); }
+MS_API ms_sss_image ms_sss_map(const void *values, int step, int half) { return ms_sss__view(values, NULL, NULL, step, half); }
 
 MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height)
 {
@@ -5272,7 +5273,7 @@ MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int 
     ms_status status;
     double near_plane, far_plane;
     int x, y, endless;
-    if (!buffer || !how || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "buffer, how or out is NULL");
+    if (!buffer || !how || !out) return MS_SSS__REFUSE(error, "buffer, how or out is NULL");
     from = *buffer;
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK ||
         (status = ms_sss__check_image(&from, "buffer", 1, 1, width, height, error)) != MS_OK)
@@ -5281,7 +5282,7 @@ MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int 
     far_plane = (double)how->far_plane;
     endless = !(far_plane > 0) || !ms__finite_f(how->far_plane);
     if (!ms_sss__positive(how->near_plane) || (endless ? how->orthographic || far_plane < 0 || far_plane != far_plane : far_plane <= near_plane))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "near_plane %g, far_plane %g: expected 0 < near < far, or far 0 in perspective", near_plane, far_plane);
+        return MS_SSS__REFUSE(error, "near_plane %g, far_plane %g: expected 0 < near < far, or far 0 in perspective", near_plane, far_plane);
     for (y = 0; y < height; ++y)
         for (x = 0; x < width; ++x) {
             const double d = (double)ms_sss__get(&from, 0, x, y), away = how->reversed ? d : 1 - d; /* 1 at the near plane, 0 at the far one */
@@ -5320,7 +5321,7 @@ static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const m
             ++n;
         }
     if (!(sum > 0.5 * side * n)) return MS_OK;
-    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
+    return MS_SSS__REFUSE(error, "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
                     "1000 for a scene in metres, 1 if it is in mm", radius_mm);
 }
 
@@ -5349,7 +5350,7 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
     int i, c;
     if ((status = ms_sss__check_sides(w, h, error)) != MS_OK) return status;
     if (kernel_count < 1 || kernel_count > 256)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel_count %d is not within 1 to 256", kernel_count);
+        return MS_SSS__REFUSE(error, "kernel_count %d is not within 1 to 256", kernel_count);
     for (i = 0; i < kernel_count; ++i)
         if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
     if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
@@ -5467,7 +5468,8 @@ typedef struct ms_sss__half {
     int plain, bold; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or depth can keep a pixel from taking part */
 } ms_sss__half;
 
-static MS_SSS__COLD size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count, const ms_sss_filter_options *options)
+static MS_SSS__COLD size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+                                             const ms_sss_filter_options *options)
 {
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16), (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
@@ -5796,12 +5798,12 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
     enum { STEPS = 16, LOW = 14, HIGH = 14, TABLE = STEPS * (LOW + HIGH) + 1, CELLS = 4000, TERMS = MS_SSS__WAVE_TERMS };
     double T[TABLE], A[TERMS * TERMS], b[MS_SSS_PYRAMID_SIZES][TERMS], wave[TERMS], x[TERMS], total[3], radius[3], widest = 0, previous;
     int size, c, i, j, l, m, wide;
-    if (!pyramid || !profile) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pyramid or profile is NULL");
+    if (!pyramid || !profile) return MS_SSS__REFUSE(error, "pyramid or profile is NULL");
     ms_sss_profile_reflectance(profile, total);
     ms_sss_profile_radius(profile, 0.99, radius);
     for (c = 0; c < 3; ++c)
         if (radius[c] > widest) widest = radius[c];
-    if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light");
+    if (!(widest > 0)) return MS_SSS__REFUSE(error, "the profile holds no light");
     memset(pyramid, 0, sizeof *pyramid);
     pyramid->radius_mm = (float)widest;
     for (c = 0; c < 3; ++c) {
@@ -6306,8 +6308,7 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
                                            ms_error *error)
 {
     ms_status status;
-    if (!frame || !pyramid || !options)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, pyramid or options is NULL");
+    if (!frame || !pyramid || !options) return MS_SSS__REFUSE(error, "frame, pyramid or options is NULL");
     status = ms_sss__check_sides(frame->width, frame->height, error);
     if (status == MS_OK) status = ms_sss__check_lent(workspace, workspace_size, ms_sss_pyramid_workspace(frame->width, frame->height), error);
     if (status == MS_OK) status = ms_sss__check_options(options, error);
@@ -6372,8 +6373,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     ms_status status;
     float *end;
     int i;
-    if (!frame || !kernels || !options)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, kernels or options is NULL");
+    if (!frame || !kernels || !options) return MS_SSS__REFUSE(error, "frame, kernels or options is NULL");
     status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
                            ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options), MS_SSS__BARE, &end, error);
     if (status != MS_OK) return status;
@@ -6681,8 +6681,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_
     const int w = frame ? frame->width : 0, h = frame ? frame->height : 0;
     int c, i, layer, level;
     ms_sss__patch *at;
-    if (!frame || !profile || !options)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frame, profile or options is NULL");
+    if (!frame || !profile || !options) return MS_SSS__REFUSE(error, "frame, profile or options is NULL");
     memset(&g, 0, sizeof g);
     g.frame = *frame;
     g.options = *options;
@@ -6704,7 +6703,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_
         g.reflectance[c] = (float)total[c];
         g.elevation[c] = (float)ms_sss_elevation(total[c], 1) * (1 - options->flat);
     }
-    if (!(widest > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the profile holds no light in any channel");
+    if (!(widest > 0)) return MS_SSS__REFUSE(error, "the profile holds no light in any channel");
     g.reach = (float)(1.5 * widest); /* what is farther is worth less than the pixels' own shape */
     g.layers = back ? 2 : 1;
     if (options->fov_degrees > 0)
@@ -7811,7 +7810,7 @@ static MS_SSS__COLD void ms_sss__say_shader(ms_sss__text *text, const ms_sss_sha
 static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filter_options *o, ms_error *error)
 {
     ms_status status;
-    if (!s || !o) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "shader or options is NULL");
+    if (!s || !o) return MS_SSS__REFUSE(error, "shader or options is NULL");
     if ((status = ms_sss__check_options(o, error)) != MS_OK) return status;
     if ((status = ms_sss__within((int)s->language, "language", 0, (int)MS_SSS_WGSL, error)) != MS_OK ||
         (status = ms_sss__within((int)s->step, "step", 0, (int)MS_SSS_STEP_RESOLVE, error)) != MS_OK ||
@@ -7825,20 +7824,19 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
             return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has fragment shaders and targets of 32 bits, and is round, "
                             "without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
     } else if (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tap_count %d: expected an odd number from 1 to %d", s->tap_count, MS_SSS_TAPS_MAX);
+        return MS_SSS__REFUSE(error, "tap_count %d: expected an odd number from 1 to %d", s->tap_count, MS_SSS_TAPS_MAX);
     if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile_count %d needs profile, the source of the index", s->profile_count);
+        return MS_SSS__REFUSE(error, "profile_count %d needs profile, the source of the index", s->profile_count);
     if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "fov_degrees %g needs depth", (double)o->fov_degrees);
+        return MS_SSS__REFUSE(error, "fov_degrees %g needs depth", (double)o->fov_degrees);
     if (!ms_sss__shader_tower(s) &&
         (s->half_resolution ? s->step == MS_SSS_STEP_PREPARE || s->prepared : (int)s->step >= (int)MS_SSS_STEP_DOWN))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "half_resolution %d: its first step is DOWN, that of others PREPARE or X",
+        return MS_SSS__REFUSE(error, "half_resolution %d: its first step is DOWN, that of others PREPARE or X",
                         s->half_resolution);
     if (s->step == MS_SSS_STEP_NORMAL && !(s->with_normal && ms_sss__shader_shaped(s, o)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step NORMAL without with_normal, or where slopes do not count");
+        return MS_SSS__REFUSE(error, "step NORMAL without with_normal, or where slopes do not count");
     if (s->slopes_kept && (s->compute || s->with_normal || ms_sss__shader_tower(s) || !ms_sss__shader_shaped(s, o)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                        "slopes_kept in a pyramid, a compute shader, with_normal, or where slopes do not count");
+        return MS_SSS__REFUSE(error, "slopes_kept in a pyramid, a compute shader, with_normal, or where slopes do not count");
     if (s->half_target && ms_sss__shader_shaped(s, o))
         return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with flat %g: slopes need more of depth than binary16 holds",
                         (double)o->flat);
@@ -7847,7 +7845,7 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
     if (s->half_target && s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE && s->half_resolution)
         return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with depth and profile and half_resolution");
     if (s->later && !(s->compute && s->step == MS_SSS_STEP_Y))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "later is of second passes in compute shaders; others blend additively");
+        return MS_SSS__REFUSE(error, "later is of second passes in compute shaders; others blend additively");
     if (s->compute && s->language == MS_SSS_GLSL_ES_300)
         return ms__fail(error, MS_UNSUPPORTED, 0, "compute: OpenGL ES 3.0 has none");
     return MS_OK;
@@ -7879,10 +7877,10 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, 
 {
     ms_status status;
     int i, c;
-    if (!kernel) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernel is NULL");
+    if (!kernel) return MS_SSS__REFUSE(error, "kernel is NULL");
     if ((status = ms_sss__check_kernel(kernel, 0, error)) != MS_OK) return status;
     if (term < 0 || term >= kernel->term_count)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term %d is not within the kernel's %d", term, kernel->term_count);
+        return MS_SSS__REFUSE(error, "term %d is not within the kernel's %d", term, kernel->term_count);
     for (i = 1; half_kernel && i < kernel->tap_count; i += 2) {
         int same = !ms_sss__differ(kernel->offset_mm[i], -kernel->offset_mm[i + 1]);
         for (c = 0; c < 3; ++c)
@@ -7923,10 +7921,10 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     ms_status status;
     int count, stride, terms = 0, blocks, i, c;
     double focal;
-    if (!kernels || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kernels or out is NULL");
+    if (!kernels || !out) return MS_SSS__REFUSE(error, "kernels or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
     if (ms_sss__shader_tower(shader))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
+        return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     count = ms_sss__shader_profiles(shader);
     stride = ms_sss__shader_stride(shader);
@@ -7940,8 +7938,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
         }
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
     }
-    if (term < 0 || term >= terms)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "term %d is not within the kernels' %d", term, terms);
+    if (term < 0 || term >= terms) return MS_SSS__REFUSE(error, "term %d is not within the kernels' %d", term, terms);
     memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
     ms_sss__shader_job(&job, kernels, options, width, height, 0);
     focal = ms_sss__pixels(options, height) * (options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1);
@@ -8004,14 +8001,13 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
     ms_status status;
     float unit;
     int levels, i, c;
-    if (!pyramid || !out) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pyramid or out is NULL");
+    if (!pyramid || !out) return MS_SSS__REFUSE(error, "pyramid or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
     if (!ms_sss__shader_tower(shader))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
+        return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     levels = ms_sss_shader_levels(width, height);
-    if (level < 0 || level >= levels)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "level %d is not within the picture's %d", level, levels);
+    if (level < 0 || level >= levels) return MS_SSS__REFUSE(error, "level %d is not within the picture's %d", level, levels);
     memset(&kernel, 0, sizeof kernel);
     kernel.tap_count = kernel.term_count = 1;
     kernel.radius_mm = pyramid->radius_mm;
@@ -8043,6 +8039,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 }
 
 #undef MS_SSS__FEATURE_LIST
+#undef MS_SSS__REFUSE
 #undef MS_SSS__PICK
 #undef MS_SSS__INLINE
 #undef MS_SSS__APART
