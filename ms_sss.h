@@ -3637,8 +3637,8 @@ static MS_SSS__INLINE float ms_sss__bulge(const ms_sss__pass *p, float mm, float
    red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share stand 16 times. */
 typedef struct ms_sss__sweep {
     float offset[2][MS_SSS__PAIRS][16]; /* mm; of the axes in their own pixels */
-    float nearness[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* 1 / offset; centre, pairs */
-    float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16], lift[MS_SSS__LEANING][3][2][16]; /* lift: K / 4 and 1, times the fourth root of the weight */
+    float span[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* |offset|; centre, pairs */
+    float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16], lift[MS_SSS__LEANING][3][2][16]; /* lift: K / (4 span) and 1, times the fourth root of the weight */
     struct ms_sss__job *job;
     int pairs;         /* of taps that weigh the same; 0: any taps */
     int shaped, reach, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
@@ -4758,14 +4758,14 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
             ms_sss__splat(s->weight[i + 1][c], (double)p->weight[2 * i + 1][c]);
         }
         for (c = 0; c < 2; ++c) ms_sss__splat(s->offset[c][i], fabs(x) * (double)p->aspect[c]);
-        ms_sss__splat(s->nearness[i], 1 / fabs(x));
+        ms_sss__splat(s->span[i], fabs(x));
         ms_sss__splat(s->remote[i], (double)ms_sss__remote(p, (float)x));
         if (s->remote[i][0] * (float)(x * x) < 0.999f * p->remote) s->steep = 1;
         ms_sss__splat(s->bulge[i], (double)ms_sss__bulge(p, (float)x, &inner));
         for (c = 0; c < 3 && s->shaped; ++c) {
-            const double w = (double)s->weight[i + 1][c][0], root = w > 0 ? sqrt(sqrt(w)) : 0;
+            const double w = (double)s->weight[i + 1][c][0], root = sqrt(sqrt(fabs(w)));
             if (!(w >= 0)) s->plain = 0;
-            ms_sss__splat(s->lift[i][c][0], root * (double)p->curve[c]);
+            ms_sss__splat(s->lift[i][c][0], root * (double)p->curve[c] / fabs(x));
             ms_sss__splat(s->lift[i][c][1], root);
         }
     }
@@ -8063,6 +8063,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
 #define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
 #define MS_SSS__CHUNK (MS_SSS__LANES == 16 ? 1 : MS_SSS__LANES == 1 ? 16 : 4) /* groups in flight */
+#define MS_SSS__LEAN (MS_SSS__LANES == 16 ? 2 : MS_SSS__CHUNK) /* the same with slopes */
 #if defined(__GNUC__) && !defined(__clang__) && MS_SSS__LANES >= 8
 #define MS_SSS__UNROLL _Pragma("GCC unroll 8")
 #else
@@ -8845,39 +8846,14 @@ static MS_SSS__APART void MS_SSS__NAME(by_pairs)(const ms_sss__sweep *s, const m
     MS_SSS__NAME(flat)(s, p, l, x, n, 0, out);
 }
 
-/* With slopes: what the pixels of one side of a pair weigh, of depths dz over the tangent plane, and the height of the side. One division serves all. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean)(const MS_SSS__V *dz, const MS_SSS__V *share, const float *remote, const int two, MS_SSS__V least, MS_SSS__V *w)
+/* With slopes: what a pixel dz over the tangent plane weighs of its share of a tap. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean)(MS_SSS__V dz, MS_SSS__V share, MS_SSS__V remote)
 {
-    const MS_SSS__V one = MS_SSS__SET(1.0f), r = MS_SSS__LOAD(remote);
-    MS_SSS__V square = MS_SSS__MIN(MS_SSS__MUL(dz[0], dz[0]), one), over, next, both, below;
-    w[0] = MS_SSS__LESSEN(share[0], square, share[0]);
-    over = MS_SSS__MADD(r, square, one);
-    square = MS_SSS__MIN(MS_SSS__MUL(dz[1], dz[1]), one);
-    w[1] = MS_SSS__LESSEN(share[1], square, share[1]);
-    next = MS_SSS__MADD(r, square, one);
-    both = MS_SSS__MUL(over, next);
-    w[0] = MS_SSS__MUL(w[0], next);
-    w[1] = MS_SSS__MUL(w[1], over);
-    if (two) {
-        square = MS_SSS__MIN(MS_SSS__MUL(dz[2], dz[2]), one);
-        next = MS_SSS__MADD(r, square, one);
-        w[0] = MS_SSS__MUL(w[0], next);
-        w[1] = MS_SSS__MUL(w[1], next);
-        w[2] = MS_SSS__MUL(MS_SSS__LESSEN(share[2], square, share[2]), both);
-        both = MS_SSS__MUL(both, next);
-    }
-    both = MS_SSS__DIV(one, both);
-    w[0] = MS_SSS__MUL(w[0], both);
-    w[1] = MS_SSS__MUL(w[1], both);
-    below = MS_SSS__MADD(w[1], dz[1], MS_SSS__MUL(w[0], dz[0]));
-    if (two) {
-        w[2] = MS_SSS__MUL(w[2], both);
-        below = MS_SSS__MADD(w[2], dz[2], below);
-    }
-    return MS_SSS__NAME(beyond)(below, least);
+    const MS_SSS__V one = MS_SSS__SET(1.0f), q = MS_SSS__MUL(dz, dz), f = MS_SSS__MAX(MS_SSS__SUB(one, q), MS_SSS__SET(0.0f));
+    return MS_SSS__MUL(share, MS_SSS__DIV(f, MS_SSS__MADD(remote, q, one)));
 }
 
-/* How much more surface a side of weight sum at height `below` stands for; away: from the height of the pair before to this one's. */
+/* How much more surface a side of weight sum at height `below` stands for; away: height of the pair before, then of this one. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean_area)(MS_SSS__V sum, MS_SSS__V below, MS_SSS__V bulge, MS_SSS__V *away)
 {
     MS_SSS__V more = MS_SSS__DIV(MS_SSS__LESSEN(sum, *away, below), MS_SSS__ADD(sum, MS_SSS__SET(MS_SSS__SPARSE)));
@@ -8886,182 +8862,131 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean_area)(MS_SSS__V sum, MS_SSS__V
     return MS_SSS__MIN(MS_SSS__MADD(more, more, MS_SSS__SET(1.0f)), MS_SSS__SET(MS_SSS__AREA_MAX));
 }
 
-/* The group at column x where lanes differ or weights are of both signs. */
-static MS_SSS__APART void MS_SSS__NAME(leaning_two)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
+/* n groups from column x on, with slopes. Chains are long: of each pair first all groups' weights, then all their sums. Where
+   a pair's whole part is not the same in all lanes its pixels are put together first: light and depth of i, i + 1, -i, -i - 1. */
+static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
+                                                 int n, MS_SSS__V (*out)[3])
 {
-    const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f);
-    const ptrdiff_t *step = l->step, plane = l->plane;
-    const float *here = l->from + x / MS_SSS__LANES * l->group, *deep = here + 3 * plane;
-    const unsigned char *plan = l->plan + x / MS_SSS__LANES * s->plan_size;
-    const MS_SSS__V z = MS_SSS__LOAD(deep + step[0]), grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
-    const MS_SSS__V size = MS_SSS__LOAD(l->own[0] + x), rise = MS_SSS__LOAD(l->own[1] + x), facing = MS_SSS__LOAD(l->own[2] + x);
-    MS_SSS__V away[2], v[3], m[3], most[3];
-    int k, j, side, c;
-    away[0] = away[1] = zero;
-    for (c = 0; c < 3; ++c) {
-        m[c] = most[c] = MS_SSS__LOAD(s->weight[0][c]);
-        v[c] = MS_SSS__MUL(m[c], MS_SSS__LOAD(here + step[0] + c * plane));
-    }
-    for (k = 0; k < s->pairs; ++k) {
-        const int i = plan[k + 1] & (MS_SSS__BESIDE - 1);
-        const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[l->axis][k])), base = MS_SSS__SET(ms_sss__whole[i]), r = MS_SSS__SUB(t, base);
-        const MS_SSS__V least = MS_SSS__MADD(grain, t, MS_SSS__ADD(grain, grain)), near_by = MS_SSS__MUL(facing, MS_SSS__LOAD(s->nearness[k]));
-        const MS_SSS__V bulge = MS_SSS__MUL(facing, MS_SSS__LOAD(s->bulge[k]));
-        MS_SSS__V share[3];
-        share[0] = MS_SSS__MAX(MS_SSS__SUB(one, r), zero);
-        share[2] = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
-        share[1] = MS_SSS__SUB(one, MS_SSS__ADD(share[0], share[2]));
-        for (side = 0; side < 2; ++side) {
-            const MS_SSS__V more = side ? MS_SSS__SUB(zero, rise) : rise;
-            const ptrdiff_t *at = side ? step - i : step + i;
-            MS_SSS__V gain = MS_SSS__MUL(more, base), dz[3], f[3], sum, below, sine, area;
-            for (j = 0; j < 3; ++j) {
-                const MS_SSS__V there = MS_SSS__LOAD(deep + at[side ? -j : j]);
-                dz[j] = MS_SSS__SUB(there, z);
-                dz[j] = p->perspective ? MS_SSS__LESSEN(gain, there, dz[j]) : MS_SSS__SUB(dz[j], gain);
-                gain = MS_SSS__ADD(gain, more);
-            }
-            below = MS_SSS__NAME(lean)(dz, share, s->remote[k], 1, least, f);
-            sum = MS_SSS__ADD(MS_SSS__ADD(f[0], f[1]), f[2]);
-            area = MS_SSS__NAME(lean_area)(sum, below, bulge, &away[side]);
-            sine = MS_SSS__MAX(MS_SSS__MIN(MS_SSS__MUL(below, near_by), one), MS_SSS__SET(p->least));
-            sum = MS_SSS__MUL(sum, area);
-            for (c = 0; c < 3; ++c) {
-                const float *from = here + c * plane;
-                const MS_SSS__V w = MS_SSS__LOAD(s->weight[k + 1][c]), lifted = MS_SSS__MUL(w, MS_SSS__NAME(lift)(p, c, sine));
-                MS_SSS__V u = MS_SSS__MADD(f[1], MS_SSS__LOAD(from + at[side ? -1 : 1]), MS_SSS__MUL(f[0], MS_SSS__LOAD(from + at[0])));
-                u = MS_SSS__MUL(area, MS_SSS__MADD(f[2], MS_SSS__LOAD(from + at[side ? -2 : 2]), u));
-                m[c] = MS_SSS__MADD(w, sum, m[c]);
-                most[c] = MS_SSS__MADD(lifted, sum, most[c]);
-                v[c] = MS_SSS__MADD(lifted, u, v[c]);
-            }
-        }
-    }
-    for (c = 0; c < 3; ++c) {
-        if (!p->mixed[c]) m[c] = MS_SSS__MAX(m[c], MS_SSS__MUL(most[c], MS_SSS__SET(p->root[c])));
-        out[c] = MS_SSS__NAME(restore)(v[c], m[c], MS_SSS__LOAD(here + step[0] + c * plane), p->total[c], p->mixed[c]);
-    }
-}
-
-/* Of pair k what its pixels weigh and the heights of its sides. */
-static MS_SSS__INLINE void MS_SSS__NAME(lean_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const float *deep, const ptrdiff_t *step, int k, int i, const float *offset, MS_SSS__V z,
-                                                   MS_SSS__V size, MS_SSS__V rise, MS_SSS__V grain, MS_SSS__V *to)
-{
-    const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(offset)), base = MS_SSS__SET(ms_sss__whole[i]), gain = MS_SSS__MUL(rise, base), gain1 = MS_SSS__ADD(gain, rise);
-    const MS_SSS__V z0 = MS_SSS__LOAD(deep + step[i]), z1 = MS_SSS__LOAD(deep + step[i + 1]), z2 = MS_SSS__LOAD(deep + step[-i]), z3 = MS_SSS__LOAD(deep + step[-i - 1]);
-    const MS_SSS__V least = MS_SSS__MADD(grain, t, MS_SSS__ADD(grain, grain));
-    MS_SSS__V share[2], dz[2], ez[2];
-    share[1] = MS_SSS__SUB(t, base);
-    share[0] = MS_SSS__SUB(MS_SSS__SET(1.0f), share[1]);
-    dz[0] = MS_SSS__SUB(z0, z);
-    dz[1] = MS_SSS__SUB(z1, z);
-    ez[0] = MS_SSS__SUB(z2, z);
-    ez[1] = MS_SSS__SUB(z3, z);
-    if (p->perspective) {
-        dz[0] = MS_SSS__LESSEN(gain, z0, dz[0]);
-        dz[1] = MS_SSS__LESSEN(gain1, z1, dz[1]);
-        ez[0] = MS_SSS__MADD(gain, z2, ez[0]);
-        ez[1] = MS_SSS__MADD(gain1, z3, ez[1]);
-    } else {
-        dz[0] = MS_SSS__SUB(dz[0], gain);
-        dz[1] = MS_SSS__SUB(dz[1], gain1);
-        ez[0] = MS_SSS__ADD(ez[0], gain);
-        ez[1] = MS_SSS__ADD(ez[1], gain1);
-    }
-    to[4] = MS_SSS__NAME(lean)(dz, share, s->remote[k], 0, least, to);
-    to[5] = MS_SSS__NAME(lean)(ez, share, s->remote[k], 0, least, to + 2);
-}
-
-/* n groups from column x on, with slopes. Chains are long: the weights of a group's pairs among the sums of the group before. */
-static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, MS_SSS__V (*out)[3])
-{
-    const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f);
-    const ptrdiff_t *step = l->step, plane = l->plane, group = l->group;
-    const int pairs = s->pairs, plan_size = s->plan_size;
-    const float *from = l->from + x / MS_SSS__LANES * group, (*offset)[16] = s->offset[l->axis];
+    const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f), grain = MS_SSS__SET(p->grain);
+    const ptrdiff_t *step = l->step, group = l->group, plane = l->plane;
+    const int pairs = s->pairs, plan_size = s->plan_size, axis = l->axis, perspective = p->perspective;
+    const int steep = s->steep, plain = s->plain, simple = plain && s->simple, width = MS_SSS__LEAN * MS_SSS__LANES;
+    const float *sizes = l->own[0] + x, *rises = l->own[1] + x, *cosines = l->own[2] + x;
+    const float *first = l->from + x / MS_SSS__LANES * group, *from, *light;
     const unsigned char *plan = l->plan + x / MS_SSS__LANES * plan_size;
-    MS_SSS__V held[2][MS_SSS__LEANING][6], sums[MS_SSS__LEANING];
-    int g, k, c, lift = 0;
-    for (g = 0; g <= n; ++g, from += group, plan += plan_size) {
-        const unsigned char *plan0 = plan - plan_size;
-        const int here = x + g * MS_SSS__LANES;
-        const float *red = from - group, *deep = from + 3 * plane;
-        MS_SSS__V z = zero, grain = zero, size = zero, rise = zero, facing = zero, away[2], v[3], most[3];
-        int lean = 0;
-        if (g < n && plan[0] >= MS_SSS__SOME) {
-            int two = !s->plain;
-            for (k = 0; k < pairs; ++k) two |= plan[k + 1] & MS_SSS__BESIDE;
-            if (two) MS_SSS__NAME(leaning_two)(s, p, l, here, out[g]);
-            else lean = 1;
+    float mixed[MS_SSS__LEAN][4][4][MS_SSS__LANES];
+    MS_SSS__V held[MS_SSS__LEAN][6], base[MS_SSS__LEAN], away[MS_SSS__LEAN][2];
+    MS_SSS__V v[MS_SSS__LEAN][3], m[MS_SSS__LEAN][3], most[MS_SSS__LEAN][3];
+    int g, k, c, i, some = 0;
+    for (g = 0, light = first + step[0]; g < n; ++g, light += group) {
+        some |= plan[g * plan_size] >= MS_SSS__SOME;
+        away[g][0] = away[g][1] = zero;
+        MS_SSS__UNROLL
+        for (c = 0; c < 3; ++c) {
+            m[g][c] = most[g][c] = MS_SSS__LOAD(s->weight[0][c]);
+            v[g][c] = MS_SSS__MUL(m[g][c], MS_SSS__LOAD(light + c * plane));
         }
-        if (lean) {
-            z = MS_SSS__LOAD(deep + step[0]);
-            grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
-            size = MS_SSS__LOAD(l->own[0] + here);
-            rise = MS_SSS__LOAD(l->own[1] + here);
-            if (l->axis)
-                for (c = 0; c < 3; ++c) MS_SSS__PREFETCH((const char *)(l->own[c] + here + 4 * MS_SSS__LANES));
-        }
-        v[0] = v[1] = v[2] = most[0] = most[1] = most[2] = zero;
-        if (lift) {
-            facing = MS_SSS__LOAD(l->own[2] + here - MS_SSS__LANES);
-            MS_SSS__UNROLL
-            for (c = 0; c < 3; ++c) {
-                most[c] = MS_SSS__LOAD(s->weight[0][c]);
-                v[c] = MS_SSS__MUL(most[c], MS_SSS__LOAD(red + step[0] + c * plane));
-            }
-        }
-        away[0] = away[1] = zero;
-        for (k = 0; k < pairs; ++k) {
-            if (lean) {
-                MS_SSS__NAME(lean_pair)(s, p, deep, step, k, plan[k + 1], offset[k], z, size, rise, grain, held[g & 1][k]);
-                if (l->axis) /* rows lie far apart: the next groups of the taps' outer ones */
-                    for (c = 0; c < 4; c += 16 / MS_SSS__LANES) {
-                        MS_SSS__PREFETCH((const char *)(from + step[plan[k + 1] + 1] + MS_SSS__CHUNK * group + c * plane));
-                        MS_SSS__PREFETCH((const char *)(from + step[-plan[k + 1]] + MS_SSS__CHUNK * group + c * plane));
-                    }
-            }
-            if (lift) {
-                const int i = plan0[k + 1];
-                const ptrdiff_t up0 = step[i], up1 = step[i + 1], down0 = step[-i], down1 = step[-i - 1];
-                const MS_SSS__V *h = held[~g & 1][k], near_by = MS_SSS__MUL(facing, MS_SSS__LOAD(s->nearness[k])), bulge = MS_SSS__MUL(facing, MS_SSS__LOAD(s->bulge[k]));
-                const MS_SSS__V high = MS_SSS__NAME(lean_area)(MS_SSS__ADD(h[0], h[1]), h[4], bulge, &away[0]), low = MS_SSS__NAME(lean_area)(MS_SSS__ADD(h[2], h[3]), h[5], bulge, &away[1]);
-                const MS_SSS__V q0 = MS_SSS__MUL(h[0], high), q1 = MS_SSS__MUL(h[1], high), q2 = MS_SSS__MUL(h[2], low), q3 = MS_SSS__MUL(h[3], low);
-                const MS_SSS__V up = MS_SSS__ADD(q0, q1), down = MS_SSS__ADD(q2, q3);
-                MS_SSS__V sine[2];
-                sine[0] = MS_SSS__MUL(h[4], near_by);
-                sine[1] = MS_SSS__MUL(h[5], near_by);
-                if (s->steep) {
-                    sine[0] = MS_SSS__MAX(MS_SSS__MIN(sine[0], one), MS_SSS__SET(p->least));
-                    sine[1] = MS_SSS__MAX(MS_SSS__MIN(sine[1], one), MS_SSS__SET(p->least));
-                }
-                sums[k] = MS_SSS__ADD(up, down);
-                MS_SSS__UNROLL
-                for (c = 0; c < 3; ++c) {
-                    const float *light = red + c * plane;
-                    const MS_SSS__V root = MS_SSS__LOAD(s->lift[k][c][1]), slope = MS_SSS__LOAD(s->lift[k][c][0]);
-                    MS_SSS__V a = MS_SSS__MADD(sine[0], slope, root), b = MS_SSS__MADD(sine[1], slope, root);
-                    a = MS_SSS__MUL(a, a);
-                    b = MS_SSS__MUL(b, b);
-                    a = MS_SSS__MUL(a, a);
-                    b = MS_SSS__MUL(b, b);
-                    most[c] = MS_SSS__MADD(a, up, most[c]);
-                    v[c] = MS_SSS__MADD(a, MS_SSS__MADD(q1, MS_SSS__LOAD(light + up1), MS_SSS__MUL(q0, MS_SSS__LOAD(light + up0))), v[c]);
-                    most[c] = MS_SSS__MADD(b, down, most[c]);
-                    v[c] = MS_SSS__MADD(b, MS_SSS__MADD(q3, MS_SSS__LOAD(light + down1), MS_SSS__MUL(q2, MS_SSS__LOAD(light + down0))), v[c]);
+    }
+    if (!some) return;
+    for (c = 0; c < 3 && axis; ++c) /* the next groups, as below */
+        for (i = 0; i < width; i += 16) MS_SSS__PREFETCH((const char *)(l->own[c] + x + width + i));
+    for (k = 0; k < pairs; ++k) {
+        const MS_SSS__V offset = MS_SSS__LOAD(s->offset[axis][k]), remote = MS_SSS__LOAD(s->remote[k]);
+        const MS_SSS__V bulge = MS_SSS__LOAD(s->bulge[k]), span = MS_SSS__LOAD(s->span[k]);
+        const MS_SSS__V bottom = MS_SSS__MUL(span, MS_SSS__SET(p->least));
+        const int place = plan[k + 1], whole = place & (MS_SSS__BESIDE - 1);
+        ptrdiff_t at[4], to_green = plane, to_next = group;
+        int differ = place & MS_SSS__BESIDE;
+        for (g = 0; g < n; ++g) differ |= plan[g * plan_size] < MS_SSS__SOME || plan[g * plan_size + k + 1] != place;
+        from = first;
+        if (!differ) {
+            for (g = 0; g < MS_SSS__LEAN; ++g) base[g] = MS_SSS__SET(ms_sss__whole[whole]);
+            for (i = 0; i < 4; ++i) at[i] = step[i < 2 ? whole + i : 2 - whole - i];
+        } else {
+            for (g = 0; g < n; ++g) {
+                const int mine = plan[g * plan_size] < MS_SSS__SOME ? 0 : plan[g * plan_size + k + 1];
+                const int j = mine & (MS_SSS__BESIDE - 1), more = mine > j;
+                const MS_SSS__V low = MS_SSS__SET(ms_sss__whole[j]), high = MS_SSS__SET(ms_sss__whole[j + more]);
+                const MS_SSS__MASK lower = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__LOAD(sizes + g * MS_SSS__LANES), offset), high);
+                base[g] = MS_SSS__SELECT(lower, low, high);
+                for (i = 0; i < 4; ++i) {
+                    const float *a = first + g * group + step[i < 2 ? j + i : 2 - j - i];
+                    const float *b = first + g * group + step[i < 2 ? j + i + more : 2 - j - i - more];
+                    for (c = 0; c < 4; ++c, a += plane, b += plane)
+                        MS_SSS__STORE(mixed[g][i][c], MS_SSS__SELECT(lower, MS_SSS__LOAD(a), MS_SSS__LOAD(b)));
                 }
             }
+            from = mixed[0][0][0];
+            for (i = 0; i < 4; ++i) at[i] = i * 4 * MS_SSS__LANES;
+            to_green = MS_SSS__LANES;
+            to_next = 16 * MS_SSS__LANES;
         }
-        if (lift) {
+        for (g = 0, light = from + 3 * to_green; g < n; ++g, light += to_next) {
+            const MS_SSS__V z = MS_SSS__LOAD(first + g * group + step[0] + 3 * plane), unit = MS_SSS__MUL(z, grain);
+            const MS_SSS__V rise = MS_SSS__LOAD(rises + g * MS_SSS__LANES), facing = MS_SSS__LOAD(cosines + g * MS_SSS__LANES);
+            const MS_SSS__V t = MS_SSS__MUL(MS_SSS__LOAD(sizes + g * MS_SSS__LANES), offset);
+            const MS_SSS__V least = MS_SSS__MADD(unit, t, MS_SSS__ADD(unit, unit));
+            const MS_SSS__V share1 = MS_SSS__SUB(t, base[g]), share = MS_SSS__SUB(one, share1);
+            const MS_SSS__V gain = MS_SSS__MUL(rise, base[g]), gain1 = MS_SSS__ADD(gain, rise);
+            const MS_SSS__V z0 = MS_SSS__LOAD(light + at[0]), z1 = MS_SSS__LOAD(light + at[1]);
+            const MS_SSS__V z2 = MS_SSS__LOAD(light + at[2]), z3 = MS_SSS__LOAD(light + at[3]);
+            const MS_SSS__V d0 = MS_SSS__LESSEN(gain, perspective ? z0 : one, MS_SSS__SUB(z0, z));
+            const MS_SSS__V d1 = MS_SSS__LESSEN(gain1, perspective ? z1 : one, MS_SSS__SUB(z1, z));
+            const MS_SSS__V d2 = MS_SSS__MADD(gain, perspective ? z2 : one, MS_SSS__SUB(z2, z));
+            const MS_SSS__V d3 = MS_SSS__MADD(gain1, perspective ? z3 : one, MS_SSS__SUB(z3, z));
+            MS_SSS__V *h = held[g];
+            h[0] = MS_SSS__NAME(lean)(d0, share, remote);
+            h[1] = MS_SSS__NAME(lean)(d1, share1, remote);
+            h[2] = MS_SSS__NAME(lean)(d2, share, remote);
+            h[3] = MS_SSS__NAME(lean)(d3, share1, remote);
+            h[4] = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(MS_SSS__MADD(h[1], d1, MS_SSS__MUL(h[0], d0)), least));
+            h[5] = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(MS_SSS__MADD(h[3], d3, MS_SSS__MUL(h[2], d2)), least));
+            if (axis) /* rows lie far apart: the next groups of the taps' outer ones */
+                for (c = 0; c < 4; c += 16 / MS_SSS__LANES) {
+                    const float *ahead = first + (g + MS_SSS__LEAN) * group + c * MS_SSS__LANES;
+                    MS_SSS__PREFETCH((const char *)(ahead + step[whole + 1]));
+                    MS_SSS__PREFETCH((const char *)(ahead + step[-whole]));
+                }
+        }
+        for (g = 0; g < n; ++g, from += to_next) {
+            const MS_SSS__V *h = held[g];
+            const MS_SSS__V high = MS_SSS__NAME(lean_area)(MS_SSS__ADD(h[0], h[1]), h[4], bulge, &away[g][0]);
+            const MS_SSS__V low = MS_SSS__NAME(lean_area)(MS_SSS__ADD(h[2], h[3]), h[5], bulge, &away[g][1]);
+            const MS_SSS__V q0 = MS_SSS__MUL(h[0], high), q1 = MS_SSS__MUL(h[1], high);
+            const MS_SSS__V q2 = MS_SSS__MUL(h[2], low), q3 = MS_SSS__MUL(h[3], low);
+            const MS_SSS__V up = MS_SSS__ADD(q0, q1), down = MS_SSS__ADD(q2, q3), all = MS_SSS__ADD(up, down);
+            MS_SSS__V rise = h[4], fall = h[5];
+            if (steep) {
+                rise = MS_SSS__MAX(MS_SSS__MIN(rise, span), bottom);
+                fall = MS_SSS__MAX(MS_SSS__MIN(fall, span), bottom);
+            }
             MS_SSS__UNROLL
-            for (c = 0; c < 3; ++c) {
-                MS_SSS__V m = MS_SSS__LOAD(s->weight[0][c]);
-                for (k = 0; k < pairs; ++k) m = MS_SSS__MADD(sums[k], MS_SSS__LOAD(s->weight[k + 1][c]), m);
-                m = MS_SSS__MAX(m, MS_SSS__MUL(most[c], MS_SSS__SET(p->root[c])));
-                out[g - 1][c] = MS_SSS__NAME(restore)(v[c], m, MS_SSS__LOAD(red + step[0] + c * plane), p->total[c], 0);
+            for (c = 0, light = from; c < 3; ++c, light += to_green) {
+                const MS_SSS__V root = MS_SSS__LOAD(s->lift[k][c][1]), slope = MS_SSS__LOAD(s->lift[k][c][0]);
+                MS_SSS__V a = MS_SSS__MADD(rise, slope, root), b = MS_SSS__MADD(fall, slope, root), above, below;
+                m[g][c] = MS_SSS__MADD(all, MS_SSS__LOAD(s->weight[k + 1][c]), m[g][c]);
+                a = MS_SSS__MUL(a, a);
+                b = MS_SSS__MUL(b, b);
+                a = MS_SSS__MUL(a, a);
+                b = MS_SSS__MUL(b, b);
+                if (!plain && s->weight[k + 1][c][0] < 0) {
+                    a = MS_SSS__SUB(zero, a);
+                    b = MS_SSS__SUB(zero, b);
+                }
+                most[g][c] = MS_SSS__MADD(b, down, MS_SSS__MADD(a, up, most[g][c]));
+                above = MS_SSS__MADD(q1, MS_SSS__LOAD(light + at[1]), MS_SSS__MUL(q0, MS_SSS__LOAD(light + at[0])));
+                below = MS_SSS__MADD(q3, MS_SSS__LOAD(light + at[3]), MS_SSS__MUL(q2, MS_SSS__LOAD(light + at[2])));
+                v[g][c] = MS_SSS__MADD(b, below, MS_SSS__MADD(a, above, v[g][c]));
             }
         }
-        lift = lean;
+    }
+    for (g = 0, light = first + step[0]; g < n; ++g, light += group) {
+        MS_SSS__UNROLL
+        for (c = 0; c < 3; ++c) {
+            if (plain || !p->mixed[c]) m[g][c] = MS_SSS__MAX(m[g][c], MS_SSS__MUL(most[g][c], MS_SSS__SET(p->root[c])));
+            if (simple) out[g][c] = MS_SSS__DIV(v[g][c], m[g][c]);
+            else out[g][c] = MS_SSS__NAME(restore)(v[g][c], m[g][c], MS_SSS__LOAD(light + c * plane), p->total[c], p->mixed[c]);
+        }
     }
 }
 /* Eight floats of each lane become eight vectors: interleaving half the vectors with the other half makes the highest bit of an
@@ -9315,6 +9240,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
                                                int first, int last)
 {
     const int three = MS_SSS__LANES == 8 && !shaped && s->pairs == 3 && s->simple && !p->exact;
+    const int chunk = shaped ? MS_SSS__LEAN : MS_SSS__CHUNK;
     int x, y, g, c;
 #if MS_SSS__LANES == 16
     if (!shaped && s->pairs == 3 && s->simple && !p->exact) {
@@ -9322,15 +9248,15 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
         return;
     }
 #endif
-    for (x = first; x < last; x += MS_SSS__CHUNK * MS_SSS__LANES)
+    for (x = first; x < last; x += chunk * MS_SSS__LANES)
         for (y = 0; y < lines; ++y) {
             const ms_sss__line *l = &line[y];
-            const int n = (l->last - x) / MS_SSS__LANES < MS_SSS__CHUNK ? (l->last - x) / MS_SSS__LANES : MS_SSS__CHUNK;
+            const int n = (l->last - x) / MS_SSS__LANES < chunk ? (l->last - x) / MS_SSS__LANES : chunk;
             const int plan_size = s->plan_size, axis = l->axis, stream = l->stream;
             const ptrdiff_t group = l->group, to_group = l->to_group;
             const float *deep;
             float *to[3];
-            MS_SSS__V out[MS_SSS__CHUNK][3];
+            MS_SSS__V out[MS_SSS__LEAN][3];
             if (x < l->first || x >= l->last) continue;
             deep = l->from + x / MS_SSS__LANES * group + l->step[0] + 3 * l->plane;
             MS_SSS__NAME(fetch)(l, x, n);
@@ -10156,6 +10082,7 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN
 #undef MS_SSS__NAME
+#undef MS_SSS__LEAN
 #undef MS_SSS__CHUNK
 #undef MS_SSS__UNROLL
 #undef MS_SSS__V
