@@ -3752,7 +3752,7 @@ typedef struct ms_sss__kernels {
     void (*shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count, float *const out[7]);
     void (*gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6]);
     void (*settle)(const ms_sss__growth *s, const float *const row[4], ptrdiff_t stride, const float *const slope[3], const float *const sum[6], int first, int count,
-                   int stream, float *const out[3]);
+                   float *const out[4]);
     void (*invert)(const ms_sss__growth *s, const float *depth, int count, float *d);
     int (*halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit, int count, float *const out[4]);
     void (*soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3], const float *depth, int count, float *const out[4]);
@@ -6085,7 +6085,7 @@ static void ms_sss__tower_grow(void *context, int task)
         const int low = v->first[y], high = v->last[y];
         const int first = low / 32 * 32, last = ms_sss__round_up(high, 32); /* the gather works on 2 vectors at a time */
         const float *own[3];
-        float *sum[6], *lie[3], *blur[3];
+        float *sum[6], *lie[3];
         if (low >= high) continue;
         for (i = 0; i < 6; ++i)
             sum[i] = tower->at > 0 ? v->plane[MS_SSS__SUMS + i] + y * v->stride : ms_sss__tower_row(tower, task, i);
@@ -6106,20 +6106,16 @@ static void ms_sss__tower_grow(void *context, int task)
         }
         if (tower->at == 0) {
             const ms_sss_image *image = &job->frame.output;
-            const int direct = job->direct && job->whole[y] && high <= v->width && ms_sss__solid(job, y, low, high);
-            int stream = direct;
             const float *row[4];
-            float *depth = ms_sss__buffer(job, task, 17);
+            float *blur[4];
             for (c = 0; c < 4; ++c) row[c] = v->plane[c] + y * v->stride;
-            for (c = 0; c < 3; ++c) {
-                blur[c] = direct ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(job, task, c);
-                if ((uintptr_t)blur[c] % 64) stream = 0;
-            }
-            job->simd->settle(&tower->growth, row, v->stride, (const float *const *)lie, (const float *const *)sum, low, high, stream, blur);
-            if (direct) continue;
-            for (c = 0; c < 3; ++c) blur[c] += low;
-            for (c = low; c < high; ++c) depth[c] = own[0][c] < 0 || own[0][c] > 0 ? 0 : INFINITY;
-            ms_sss__finish(job, task, y, low, high - low, blur, depth + low);
+            for (c = 0; c < 4; ++c) blur[c] = ms_sss__buffer(job, task, c < 3 ? c : 17);
+            job->simd->settle(&tower->growth, row, v->stride, (const float *const *)lie, (const float *const *)sum, low, high, blur);
+            for (c = 0; c < 4; ++c) blur[c] += low;
+            if (job->direct && job->whole[y] && high <= v->width && ms_sss__solid(job, y, low, high))
+                for (c = 0; c < 3; ++c) job->simd->deliver(blur[c], high - low, (float *)image->channel[c] + y * image->row_stride + low);
+            else
+                ms_sss__finish(job, task, y, low, high - low, blur, blur[3]);
         }
     }
 }
@@ -10000,9 +9996,10 @@ static void MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own
 }
 
 /* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
-   tangent plane, and the sums. row: colour and d, of rows stride floats apart; slope: share, then the changes of d. */
+   tangent plane, and the sums. row: colour and d, of rows stride floats apart; slope: share, then the changes of d; out: colour, and
+   INFINITY where nothing takes part, else 0. */
 static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *const row[4], ptrdiff_t stride,
-                                                    const float *const slope[3], const float *const sum[6], int first, int count, int stream, float *const out[3])
+                                                    const float *const slope[3], const float *const sum[6], int first, int count, float *const out[4])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f), quarter = MS_SSS__SET(0.25f);
     const int check = !s->perspective || !s->shaped || s->step > 0.4f; /* else what takes no part lies too deep to count */
@@ -10017,10 +10014,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, con
         const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe, 1), radius = MS_SSS__NAME(radius)(s, safe);
         MS_SSS__V r = zero, g = zero, b = zero, n = zero, share[6], size = radius, dx = zero, dy = zero;
         const unsigned parts = MS_SSS__BITS(part);
-        if (!parts) {
-            for (c = 0; c < 3; ++c) MS_SSS__STORE(out[c] + i, zero);
-            continue;
-        }
+        MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(part, zero, MS_SSS__SET(INFINITY)));
+        if (!parts) continue;
         if (tilted) {
             size = MS_SSS__DIV(radius, MS_SSS__MIN(MS_SSS__MAX(MS_SSS__LOAD(slope[0] + i), one), MS_SSS__SET(1.5f)));
             dx = MS_SSS__LOAD(slope[1] + i);
@@ -10058,17 +10053,16 @@ static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, con
             const MS_SSS__V all = MS_SSS__ADD(MS_SSS__MADD(share[c + 3], n, share[c]), MS_SSS__LOAD(sum[c + 3] + i));
             const MS_SSS__MASK sound = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(1e-30f), all), MS_SSS__LESS(half, radius)); /* kernels under half a pixel leave it as it is */
             const MS_SSS__V to = MS_SSS__SELECT(sound, MS_SSS__MUL(light, MS_SSS__NAME(inverse)(all)), e);
-            if (stream) MS_SSS__STREAM(out[c] + i, to);
-            else MS_SSS__STORE(out[c] + i, to);
+            MS_SSS__STORE(out[c] + i, to);
         }
     }
 }
 
 static void MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *const row[4], ptrdiff_t stride, const float *const slope[3], const float *const sum[6],
-                                 int first, int count, int stream, float *const out[3])
+                                 int first, int count, float *const out[4])
 {
-    if (s->upright > 0) MS_SSS__NAME(settle_row)(s, 1, row, stride, slope, sum, first, count, stream, out);
-    else MS_SSS__NAME(settle_row)(s, 0, row, stride, slope, sum, first, count, stream, out);
+    if (s->upright > 0) MS_SSS__NAME(settle_row)(s, 1, row, stride, slope, sum, first, count, out);
+    else MS_SSS__NAME(settle_row)(s, 0, row, stride, slope, sum, first, count, out);
 }
 
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
