@@ -9086,11 +9086,12 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
             for (j = 0; j < rows; ++j) {
                 const float *from = here + ms_sss__row(l, (int)lane[1][lead] + j, height);
                 if (together) row[j] = from + first;
-                for (c = 0; c < 8 && !together; ++c) {
-                    const int column = ms_sss__clamp(first + (c >> 2), -MS_SSS__LANES - x, width - x);
-                    const MS_SSS__V there = MS_SSS__LOAD(from + (c & 3) * plane + column);
-                    float *to = apart[j] + c * MS_SSS__LANES;
-                    MS_SSS__STORE(to, left == pending ? there : MS_SSS__SELECT(same, there, MS_SSS__LOAD(to)));
+                for (i = 0; i < columns && !together; ++i) {
+                    const float *at_i = from + ms_sss__clamp(first + i, -MS_SSS__LANES - x, width - x);
+                    float *to = apart[j] + 4 * i * MS_SSS__LANES;
+                    MS_SSS__UNROLL
+                    for (c = 0; c < 4; ++c, at_i += plane, to += MS_SSS__LANES)
+                        MS_SSS__STORE(to, left == pending ? MS_SSS__LOAD(at_i) : MS_SSS__SELECT(same, MS_SSS__LOAD(at_i), MS_SSS__LOAD(to)));
                 }
             }
         }
