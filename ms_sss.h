@@ -9161,6 +9161,43 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
     }
 }
 
+/* Lanes whose places lie far apart, as at the edge of a surface: by pairs in turn, together those that differ by one at most.
+   Returns whether all were near enough. */
+static MS_SSS__APART int MS_SSS__NAME(by_parts)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
+                                                MS_SSS__V out[3])
+{
+    const float *deep = l->from + x / MS_SSS__LANES * l->group + 3 * l->plane;
+    const MS_SSS__V z = MS_SSS__LOAD(deep + l->step[0]), size = MS_SSS__NAME(size)(p, z);
+    const unsigned all = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
+    unsigned pending = MS_SSS__BITS(MS_SSS__NAME(need)(p, z));
+    unsigned char plan[MS_SSS__PAIRS + 1];
+    float at[MS_SSS__LANES], chosen[MS_SSS__LANES];
+    ms_sss__line alone = *l;
+    alone.from = deep - 3 * l->plane;
+    alone.plan = plan;
+    plan[0] = MS_SSS__SOME;
+    MS_SSS__STORE(at, size);
+    while (pending) {
+        unsigned bits = pending;
+        MS_SSS__V part[1][3];
+        int i, k, c;
+        for (k = 0; k < s->pairs; ++k) {
+            const float offset = s->offset[l->axis][k][0], place = at[ms_sss__lowest(pending)] * offset;
+            const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__SET(offset));
+            if (!(place < (float)MS_SSS__FAR)) return 0;
+            plan[k + 1] = (unsigned char)((int)place + MS_SSS__BESIDE);
+            bits &= MS_SSS__BITS(MS_SSS__LESS(t, MS_SSS__SET((float)((int)place + 2))));
+            bits &= all ^ MS_SSS__BITS(MS_SSS__LESS(t, MS_SSS__SET((float)(int)place)));
+        }
+        MS_SSS__NAME(by_pairs)(s, p, &alone, 0, 1, part);
+        for (i = 0; i < MS_SSS__LANES; ++i) chosen[i] = bits >> i & 1 ? 1.0f : 0.0f;
+        for (c = 0; c < 3; ++c)
+            out[c] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(0.5f), MS_SSS__LOAD(chosen)), part[0][c], out[c]);
+        pending &= ~bits;
+    }
+    return 1;
+}
+
 /* What pairs cannot do in the group at column x. */
 static MS_SSS__APART void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int kind, MS_SSS__V out[3])
 {
@@ -9172,7 +9209,8 @@ static MS_SSS__APART void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_ss
         own[c] = MS_SSS__MUL(MS_SSS__LOAD(here + c * l->plane), MS_SSS__SET(p->total[c]));
         if (kind < MS_SSS__SOME) out[c] = own[c];
     }
-    if (kind == MS_SSS__ANY) MS_SSS__NAME(any)(s, p, l, x, out);
+    if (kind == MS_SSS__ANY && (MS_SSS__LANES == 1 || s->shaped || !s->pairs || !MS_SSS__NAME(by_parts)(s, p, l, x, out)))
+        MS_SSS__NAME(any)(s, p, l, x, out);
     for (c = 0; c < 3 && kind != MS_SSS__LEAVE; ++c) out[c] = MS_SSS__SELECT(need, out[c], own[c]);
 }
 
