@@ -8890,7 +8890,7 @@ static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const m
         const MS_SSS__V offset = MS_SSS__LOAD(s->offset[axis][k]), remote = MS_SSS__LOAD(s->remote[k]);
         const MS_SSS__V bulge = MS_SSS__LOAD(s->bulge[k]), span = MS_SSS__LOAD(s->span[k]);
         const MS_SSS__V bottom = MS_SSS__MUL(span, MS_SSS__SET(p->least));
-        const int place = plan[k + 1], whole = place & (MS_SSS__BESIDE - 1);
+        const int place = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1], whole = place & (MS_SSS__BESIDE - 1); /* a group without: nothing there */
         ptrdiff_t at[4], to_green = plane, to_next = group;
         int differ = place & MS_SSS__BESIDE;
         for (g = 0; g < n; ++g) differ |= plan[g * plan_size] < MS_SSS__SOME || plan[g * plan_size + k + 1] != place;
