@@ -596,8 +596,8 @@ typedef struct ms_sss_filter_options {
 
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
-/* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation or jitter:
-   31), 12 more with kernels of several terms; with pyramids at least 39. SIZE_MAX: more than this machine can address. */
+/* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation: 31), 12 more
+   with kernels of several terms; with pyramids at least 39. SIZE_MAX: more than this machine can address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                       const ms_sss_filter_options *options);
 
@@ -658,7 +658,7 @@ typedef struct ms_sss_pyramid {
    MS_INVALID_ARGUMENT: a NULL, a profile without light. *pyramid is untouched then. */
 MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error);
 
-/* Bytes that ms_sss_pyramid_filter needs: about 43 a pixel of a large picture. SIZE_MAX: sides out of range. */
+/* Bytes that ms_sss_pyramid_filter needs: about 40 a pixel of a large picture. SIZE_MAX: sides out of range. */
 MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
 /* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE light counts by its
@@ -8036,6 +8036,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 
 #undef MS_SSS__FEATURE_LIST
 #undef MS_SSS__REFUSE
+#undef MS_SSS__TAKE
+#undef MS_SSS__TAKEN
 #undef MS_SSS__PICK
 #undef MS_SSS__INLINE
 #undef MS_SSS__APART
