@@ -3253,8 +3253,9 @@ static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms
         kernel->reflectance[c] = (float)d->reflectance[c];
         kernel->decay[c] = (float)ms_sss__decay_of(d->reflectance[c] < 0.9999 ? d->reflectance[c] : 0.9999, d->mean_mm[c]);
         kernel->elevation[c] = (float)ms_sss_elevation(d->reflectance[c], index);
-        /* pi/4 where terms of both signs leave no mean: what an exact separable kernel would have */
-        kernel->elevation_axis[c] = kernel->elevation[c] * (float)(both > 0.2 * d->mean_mm[c] ? d->mean_mm[c] / both : 0.785398);
+        if (!(both > 0.2 * d->mean_mm[c])) /* terms of both signs leave no mean: pi/4, what an exact separable kernel would have */
+            both = d->mean_mm[c] > 0 ? d->mean_mm[c] / 0.785398 : 1; /* never 0 */
+        kernel->elevation_axis[c] = kernel->elevation[c] * (float)(d->mean_mm[c] / both);
     }
     kernel->profile_radius_mm = (float)(d->width[d->widest] * d->cell_mm);
     n = v->pairs;
