@@ -4584,6 +4584,9 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
     }
 }
 
+/* What stands for row y in an array by rows; by its address, since a pointer may not lie before what it points into. */
+static int *ms_sss__by_row(int *at, int y) { return (int *)((uintptr_t)at - (uintptr_t)y * sizeof *at); }
+
 /* Row y as the first pass reads it, into the window; rows of other bands are read for their depths only. */
 static void ms_sss__admit(const ms_sss__sweep *s, int task, int y, int foreign, float *const plane[4])
 {
@@ -4595,11 +4598,11 @@ static void ms_sss__admit(const ms_sss__sweep *s, int task, int y, int foreign, 
     }
     other.unwritten = 0;
     if (foreign) {
-        other.first = info - y;
-        other.last = info + 1 - y;
-        other.solid_first = info + 2 - y;
-        other.solid_last = info + 3 - y;
-        other.whole = info + 4 - y;
+        other.first = ms_sss__by_row(info, y);
+        other.last = ms_sss__by_row(info + 1, y);
+        other.solid_first = ms_sss__by_row(info + 2, y);
+        other.solid_last = ms_sss__by_row(info + 3, y);
+        other.whole = ms_sss__by_row(info + 4, y);
     }
     ms_sss__prepare(&other, y, task, plane, plane[3]);
     if (other.fixed) return;
@@ -9236,10 +9239,12 @@ static MS_SSS__APART void MS_SSS__NAME(means)(const ms_sss__sweep *s, const ms_s
         for (y = 0; y < lines; ++y) {
             const ms_sss__line *l = &line[y];
             const ptrdiff_t at = x / MS_SSS__LANES, plane = l->plane, *step = l->step;
-            const unsigned char *plan = l->plan + at * 4 + 1;
-            const float *red = l->from + at * l->group;
+            const unsigned char *plan;
+            const float *red;
             MS_SSS__V v[1][3];
             if (x < l->first || x >= l->last) continue;
+            plan = l->plan + at * 4 + 1;
+            red = l->from + at * l->group;
             MS_SSS__NAME(fetch)(l, x, 1);
             if (plan[-1] == MS_SSS__ONE) {
                 const MS_SSS__V z = MS_SSS__LOAD(red + 3 * plane + step[0]), size = MS_SSS__NAME(size)(p, z);
